@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Combinations of values that make no sense, although each is in its range.
+#include "core/simulation/fields.h"
+
+#include "core/simulation/decimal.h"
+#include "core/simulation/units.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double mostSamples = 1e8;
+constexpr double mostSteps = 1e11;
+
+/// To four digits, for a message.
+std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
+
+/// An air bearing spring, with the keys that describe it.
+struct Spring {
+    std::string_view name; // "front"
+    std::string_view stiffnessKey;
+    std::string_view distanceKey;
+    double stiffness;
+    double distance; // from the mass centre, positive towards the leading edge [m]
+};
+
+/// The air force k_0 z_0^2/z^2 (z_0 - z) exists above d_1 alone, so both the static state and the start must be there:
+/// z = FH + (d_h + distance) theta, with FH at the contact pad, d_h behind the mass centre (Chen & Bogy, equation (1)).
+void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>& problems)
+{
+    if (spring.stiffness <= 0.0) return;
+    const double arm = c.onoYamane.padDistance + spring.distance;
+    const double still = c.springs.flyingHeight + arm * c.springs.pitch;
+    const double start = c.initial.flyingHeight + arm * c.initial.pitch;
+    const std::string beyond = " air bearing spring is %1, which must be greater than springs.cutoff (d_1 = " +
+                               inNanometres(c.springs.cutoff) + "); ";
+    const auto message = [&](std::string_view what, double spacing, std::string_view group) {
+        std::string text = std::string(what) + " spacing at the " + std::string(spring.name) + beyond;
+        text.replace(text.find("%1"), 2, inNanometres(spacing));
+        return text + "it follows from " + std::string(group) + ".flying_height, " + std::string(group) + ".pitch, " +
+               std::string(spring.distanceKey) + " and ono_yamane.pad_distance";
+    };
+    if (still <= c.springs.cutoff)
+        problems.push_back({"springs.flying_height", message("the static", still, "springs")});
+    if (start <= c.springs.cutoff)
+        problems.push_back({"initial.flying_height", message("the initial", start, "initial")});
+}
+
+void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
+{
+    const RunCase& run = c.run;
+    const std::string duration = "run.duration (" + formatQuantity(run.duration, "ms") + ")";
+    if (findField("run.step")->used(c)) {
+        if (run.step > run.duration) problems.push_back({"run.step", "must be at most " + duration});
+        if (run.duration / run.step > mostSteps)
+            problems.push_back({"run.step", "makes more than 1e11 steps of " + duration + "; take a longer step"});
+    }
+    if (run.sampleInterval > run.duration) problems.push_back({"run.sample_interval", "must be at most " + duration});
+    if (run.duration / run.sampleInterval > mostSamples)
+        problems.push_back(
+            {"run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval"});
+    if (c.spectrum.start >= run.duration) problems.push_back({"spectrum.start", "must be less than " + duration});
+}
+
+} // namespace
+
+std::vector<CaseProblem> checkCombinations(const Case& c)
+{
+    std::vector<CaseProblem> problems;
+    if (c.contact == ContactKind::OnoYamane && c.onoYamane.takeOff < c.onoYamane.touchDown)
+        problems.push_back({"ono_yamane.take_off", "d_e = " + inNanometres(c.onoYamane.takeOff) +
+                                                       " must be at least ono_yamane.touch_down (d_s = " +
+                                                       inNanometres(c.onoYamane.touchDown) + ")"});
+    checkSpacing(c,
+                 {"front", "springs.front_stiffness", "springs.front_distance", c.springs.frontStiffness,
+                  c.springs.frontDistance},
+                 problems);
+    checkSpacing(
+        c,
+        {"rear", "springs.rear_stiffness", "springs.rear_distance", c.springs.rearStiffness, -c.springs.rearDistance},
+        problems);
+    checkTimes(c, problems);
+    return problems;
+}
+
+} // namespace touchdown

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shorthand for the tables of fields: a description and the member of Case that it describes. Only for the files that
+// list fields.
+#pragma once
+
+#include "core/simulation/fields.h"
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace touchdown {
+
+/// The parts of fields(), in the order of a case file.
+std::vector<Field> descriptionFields();
+std::vector<Field> springModelFields();
+std::vector<Field> contactFields();
+std::vector<Field> runFields();
+
+namespace field_builders {
+
+inline bool always(const Case&) { return true; }
+inline bool withContact(const Case& c) { return c.contact != ContactKind::None; }
+inline bool withFixedStep(const Case& c)
+{
+    using enum IntegratorKind;
+    return c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark;
+}
+inline bool withAdaptiveStep(const Case& c) { return !withFixedStep(c); }
+inline bool withNewmark(const Case& c) { return c.run.integrator == IntegratorKind::Newmark; }
+
+/// Access to `case.group.member`, or to `case.member`.
+template <typename Group, typename Value>
+auto at(Group Case::*group, Value Group::*member)
+{
+    return [ group, member ](auto& c) -> auto& { return c.*group.*member; };
+}
+template <typename Value>
+auto at(Value Case::*member)
+{
+    return [member](auto& c) -> auto& { return c.*member; };
+}
+
+template <typename Member>
+Field number(Field field, Member member, bool (*used)(const Case&) = always)
+{
+    field.kind = FieldKind::Number;
+    field.get = [member](const Case& c) { return FieldValue(member(c)); };
+    // Adding zero turns -0 into 0, which has one spelling.
+    field.set = [member](Case& c, const FieldValue& value) { member(c) = std::get<double>(value) + 0.0; };
+    field.used = used;
+    return field;
+}
+
+/// Also for integers, booleans and texts, whose member has the type of the value.
+template <typename Member>
+Field plain(FieldKind kind, Field field, Member member, bool (*used)(const Case&) = always)
+{
+    using Value = std::remove_reference_t<decltype(member(std::declval<Case&>()))>;
+    field.kind = kind;
+    field.get = [member](const Case& c) { return FieldValue(member(c)); };
+    field.set = [member](Case& c, const FieldValue& value) { member(c) = std::get<Value>(value); };
+    field.used = used;
+    return field;
+}
+
+/// `field.choices` are the names of the enumerators, in their order.
+template <typename Member>
+Field choice(Field field, Member member, bool (*used)(const Case&) = always)
+{
+    using Enum = std::remove_reference_t<decltype(member(std::declval<Case&>()))>;
+    field.kind = FieldKind::Choice;
+    field.get = [member, names = field.choices](const Case& c) {
+        return FieldValue(names.at(static_cast<std::size_t>(member(c))));
+    };
+    field.set = [member, names = field.choices](Case& c, const FieldValue& value) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (names[i] == std::get<std::string>(value)) member(c) = static_cast<Enum>(i);
+    };
+    field.used = used;
+    return field;
+}
+
+} // namespace field_builders
+
+} // namespace touchdown

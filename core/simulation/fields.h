@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The one description of every field of a Case: key, unit, range, default, help text, source. It feeds
+// the file reader and writer, validation, `--set`, `describe`, the results file and the parameter panel.
+#pragma once
+
+#include "core/simulation/case.h"
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace touchdown {
+
+enum class FieldKind : std::uint8_t { Number, Integer, Choice, Boolean, Text };
+
+/// A field's value, by kind: Number -> double [SI], Integer -> int, Choice and Text -> string, Boolean -> bool.
+using FieldValue = std::variant<double, int, bool, std::string>;
+
+struct Field {
+    std::string key{};    // "springs.front_stiffness"
+    std::string label{};  // "front stiffness"
+    std::string symbol{}; // "k_f0"; empty if it has none
+    FieldKind kind = FieldKind::Number;
+    std::string unit{};        // SI unit of a Number, in UDUNITS spelling; empty when dimensionless
+    std::string displayUnit{}; // the unit people use, "nm"
+    double minimum = -std::numeric_limits<double>::infinity(); // [unit]
+    double maximum = std::numeric_limits<double>::infinity();  // [unit]
+    bool minimumAllowed = true;                                // false: must be greater than `minimum`
+    std::vector<std::string> choices{};                        // names, for a Choice
+    std::string help{};                                        // what it does, in a sentence
+    std::string source{}; // where it, or its default, comes from; says "assumed" where the paper's value is lost
+    std::function<FieldValue(const Case&)> get{};
+    std::function<void(Case&, const FieldValue&)> set{}; // the value's alternative must fit the kind
+    std::function<bool(const Case&)> used{};             // false: the chosen model has no such parameter
+
+    /// "springs" of "springs.cutoff"; empty for the root keys.
+    std::string group() const;
+};
+
+/// All fields, in the order of a case file.
+std::span<const Field> fields();
+/// The field of a key; nullptr if there is none.
+const Field* findField(std::string_view key);
+/// The key that was most likely meant; empty if none is near.
+std::string nearestKey(std::string_view key);
+
+/// "greater than 0 kg, at most 1e-3 kg", "one of none, ono-yamane": what a value must satisfy.
+std::string allowedRange(const Field& field);
+
+/// Reads a value as a case file or a person writes it ("7 nm", "0.3", "dopri5", "true"); bare numbers are SI.
+/// On failure returns the reason as one sentence without the key, and leaves the case alone.
+std::optional<std::string> setFromText(Case& target, const Field& field, std::string_view text);
+/// Sets a bare SI number; the same checks.
+std::optional<std::string> setFromNumber(Case& target, const Field& field, double value);
+
+/// The value as a case file writes it, without quotes: shortest text that reads back as the same number, in the display unit.
+std::string toText(const Case& from, const Field& field);
+
+/// Combinations that make no sense. Each problem names its keys.
+struct CaseProblem {
+    std::string key;
+    std::string message; // a sentence
+};
+std::vector<CaseProblem> checkCombinations(const Case& c);
+
+} // namespace touchdown

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Input as it may be shown in a message: short, on one line, without control characters.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace touchdown {
+
+/// "7 nm" with its quotation marks; what is unprintable becomes '?', what is long ends with "...".
+std::string quoted(std::string_view text);
+
+/// Index of the first byte that is not valid UTF-8 (RFC 3629); npos if there is none.
+std::size_t findInvalidUtf8(std::string_view text);
+
+} // namespace touchdown

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a run starts, how it is integrated, and how its spectra are estimated.
+#include "core/simulation/field_builders.h"
+
+namespace touchdown {
+
+using namespace field_builders;
+
+namespace {
+
+constexpr double longestRun = 100.0; // [s]
+
+std::vector<Field> initialFields()
+{
+    return {
+        number({.key = "initial.flying_height",
+                .label = "initial flying height",
+                .symbol = "FH(0)",
+                .unit = "m",
+                .displayUnit = "nm",
+                .minimum = -1,
+                .maximum = 1,
+                .help = "Flying height at the contact pad at the start.",
+                .source = "paper, text on Fig. 10: 250 nm"},
+               at(&Case::initial, &InitialCase::flyingHeight)),
+        number({.key = "initial.pitch",
+                .label = "initial pitch",
+                .symbol = "theta(0)",
+                .unit = "rad",
+                .displayUnit = "urad",
+                .minimum = -1,
+                .maximum = 1,
+                .help = "Pitch angle at the start, leading edge up.",
+                .source = "paper, text on Fig. 10: 0 urad"},
+               at(&Case::initial, &InitialCase::pitch)),
+        number({.key = "initial.vertical_velocity",
+                .label = "initial vertical velocity",
+                .unit = "m/s",
+                .displayUnit = "mm/s",
+                .help = "Velocity of the mass centre at the start, positive away from the disk.",
+                .source = "assumed: at rest; the paper does not say"},
+               at(&Case::initial, &InitialCase::verticalVelocity)),
+        number({.key = "initial.pitch_velocity",
+                .label = "initial pitch velocity",
+                .unit = "rad/s",
+                .displayUnit = "rad/s",
+                .help = "Pitch velocity at the start, positive when the leading edge rises.",
+                .source = "assumed: at rest; the paper does not say"},
+               at(&Case::initial, &InitialCase::pitchVelocity)),
+        choice({.key = "initial.branch",
+                .label = "initial branch",
+                .choices = {"touch-down", "take-off"},
+                .help = "Branch of the contact characteristic at the start, where that is between d_s and d_e.",
+                .source = "paper, section 4: touch-down"},
+               at(&Case::initial, &InitialCase::branch), withContact),
+    };
+}
+
+std::vector<Field> integrationFields()
+{
+    return {
+        number({.key = "run.duration",
+                .label = "duration",
+                .unit = "s",
+                .displayUnit = "ms",
+                .minimum = 0,
+                .maximum = longestRun,
+                .minimumAllowed = false,
+                .help = "Simulated time.",
+                .source = "paper, Figs. 10-14: 2 ms"},
+               at(&Case::run, &RunCase::duration)),
+        choice(
+            {.key = "run.integrator",
+             .label = "integrator",
+             .choices = {"rk4", "rk4-events", "newmark", "dopri5", "cvode"},
+             .help =
+                 "rk4 = fixed step, switches seen once per step as in the paper; rk4-events = fixed step, switches "
+                 "located; newmark = implicit, fixed step; dopri5 = adaptive, switches located; cvode = SUNDIALS, for "
+                 "comparison.",
+             .source = "paper: 4th-order Runge-Kutta for this model; dopri5: Dormand & Prince 1980"},
+            at(&Case::run, &RunCase::integrator)),
+        number({.key = "run.step",
+                .label = "time step",
+                .unit = "s",
+                .displayUnit = "ns",
+                .minimum = 0,
+                .maximum = longestRun,
+                .minimumAllowed = false,
+                .help = "Time step of the fixed-step integrators.",
+                .source = "paper, text on Table III: 1e-8 and 1e-9 s"},
+               at(&Case::run, &RunCase::step), withFixedStep),
+        number(
+            {.key = "run.tolerance",
+             .label = "tolerance",
+             .minimum = 1e-14,
+             .maximum = 1e-2,
+             .help =
+                 "Local error allowed per step of the adaptive integrators, relative to the scale of the static state.",
+             .source = "ours"},
+            at(&Case::run, &RunCase::tolerance), withAdaptiveStep),
+        number({.key = "run.newmark_beta",
+                .label = "Newmark beta",
+                .symbol = "beta",
+                .minimum = 0,
+                .maximum = 1,
+                .minimumAllowed = false,
+                .help = "Weight of the new acceleration in the displacement; 2 beta >= gamma >= 1/2 is unconditionally "
+                        "stable for "
+                        "linear systems.",
+                .source = "Newmark 1959: 1/4, the average acceleration"},
+               at(&Case::run, &RunCase::newmarkBeta), withNewmark),
+        number({.key = "run.newmark_gamma",
+                .label = "Newmark gamma",
+                .symbol = "gamma",
+                .minimum = 0.5,
+                .maximum = 1,
+                .help = "Weight of the new acceleration in the velocity; above 1/2 it damps and is of first order.",
+                .source = "Newmark 1959: 1/2, no numerical damping"},
+               at(&Case::run, &RunCase::newmarkGamma), withNewmark),
+        number({.key = "run.sample_interval",
+                .label = "sample interval",
+                .unit = "s",
+                .displayUnit = "us",
+                .minimum = 0,
+                .maximum = longestRun,
+                .minimumAllowed = false,
+                .help = "Time between recorded samples.",
+                .source = "ours"},
+               at(&Case::run, &RunCase::sampleInterval)),
+        plain(FieldKind::Boolean,
+              {.key = "run.step_check",
+               .label = "step check",
+               .help = "Whether a fixed-step run is repeated with half the step, to report a different end state.",
+               .source = "paper, text on Table III: convergence between two steps"},
+              at(&Case::run, &RunCase::stepCheck), withFixedStep),
+    };
+}
+
+std::vector<Field> spectrumFields()
+{
+    return {
+        choice({.key = "spectrum.window",
+                .label = "window",
+                .choices = {"rectangular", "hann", "hamming", "blackman", "flat-top"},
+                .help = "Window on each segment of the signal.",
+                .source = "Welch 1967; Harris 1978"},
+               at(&Case::spectrum, &SpectrumCase::window)),
+        choice({.key = "spectrum.scaling",
+                .label = "scaling",
+                .choices = {"density", "amplitude"},
+                .help = "density = the integral over frequency is the mean square; amplitude = a sine of amplitude A "
+                        "shows A^2/2.",
+                .source = "Welch 1967"},
+               at(&Case::spectrum, &SpectrumCase::scaling)),
+        number({.key = "spectrum.segment",
+                .label = "segment",
+                .unit = "s",
+                .displayUnit = "us",
+                .minimum = 0,
+                .maximum = longestRun,
+                .minimumAllowed = false,
+                .help = "Length of one segment; longer resolves finer, shorter averages more.",
+                .source = "ours"},
+               at(&Case::spectrum, &SpectrumCase::segment)),
+        number({.key = "spectrum.overlap",
+                .label = "overlap",
+                .minimum = 0,
+                .maximum = 0.95,
+                .help = "Part that neighbouring segments share.",
+                .source = "Welch 1967: one half"},
+               at(&Case::spectrum, &SpectrumCase::overlap)),
+        number({.key = "spectrum.start",
+                .label = "start",
+                .unit = "s",
+                .displayUnit = "ms",
+                .minimum = 0,
+                .maximum = longestRun,
+                .help = "Time before which the spectrum takes nothing.",
+                .source = "ours"},
+               at(&Case::spectrum, &SpectrumCase::start)),
+    };
+}
+
+} // namespace
+
+std::vector<Field> runFields()
+{
+    std::vector<Field> all = initialFields();
+    for (auto part : {integrationFields, spectrumFields})
+        for (Field& field : part()) all.push_back(std::move(field));
+    return all;
+}
+
+} // namespace touchdown
