@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `dopri5`: Dormand-Prince 5(4) with error control, dense output and located switches.
+//
+// The mode is frozen within a step. A step whose dense output leaves the mode's intervals is repeated with
+// the length that ends on the crossing to round-off; there the mode changes and the method starts anew, so the
+// order holds across switches. Because every point of the dense output is looked at (events.h), a short contact
+// is not missed and a wall is not jumped in one step; a crossing of a wall is taken only if the energy of the
+// step balances.
+#pragma once
+
+#include "core/numerics/events.h"
+#include "core/numerics/runge_kutta.h"
+#include "core/numerics/switched_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchdown {
+
+struct AdaptiveOptions {
+    double tolerance = 1e-8;     // local error of a step, in units of System::scale [-]
+    double firstStep = 1e-9;     // [s]
+    double period = 1e-6;        // shortest time scale of the system [s]
+    double energyBalance = 0.01; // error of the energy in a step across a wall, of the energy there [-]
+};
+
+/// Simpson's rule for the work of the powers that are not the system's own, along a step [J].
+template <SwitchedSystem System>
+double workAlong(const System& system, const Segment<typename System::State>& segment, typename System::Mode mode)
+{
+    const double begin = system.power(segment.c[0], mode);
+    const double middle = system.power(segment.at(segment.begin + 0.5 * segment.length), mode);
+    const double end = system.power(segment.c[4], mode);
+    return segment.length / 6.0 * (begin + 4.0 * middle + end);
+}
+
+/// Integrates from `start` over [0, until]. The recorder is told of
+///   bool step(t, y, mode, at)   an accepted step to time t; at(s) is the state at s within it; false stops
+///   void event(t, guard, upper, before, after)
+template <SwitchedSystem System, class Recorder>
+IntegrationResult integrateAdaptive(const System& system, Start<System> start, double until, const AdaptiveOptions& options, Recorder& recorder)
+{
+    using State = typename System::State;
+    constexpr const auto& tableau = dopri5Tableau;
+
+    State y = start.y;
+    auto mode = start.mode;
+    const State inverseScale = system.scale().cwiseInverse() / options.tolerance;
+    GuardWatch<System> watch(system, mode);
+    ChatterWatch chatter(options.period);
+    IntegrationResult result;
+
+    std::array<State, 7> k;
+    const auto derivative = [&](const State& at) { return system.derivative(at, mode); };
+    const auto stages = [&](double h) {
+        evaluateStages<tableau>(y, h, k, derivative);
+        result.evaluations += 6;
+        return State(y + combine<tableau.b, 6>(h, k));
+    };
+    const auto segmentOf = [&](double t, double h, const State& y1) {
+        // y0 + x (r1 + (1-x) (r2 + x (r3 + (1-x) r4))), as Bernstein coefficients.
+        const State r1 = y1 - y;
+        const State r2 = h * k[0] - r1;
+        const State r3 = r1 - h * k[6] - r2;
+        const State r4 = combine<tableau.d, 7>(h, k);
+        return Segment<State>{t, h, {y, y + 0.25 * (r1 + r2), y + 0.5 * r1 + (1.0 / 3.0) * r2 + (1.0 / 6.0) * (r3 + r4),
+                                     y + 0.75 * r1 + 0.25 * (r2 + r3), y1}};
+    };
+
+    double t = 0.0;
+    double h = std::min(options.firstStep, until);
+    double previousError = 1e-4;
+    k[0] = derivative(y);
+    ++result.evaluations;
+    bool rejected = false;
+
+    while (t < until) {
+        const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
+        h = std::min(h, until - t);
+        State y1 = stages(h);
+        const double error = (combine<tableau.e, 7>(h, k).cwiseProduct(inverseScale)).norm() / std::sqrt(double(State::RowsAtCompileTime));
+
+        if (!(error <= 1.0)) { // also when it is no number
+            ++result.rejectedSteps;
+            rejected = true;
+            h *= std::isfinite(error) ? std::max(0.1, 0.9 * std::pow(error, -0.2)) : 0.1;
+            if (h < smallest) {
+                result.end = y.allFinite() && k[0].allFinite() ? IntegrationEnd::StepUnderflow : IntegrationEnd::NotFinite;
+                break;
+            }
+            continue;
+        }
+
+        const double fullLength = h;
+        Segment<State> segment = segmentOf(t, h, y1);
+        std::optional<Crossing> crossing = watch.first(segment.c);
+        if (crossing) {
+            double length = crossing->at * h;
+            if (t + length > t) {
+                bool crossed = true;
+                y1 = endOnCrossing(watch, *crossing, fullLength, length, crossed, stages);
+                segment = segmentOf(t, length, y1);
+                if (system.isWall(crossing->guard)) {
+                    const double before = system.energy(y);
+                    const double after = system.energy(y1);
+                    const double made = after - before - workAlong(system, segment, mode);
+                    if (!(std::abs(made) <= options.energyBalance * std::max(before, after))) {
+                        ++result.rejectedSteps;
+                        h = 0.25 * length;
+                        if (h < smallest) {
+                            result.end = IntegrationEnd::Tunnelled;
+                            break;
+                        }
+                        continue;
+                    }
+                }
+                if (!crossed) crossing.reset();
+            } else {
+                length = 0.0;
+                y1 = y;
+            }
+            h = length;
+        }
+
+        const double t1 = crossing || h < fullLength ? t + h : (until - t <= h ? until : t + h);
+        if (h > 0.0) {
+            ++result.steps;
+            if (!recorder.step(t1, y1, mode, [&](double s) { return segment.at(s); })) {
+                result.end = IntegrationEnd::Stopped;
+                t = t1;
+                break;
+            }
+        }
+        t = t1;
+        y = y1;
+
+        if (crossing) {
+            const auto before = mode;
+            mode = system.beyond(mode, crossing->guard, crossing->upper);
+            watch.enter(mode);
+            recorder.event(t, crossing->guard, crossing->upper, before, mode);
+            if (chatter.tooMany(t)) {
+                result.end = IntegrationEnd::Chattering;
+                break;
+            }
+        }
+        if (h < fullLength) { // cut short: the last stage is not the next step's first
+            k[0] = derivative(y);
+            ++result.evaluations;
+            h = fullLength;
+            continue;
+        }
+        k[0] = k[6];
+        // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04).
+        const double bounded = std::max(error, 1e-10);
+        double factor = 0.9 * std::pow(bounded, -0.17) * std::pow(previousError, 0.04);
+        factor = std::clamp(factor, 0.2, rejected ? 1.0 : 10.0);
+        previousError = std::max(bounded, 1e-4);
+        rejected = false;
+        h *= factor;
+    }
+    result.time = t;
+    return result;
+}
+
+} // namespace touchdown

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where a step leaves the intervals of its mode.
+//
+// A guard's course over a step is a polynomial in Bernstein form; it lies within the hull of its coefficients.
+// If no coefficient leaves the interval then no point of the step does, so a contact that touches and leaves
+// again within one step is not missed. Otherwise the first crossing is found by halving.
+#pragma once
+
+#include "core/numerics/switched_system.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace touchdown {
+
+/// The first place in [0, 1] where the polynomial with these Bernstein coefficients goes from >= 0 to below
+/// zero, to the last bit. A c[0] below zero counts as a crossing at 0, unless the caller has cleared it.
+std::optional<double> firstDescent(const std::array<double, 5>& coefficients);
+
+/// A guard leaving its interval.
+struct Crossing {
+    double at = 0.0;    // place in the step, 0..1
+    int guard = 0;
+    bool upper = false; // through the upper end
+};
+
+/// Counts switches; a run of many within a short time is chattering, not motion.
+class ChatterWatch {
+public:
+    /// `period`: the shortest time scale of the system's own motion [s].
+    explicit ChatterWatch(double period) : window_(period) {}
+    /// True when this switch makes too many.
+    bool tooMany(double time)
+    {
+        const double oldest = times_[next_];
+        times_[next_] = time;
+        next_ = (next_ + 1) % times_.size();
+        return time - oldest < window_;
+    }
+
+private:
+    static constexpr std::size_t most = 64; // switches within one period
+    std::array<double, most> times_ = [] { std::array<double, most> a; a.fill(-std::numeric_limits<double>::infinity()); return a; }();
+    std::size_t next_ = 0;
+    double window_; // [s]
+};
+
+/// The intervals of the present mode, and how far round-off may carry a guard beyond them.
+template <SwitchedSystem System>
+class GuardWatch {
+public:
+    static constexpr int half = System::State::RowsAtCompileTime / 2;
+    using State = typename System::State;
+
+    GuardWatch(const System& system, typename System::Mode mode) : system_(system) { enter(mode); }
+
+    void enter(typename System::Mode mode)
+    {
+        for (int i = 0; i < System::guardCount; ++i) intervals_[static_cast<std::size_t>(i)] = system_.interval(i, mode);
+    }
+
+    /// How far inside the interval's end the state is [unit of q]; negative outside.
+    double inside(const State& y, int guard, bool upper) const
+    {
+        const double value = system_.guards(y.template head<half>())[guard];
+        const Interval& interval = intervals_[static_cast<std::size_t>(guard)];
+        return upper ? interval.upper - value : value - interval.lower;
+    }
+    /// Its rate [unit of q/s].
+    double insideRate(const State& y, int guard, bool upper) const
+    {
+        const double rate = system_.guards(y.template tail<half>())[guard];
+        return upper ? -rate : rate;
+    }
+    /// Round-off of a guard at this state [unit of q].
+    double roundOff(const State& y, int guard) const
+    {
+        constexpr double few = 16.0 * std::numeric_limits<double>::epsilon();
+        const Interval& interval = intervals_[static_cast<std::size_t>(guard)];
+        double size = y.template head<half>().cwiseAbs().dot(system_.guardSizes(guard));
+        if (std::isfinite(interval.lower)) size = std::max(size, std::abs(interval.lower));
+        if (std::isfinite(interval.upper)) size = std::max(size, std::abs(interval.upper));
+        return few * size;
+    }
+
+    /// The first crossing of a step whose Bernstein coefficients are c.
+    std::optional<Crossing> first(const std::array<State, 5>& c) const
+    {
+        using Guards = Eigen::Matrix<double, System::guardCount, 1>;
+        std::array<Guards, 5> g;
+        for (std::size_t k = 0; k < 5; ++k) g[k] = system_.guards(c[k].template head<half>());
+        std::optional<Crossing> found;
+        for (int i = 0; i < System::guardCount; ++i) {
+            const Interval& interval = intervals_[static_cast<std::size_t>(i)];
+            double lowest = g[0][i];
+            double highest = lowest;
+            for (std::size_t k = 1; k < 5; ++k) {
+                lowest = std::min(lowest, g[k][i]);
+                highest = std::max(highest, g[k][i]);
+            }
+            for (const bool upper : {false, true}) {
+                if (upper ? highest <= interval.upper : lowest >= interval.lower) continue;
+                std::array<double, 5> inside;
+                for (std::size_t k = 0; k < 5; ++k) inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
+                // On the boundary to round-off, as after a switch: in unless it moves out.
+                if (std::abs(inside[0]) <= roundOff(c[0], i)) inside[0] = inside[1] < 0.0 ? inside[0] - std::abs(inside[0]) : 0.0;
+                const std::optional<double> at = firstDescent(inside);
+                if (at && (!found || *at < found->at)) found = Crossing{*at, i, upper};
+            }
+        }
+        return found;
+    }
+
+private:
+    const System& system_;
+    std::array<Interval, System::guardCount> intervals_;
+};
+
+/// Shortens a step until it ends on a crossing to round-off.
+///
+/// `take(h)` repeats the step with length h and returns its end state; `h` starts at the crossing of the dense
+/// output. Newton's iteration on the length, kept within a bracket. Returns the end state, and false in
+/// `crossed` when the step, taken anew, only grazes the boundary from inside.
+template <SwitchedSystem System, class Take>
+typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double fullLength, double& h, bool& crossed, Take&& take)
+{
+    double inner = 0.0;        // longest length known to end inside
+    double outer = fullLength; // shortest length taken to end outside
+    typename System::State y = take(h);
+    for (int i = 0; i < 80; ++i) {
+        const double distance = watch.inside(y, crossing.guard, crossing.upper);
+        if (std::abs(distance) <= watch.roundOff(y, crossing.guard)) break;
+        (distance > 0.0 ? inner : outer) = h;
+        const double rate = watch.insideRate(y, crossing.guard, crossing.upper);
+        const double newton = h - distance / rate;
+        const double next = newton > inner && newton < outer && i < 8 ? newton : 0.5 * (inner + outer);
+        if (next == h || outer - inner <= std::numeric_limits<double>::epsilon() * outer) break;
+        h = next;
+        y = take(h);
+    }
+    crossed = watch.inside(y, crossing.guard, crossing.upper) <= watch.roundOff(y, crossing.guard);
+    return y;
+}
+
+} // namespace touchdown

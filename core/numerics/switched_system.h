@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Mechanical systems q" = a(q, q'; mode) whose law changes where a switching quantity leaves an interval.
+//
+// The state is y = (q, q'). Each switching quantity ("guard") is a linear function of q. In one mode every
+// guard has the interval in which that mode's law holds; the law itself is smooth beyond the interval's
+// ends, so that a step may look across an end before the switch is located (SUNDIALS, ARKODE guide,
+// ERKStepReInit: the right-hand side must have a smooth extension).
+#pragma once
+
+#include "core/numerics/interval.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace touchdown {
+
+template <class S>
+concept SwitchedSystem = requires(const S& system, const typename S::State& y, typename S::Mode mode, int guard) {
+    { S::guardCount } -> std::convertible_to<int>;
+    /// dy/dt by the smooth law of a mode, whether or not y is inside its intervals.
+    { system.derivative(y, mode) } -> std::same_as<typename S::State>;
+    /// dy/dt with every law chosen by y itself, and only the branch of a hysteresis taken from the mode.
+    { system.naiveDerivative(y, mode) } -> std::same_as<typename S::State>;
+    /// The mode of y, when the branch was that of `mode` until now.
+    { system.naiveMode(y, mode) } -> std::same_as<typename S::Mode>;
+    /// Guard values of the positions in y [unit of q]; linear, so they apply to velocities as well.
+    { system.guards(y.template head<S::State::RowsAtCompileTime / 2>()) };
+    /// Sizes of a guard's coefficients: |guard(q)| <= guardSizes . |q|, for its round-off.
+    { system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>()) } -> std::convertible_to<double>;
+    { system.interval(guard, mode) } -> std::same_as<Interval>;
+    /// The mode beyond the upper or lower end of a guard's interval.
+    { system.beyond(mode, guard, true) } -> std::same_as<typename S::Mode>;
+    /// Typical size of each component of y, against which an adaptive method's tolerance counts.
+    { system.scale() } -> std::same_as<typename S::State>;
+    /// True when crossing the guard means to climb a potential wall, which an inaccurate step may jump.
+    { system.isWall(guard) } -> std::same_as<bool>;
+    /// Energy [J], and the power that is not its own [W]: dE/dt = power.
+    { system.energy(y) } -> std::same_as<double>;
+    { system.power(y, mode) } -> std::same_as<double>;
+};
+
+/// A step's dense output: polynomials of degree 4 in Bernstein form, so that their values lie between the
+/// smallest and the largest coefficient.
+template <class State>
+struct Segment {
+    double begin = 0.0;  // [s]
+    double length = 0.0; // [s]
+    std::array<State, 5> c;
+
+    State at(double t) const
+    {
+        const double x = (t - begin) / length;
+        const double w = 1.0 - x;
+        const double xx = x * x;
+        const double ww = w * w;
+        return (ww * ww) * c[0] + (4.0 * ww * w * x) * c[1] + (6.0 * ww * xx) * c[2] + (4.0 * w * x * xx) * c[3] + (xx * xx) * c[4];
+    }
+};
+
+/// The cubic through positions and velocities at both ends (Hermite), raised to degree 4.
+template <class Vector>
+std::array<Vector, 5> hermite(const Vector& y0, const Vector& dy0, const Vector& y1, const Vector& dy1, double h)
+{
+    const Vector b1 = y0 + (h / 3.0) * dy0;
+    const Vector b2 = y1 - (h / 3.0) * dy1;
+    return {y0, 0.25 * y0 + 0.75 * b1, 0.5 * (b1 + b2), 0.75 * b2 + 0.25 * y1, y1};
+}
+
+/// Why an integration ended.
+enum class IntegrationEnd {
+    Reached,        // the end time
+    Stopped,        // by the recorder
+    NotFinite,      // a step made a value that is no number
+    StepUnderflow,  // the error test asks for steps below round-off
+    NewtonFailed,   // an implicit step found no solution
+    Chattering,     // switches follow each other without end
+    Tunnelled,      // a step crossed a potential wall with energy that it made itself
+};
+
+struct IntegrationResult {
+    IntegrationEnd end = IntegrationEnd::Reached;
+    double time = 0.0;           // reached [s]
+    long long steps = 0;         // accepted
+    long long rejectedSteps = 0;
+    long long evaluations = 0;   // of the right-hand side
+};
+
+/// Where a run starts.
+template <SwitchedSystem System>
+struct Start {
+    typename System::State y;
+    typename System::Mode mode;
+};
+
+} // namespace touchdown

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Simplified contact characteristic of Ono and Yamane, five parameters (Chen & Bogy, Fig. 3).
+//
+// d is the separation of the contact pad and the mean plane of the disk [m].
+//
+//   branch        d >= d_e            d_s < d < d_e                             d <= d_s
+//   touch-down    F_cr = F_m = 0      F_cr = F_m = 0                            F_cr = f_c0 + k_c (d_s - d), F_m = -f_m
+//   take-off      (touch-down)        F_cr = max(0, f_c0 + k_c (d_s - d)),      as touch-down
+//                                     F_m = -f_m, or linear to 0 at d_e
+//
+// The shape on the take-off branch is a reading of Fig. 3; the paper gives no equation for it.
+// d >= d_e selects the touch-down branch, d <= d_s the take-off branch; between them the branch is kept.
+//
+// Inside one region F_cr and F_m are affine in d, so that a step that stays in its region sees a
+// smooth force, and the whole law is a table of four rows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/numerics/interval.h"
+
+namespace touchdown {
+
+enum class TakeOffShape : std::uint8_t { Constant, Linear };
+enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
+
+/// The five parameters, the friction coefficient and where the pad is.
+struct OnoYamane {
+    double meniscusForce = 10e-3;      // f_m  [N], largest adhesion, >= 0
+    double contactStiffness = 5.0e6;   // k_c  [N/m], >= 0
+    double initialContactForce = 5e-3; // f_c0 [N], >= 0
+    double touchDown = 3e-9;           // d_s  [m]
+    double takeOff = 5e-9;             // d_e  [m], >= d_s
+    double friction = 0.3;             // mu   [-], >= 0
+    double padDistance = 0.600e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
+    TakeOffShape takeOffShape = TakeOffShape::Constant;
+};
+
+/// Where the separation is, and on which branch.
+enum class ContactRegion : std::uint8_t {
+    Apart,   // touch-down branch above d_s: no force
+    Pressed, // d <= d_s: asperities pressed, menisci formed
+    Lifting, // take-off branch, asperities still pressed
+    Bridged, // take-off branch, held by menisci alone
+};
+
+/// constant + slope d.
+struct AffineForce {
+    double constant = 0.0; // [N]
+    double slope = 0.0;    // [N/m]
+    double at(double d) const { return constant + slope * d; }
+};
+
+class OnoYamaneLaw {
+public:
+    explicit OnoYamaneLaw(const OnoYamane& parameters);
+
+    /// The region's smooth laws.
+    const AffineForce& contactLaw(ContactRegion region) const { return row(region).contact; }
+    const AffineForce& adhesionLaw(ContactRegion region) const { return row(region).adhesion; }
+    /// Real contact force F_cr >= 0 [N] at separation d [m].
+    double contactForce(ContactRegion region, double d) const { return row(region).contact.at(d); }
+    /// Adhesion force F_m <= 0 [N].
+    double adhesionForce(ContactRegion region, double d) const { return row(region).adhesion.at(d); }
+    /// Elastic energy stored in the pressed asperities, what F_cr would do on lifting [J].
+    double storedEnergy(ContactRegion region, double d) const;
+
+    /// The separations between which the region's law holds [m].
+    Interval interval(ContactRegion region) const { return row(region).interval; }
+    /// The region beyond the lower (upper) end of this one's interval.
+    ContactRegion beyond(ContactRegion region, bool upper) const { return upper ? row(region).above : row(region).below; }
+
+    /// The region of separation d on a branch.
+    ContactRegion region(ContactBranch branch, double d) const;
+    /// The branch on which a region lies.
+    static ContactBranch branch(ContactRegion region) { return region == ContactRegion::Apart ? ContactBranch::TouchDown : ContactBranch::TakeOff; }
+    /// The branch at separation d after `previous`: what the paper's program asks once per step.
+    ContactBranch nextBranch(ContactBranch previous, double d) const;
+
+private:
+    struct Row {
+        AffineForce contact;
+        AffineForce adhesion;
+        Interval interval; // [m]
+        ContactRegion below = ContactRegion::Apart;
+        ContactRegion above = ContactRegion::Apart;
+    };
+    const Row& row(ContactRegion region) const { return rows_[static_cast<std::size_t>(region)]; }
+
+    std::array<Row, 4> rows_;
+    double release_; // [m], where F_cr ends on the take-off branch
+};
+
+} // namespace touchdown

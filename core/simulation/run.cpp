@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/run.h"
+
+#include "core/numerics/cvode.h"
+#include "core/simulation/fields.h"
+#include "core/simulation/run_statistics.h"
+#include "core/simulation/spring_run.h"
+#include "core/simulation/units.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace touchdown {
+
+namespace {
+
+constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
+
+std::string time(double t) { return formatQuantity(std::round(t * 1e12) * 1e-12, "us"); }
+std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) * 1e-13, "nm"); }
+std::string angle(double a) { return formatQuantity(std::round(a * 1e10) * 1e-10, "urad"); }
+
+bool hasFixedStep(IntegratorKind integrator) { return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode; }
+
+/// Why the integrator ended, for a person.
+SpringRecorder::Verdict explain(const IntegrationResult& result)
+{
+    const std::string at = " at " + time(result.time);
+    switch (result.end) {
+    case IntegrationEnd::Reached:
+    case IntegrationEnd::Stopped: return {};
+    case IntegrationEnd::NotFinite:
+        return {RunStatus::Diverged, "the motion diverged" + at + ": a step left the range of numbers; use a smaller step or tolerance"};
+    case IntegrationEnd::StepUnderflow:
+        return {RunStatus::Failed, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
+    case IntegrationEnd::NewtonFailed:
+        return {RunStatus::Failed, "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
+    case IntegrationEnd::Chattering:
+        return {RunStatus::Failed, "chattering" + at + ": more than 64 switches within one period of the fastest motion; the contact law holds the pad between two laws (d_e close to d_s)"};
+    case IntegrationEnd::Tunnelled:
+        return {RunStatus::Failed, "a step tunnelled through the wall of an air spring" + at + ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
+    }
+    return {};
+}
+
+/// A spring that does not carry at the end, and has not for the last tenth of the run, is lost for good.
+SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringModel& model, double duration)
+{
+    for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
+        const double since = recorder.lostSince(guard);
+        if (since < 0.0 || since > 0.9 * duration) continue;
+        const SpringModel::State& y = recorder.last().y;
+        return {RunStatus::Failed, std::string("the ") + (guard == SpringModel::Rear ? "rear" : "front") + " air spring is lost for good since " + time(since)
+                                       + "; the pad hangs on the contact stiffness at " + spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", "
+                                       + angle(y[1]) + ": outside the model"};
+    }
+    return {};
+}
+
+Summary runOnce(const Case& c, double step, const RunCallback& callback)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Quantity> quantities = recordedQuantities(c);
+    const SpringModel model(c);
+    SpringRecorder recorder(model, c, quantities, callback);
+    RunStatistics statistics(c, quantities);
+    recorder.batchSeen = [&](const SampleBatch& batch) { statistics.add(batch); };
+
+    const auto solverBegin = std::chrono::steady_clock::now();
+    const IntegrationResult result = integrateSprings(model, c, step, recorder);
+    const double integration = std::chrono::duration<double>(std::chrono::steady_clock::now() - solverBegin).count();
+    const double outside = recorder.secondsOutside();
+    recorder.flush();
+
+    Summary summary;
+    summary.steps = result.steps;
+    summary.rejectedSteps = result.rejectedSteps;
+    summary.evaluations = result.evaluations;
+    summary.solverSeconds = integration - outside;
+    SpringRecorder::Verdict verdict = recorder.verdict();
+    if (verdict.status == RunStatus::Completed) verdict = explain(result);
+    if (verdict.status == RunStatus::Completed) verdict = lostSpring(recorder, model, c.run.duration);
+    summary.status = verdict.status;
+    summary.message = verdict.message;
+    summary.endTime = recorder.last().time;
+    summary.events = recorder.events();
+
+    std::vector<double> values(quantities.size());
+    model.observe(recorder.last().y, recorder.last().mode, values.data());
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        if (std::isfinite(values[i])) summary.final.emplace_back(quantities[i].name, values[i]);
+    statistics.finish(summary);
+    summary.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return summary;
+}
+
+double finalValue(const Summary& summary, std::string_view name)
+{
+    for (const auto& [quantity, value] : summary.final)
+        if (quantity == name) return value;
+    return NAN;
+}
+
+double tailMean(const Summary& summary, std::string_view name)
+{
+    for (const auto& [quantity, statistics] : summary.tail)
+        if (quantity == name) return statistics.mean;
+    return NAN;
+}
+
+/// Runs again with half the step and compares where the slider ends.
+StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callback)
+{
+    const SampleBatch none;
+    const RunCallback stopOnly = [&](const RunUpdate& update) {
+        return !callback || callback({c.run.duration, update.duration, none, {}});
+    };
+    StepCheck check;
+    check.step = 0.5 * c.run.step;
+    const Summary half = runOnce(c, check.step, stopOnly);
+    check.flyingHeight = finalValue(half, "flying_height");
+    check.pitch = finalValue(half, "pitch");
+    const double before = tailMean(full, "flying_height");
+    const double after = tailMean(half, "flying_height");
+    check.sameEndState = half.status == full.status && std::abs(before - after) <= sameFlyingHeight;
+    const std::string halved = "halving the step to " + formatQuantity(check.step, "ns");
+    if (half.status == RunStatus::Cancelled) {
+        check.message = halved + " was stopped before it ended";
+    } else if (half.status != full.status) {
+        check.message = halved + " changes how the run ends: " + (half.message.empty() ? "it completes" : half.message);
+    } else if (check.sameEndState) {
+        check.message = halved + " leads to the same end state (mean flying height " + spacing(after) + ")";
+    } else {
+        check.message = halved + " changes the end state: the mean flying height of the last tenth goes from " + spacing(before) + " to " + spacing(after)
+                        + ", so this run has not converged in time";
+    }
+    return check;
+}
+
+} // namespace
+
+std::string_view name(RunStatus status)
+{
+    switch (status) {
+    case RunStatus::Completed: return "completed";
+    case RunStatus::Cancelled: return "cancelled";
+    case RunStatus::Diverged: return "diverged";
+    case RunStatus::Failed: return "failed";
+    }
+    return {};
+}
+
+std::vector<Quantity> recordedQuantities(const Case& c) { return SpringModel::quantities(c); }
+
+Summary run(const Case& c, const RunCallback& callback)
+{
+    if (c.run.integrator == IntegratorKind::Cvode && !haveCvode) {
+        Summary refused;
+        refused.status = RunStatus::Failed;
+        refused.message = "this program was built without SUNDIALS, so the integrator cvode is missing";
+        return refused;
+    }
+    Summary summary = runOnce(c, c.run.step, callback);
+    summary.model = toText(c, *findField("model"));
+    summary.integrator = toText(c, *findField("run.integrator"));
+    if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled) {
+        summary.stepCheck = checkStep(c, summary, callback);
+        if (!summary.stepCheck->sameEndState) summary.warnings.push_back(summary.stepCheck->message);
+    }
+    return summary;
+}
+
+} // namespace touchdown

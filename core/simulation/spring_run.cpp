@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/spring_run.h"
+
+#include "core/numerics/adaptive.h"
+#include "core/numerics/cvode.h"
+#include "core/numerics/fixed_step.h"
+#include "core/simulation/units.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t samplesInBatch = 1024;
+constexpr double longestSilence = 0.015; // between updates [s]
+
+double wallClock()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+} // namespace
+
+SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities, const RunCallback& callback)
+    : model_(model),
+      callback_(callback),
+      points_(samplesInBatch),
+      interval_(c.run.sampleInterval),
+      slack_(1e-9 * c.run.sampleInterval),
+      duration_(c.run.duration),
+      values_(quantities.size()),
+      energyColumn_(static_cast<std::size_t>(findQuantity(quantities, "energy"))),
+      lastUpdate_(wallClock())
+{
+    batch_.time.reserve(samplesInBatch);
+    batch_.columns.resize(quantities.size());
+    for (std::vector<double>& column : batch_.columns) column.reserve(samplesInBatch);
+}
+
+void SpringRecorder::begin(const State& y, Mode mode)
+{
+    last_ = lastGood_ = points_[0] = {0.0, y, mode};
+    filled_ = 1;
+    index_ = 1;
+    nextTime_ = interval_;
+    for (const int guard : {SpringModel::Front, SpringModel::Rear})
+        if (!(guard == SpringModel::Front ? mode.frontSpring : mode.rearSpring)) lostSince_[guard == SpringModel::Front ? 0 : 1] = 0.0;
+}
+
+void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
+{
+    if (guard != SpringModel::Pad) lostSince_[guard == SpringModel::Front ? 0 : 1] = upper ? -1.0 : time;
+    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, model_.eventName(before, after)});
+}
+
+void SpringRecorder::lookAtClock()
+{
+    stepsSinceLook_ = 0;
+    if (wallClock() - lastUpdate_ > longestSilence) flush();
+}
+
+bool SpringRecorder::judge(const Point& point, const double* values)
+{
+    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e12) * 1e-12, "us"); };
+    const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
+    const double energy = values[energyColumn_];
+    if (!finite || energy > model_.energyBound()) {
+        verdict_ = {RunStatus::Diverged, "the motion diverged" + at() + ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
+    } else if (energy < -1e-12 * model_.energyBound()) {
+        verdict_ = {RunStatus::Failed, "the total energy became negative" + at()
+                                           + ": equation (5) of the paper as printed has no meaning where a spacing is negative; springs.potential = \"held\" keeps it"};
+    } else {
+        return true;
+    }
+    goOn_ = false;
+    return false;
+}
+
+void SpringRecorder::flush()
+{
+    const double begin = wallClock();
+    batch_.time.clear();
+    for (std::vector<double>& column : batch_.columns) column.clear();
+    for (std::size_t i = 0; i < filled_ && verdict_.status == RunStatus::Completed; ++i) {
+        const Point& point = points_[i];
+        model_.observe(point.y, point.mode, values_.data());
+        if (!judge(point, values_.data())) {
+            last_ = lastGood_;
+            break;
+        }
+        lastGood_ = point;
+        batch_.time.push_back(point.time);
+        for (std::size_t k = 0; k < values_.size(); ++k) batch_.columns[k].push_back(values_[k]);
+    }
+    filled_ = 0;
+    if (batchSeen) batchSeen(batch_);
+    if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_}) && verdict_.status == RunStatus::Completed) {
+        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e12) * 1e-12, "us")};
+        goOn_ = false;
+    }
+    events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
+    newEvents_.clear();
+    lastUpdate_ = wallClock();
+    secondsOutside_ += lastUpdate_ - begin;
+}
+
+IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)
+{
+    const Start<SpringModel> start{model.initialState(), model.initialMode()};
+    const double until = c.run.duration;
+    const FixedStepOptions fixed{.step = step, .period = model.period()};
+    const AdaptiveOptions adaptive{.tolerance = c.run.tolerance, .firstStep = 1e-3 * model.period(), .period = model.period()};
+    recorder.begin(start.y, start.mode);
+    switch (c.run.integrator) {
+    case IntegratorKind::Rk4: return integrateNaively(model, start, until, fixed, recorder);
+    case IntegratorKind::Rk4Events: return integrateFixed(model, Rk4Stepper<SpringModel>(model), start, until, fixed, recorder);
+    case IntegratorKind::Newmark: {
+        const NewmarkOptions options{.beta = c.run.newmarkBeta, .gamma = c.run.newmarkGamma};
+        return integrateFixed(model, NewmarkStepper<SpringModel>(model, options), start, until, fixed, recorder);
+    }
+    case IntegratorKind::Dopri5: break;
+    case IntegratorKind::Cvode:
+        if constexpr (haveCvode) return integrateCvode(model, start, until, adaptive, recorder);
+        break;
+    }
+    return integrateAdaptive(model, start, until, adaptive, recorder);
+}
+
+} // namespace touchdown
