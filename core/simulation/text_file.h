@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Small text files, read and written whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace touchdown {
+
+/// Why a file cannot be read, in a sentence without its name.
+struct FileProblem {
+    std::string message;
+};
+
+/// Reads a regular file of at most `largest` bytes; one that is larger is refused without being read.
+std::variant<std::string, FileProblem> readTextFile(const std::filesystem::path& file, std::uintmax_t largest);
+
+/// Writes through a temporary file in the same folder and a rename, so that a failure leaves the old file as it was.
+/// Returns the problem, or "".
+std::string writeTextFile(const std::filesystem::path& file, const std::string& text);
+
+} // namespace touchdown
