@@ -27,7 +27,7 @@ public:
     QString timeText() const { return times_->text(); }
 
 protected:
-    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

@@ -17,6 +17,7 @@ struct AxisLabel {
     QString unit;        // the display unit, "nm"; may be empty
     double factor = 1.0; // of the display unit in SI: 1e-9 for nm
     AxisScale scale = AxisScale::Linear;
+    bool operator==(const AxisLabel&) const = default;
 };
 
 struct AxisTick {
@@ -42,14 +43,22 @@ public:
 
     /// Not more than `most` major ticks.
     std::vector<AxisTick> ticks(int most) const;
-    /// "Flying height [nm]", or "Energy [10^-6 J]" with raised digits where the numbers need a common power.
+    /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]" far zoomed in.
     QString text() const;
 
     /// A number of this axis in its display unit with digits that resolve a thousandth of the range: "7.013".
     QString number(double value) const;
 
 private:
-    int exponent() const; // of the common power of ten of the numbers, a multiple of 3
+    /// What keeps the numbers short: shown = value / (factor 10^exponent) - offset.
+    struct Notation {
+        int exponent = 0;       // a multiple of 3
+        double offset = 0.0;    // [display unit 10^exponent]
+        int offsetDecimals = 0;
+    };
+    Notation notation() const;
+    std::vector<AxisTick> linearTicks(int most) const;
+    std::vector<AxisTick> logarithmicTicks(int most, double decades) const;
 
     PlotRange range_;
 };
@@ -59,10 +68,14 @@ QString typeset(double value, int decimals);
 /// 10 to the power as "10⁻³".
 QString powerOfTen(int exponent);
 
+/// "um" as "µm", "urad" as "µrad", "m/s^2" as "m/s²".
+QString typesetUnit(const QString& unit);
+
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value` > 0.
 double niceStep(double value);
 
-/// A y range about the data that only moves when it must: kept while the data stay inside and fill more than half of it.
-PlotRange autoscaled(const PlotRange& data, const PlotRange& current, AxisScale scale);
+/// A range about the data that only moves when it must: kept while the data stay inside and fill more than half of it.
+/// `unit` is the width for data that are zero all over.
+PlotRange autoscaled(const PlotRange& data, const PlotRange& current, AxisScale scale, double unit);
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 
 #include "ui/plot_widget.h"
 
+#include <QIODevice>
 #include <QString>
 
 namespace touchdown {
@@ -21,6 +22,6 @@ void copyPage(QWidget& page);
 /// Every sample of the visible curves that lies in the visible range of x, in display units, with a column for each curve. Curves
 /// with different times share the column of x and leave cells empty.
 [[nodiscard]] QString saveCsv(const PlotWidget& plot, const QString& path);
-QString csvText(const PlotWidget& plot);
+void writeCsv(const PlotWidget& plot, QIODevice& device);
 
 } // namespace touchdown

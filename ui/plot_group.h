@@ -8,6 +8,7 @@
 
 #include "ui/plot_widget.h"
 
+#include <array>
 #include <vector>
 
 #include <QObject>
@@ -18,7 +19,7 @@ namespace touchdown {
 struct CursorReading {
     const PlotWidget* plot = nullptr;
     QString curve;   // id
-    QString name;    // "Flying height", or with the name of the run where there are several
+    QString name;    // "Energy: kinetic"; the title of the plot alone where the curve has no other name
     CurveStyle style;
     std::optional<double> first;  // at cursor 1
     std::optional<double> second; // at cursor 2
@@ -45,6 +46,9 @@ public:
     void setWindow(double seconds); // of LastWindow [s]
     double window() const { return window_; }
 
+    /// What WholeRun shows at least: 0 to the duration, known before the run begins.
+    void setSpan(std::optional<PlotRange> span);
+
     void setXRange(const PlotRange& range); // freezes; a step of the history
     PlotRange xRange() const { return xRange_; }
     void fit();                             // all x and y follow the data; a step of the history
@@ -70,23 +74,24 @@ signals:
 private:
     struct State {
         Follow follow = Follow::WholeRun;
-        PlotRange x;
+        std::optional<PlotRange> x; // when frozen
         std::vector<std::pair<const PlotWidget*, PlotView>> views; // x only of phase portraits
         bool operator==(const State&) const = default;
     };
 
     void onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture);
-    void onCursorMoved(PlotWidget* plot, int which, std::optional<double> x);
-    void follow(bool now);
+    void followData();
     void showX(const PlotRange& range);
     void changeFollow(Follow follow);
     State state() const;
     void show(const State& state);
+    void step(std::size_t position);
     void record(std::optional<PlotWidget::Gesture> gesture, const PlotWidget* plot);
 
     std::vector<PlotWidget*> plots_;
     Follow follow_ = Follow::WholeRun;
     double window_ = 1e-4; // [s]
+    std::optional<PlotRange> span_;
     PlotRange xRange_;
     std::array<std::optional<double>, 2> cursors_;
     std::vector<State> history_;

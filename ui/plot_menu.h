@@ -8,6 +8,7 @@
 namespace touchdown {
 
 /// From now on a right click on `plot` opens its menu; failures to save are shown in a message box that blocks nothing.
-void installPlotMenu(PlotWidget* plot, PlotGroup* group);
+/// `page`, when given, holds `plot` and others and can be saved as a whole; it must outlive `plot`.
+void installPlotMenu(PlotWidget* plot, PlotGroup* group, QWidget* page = nullptr);
 
 } // namespace touchdown

@@ -22,7 +22,6 @@
 #include <memory>
 #include <vector>
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -51,6 +50,7 @@ public:
     const PlotAxis& yAxis() const { return y_; }
     /// Only the lowest of stacked plots needs numbers and title below.
     void setXNumbersVisible(bool visible);
+    bool xNumbersVisible() const { return xNumbersVisible_; }
 
     /// A curve with the same id is replaced in its place. The view, the cursors and the other curves stay.
     void addCurve(const PlotCurve& curve);
@@ -85,12 +85,18 @@ public:
     void setPlotCursor(int which, std::optional<double> x);
     std::optional<double> plotCursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
 
+    /// A pinned cursor 1 does not follow the pointer. Emits nothing.
+    void setCursorPinned(bool pinned) { cursorPinned_ = pinned; }
+    bool cursorPinned() const { return cursorPinned_; }
+
     /// Where the curves are, in pixels of this widget.
     QRectF plotArea() const;
     QPointF toPixel(double x, double y) const;
 
-    /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors.
+    /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors. The proportions of the screen stay.
     void paintPlot(QPainter& painter, const QRectF& target, const PlotTheme& theme);
+    /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
+    std::vector<std::vector<QPointF>> curvePaths() const;
     const PlotTheme& theme() const { return theme_; }
 
     QSize sizeHint() const override { return {640, 220}; }
@@ -103,6 +109,7 @@ signals:
     void historyRequested(int step);
     /// The user moved (or took away: valid false) cursor 0 or 1. It is already shown.
     void cursorMoved(int which, bool valid, double x);
+    void cursorPinnedChanged(bool pinned);
     /// Right click at this place of the screen.
     void menuRequested(const QPoint& at);
     void yScaleChanged();
@@ -111,10 +118,8 @@ protected:
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    friend class PlotCanvas;
     friend class PlotNavigation;
 
     void scheduleRefresh();
@@ -122,6 +127,10 @@ private:
     void updateCurves();
     void userView(const PlotView& view, Gesture gesture);
     void userCursor(int which, std::optional<double> x);
+    void userPin(bool pinned);
+    void repaintCursor(int which);
+    void showSelection(std::optional<QRectF> box);
+    std::optional<PlotRange> dataRangeY() const;
 
     QString title_;
     PlotAxis x_;
@@ -134,10 +143,12 @@ private:
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
     std::array<std::optional<double>, 2> cursors_;
+    bool cursorPinned_ = false;
     std::optional<PlotRange> timeWindow_;
     PlotCanvas* canvas_ = nullptr; // owned by Qt as a child
     QTimer refreshTimer_;
-    bool stale_ = false;
+    bool stale_ = true;
+    bool tightY_ = true; // the next automatic y range takes no account of the present one
     long long refreshes_ = 0;
     double refreshSeconds_ = 0.0; // the last refresh took
 };
