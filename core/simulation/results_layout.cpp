@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/results_layout.h"
+
+#include <cstdint>
+
+#include <hdf5_hl.h>
+
+#include "core/simulation/fields.h"
+#include "core/simulation/results_file.h"
+
+namespace touchdown {
+namespace {
+
+// 64 KiB a column: a reader that wants a short window unpacks little, and half a chunk, rewritten at a flush, costs little.
+constexpr hsize_t chunkSamples = 8192;
+constexpr unsigned deflateLevel = 2;
+constexpr const char* series = "timeseries";
+
+std::string unitText(const std::string& unit) { return unit.empty() ? "1" : unit; }
+
+Hdf5Handle createSeries(hid_t group, const std::string& name)
+{
+    const hsize_t none = 0;
+    const hsize_t unlimited = H5S_UNLIMITED;
+    const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
+    const Hdf5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    checkHdf5(H5Pset_chunk(list, 1, &chunkSamples));
+    checkHdf5(H5Pset_shuffle(list));
+    checkHdf5(H5Pset_deflate(list, deflateLevel));
+    return {H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose};
+}
+
+void writeParameters(hid_t group, const Case& c)
+{
+    for (const Field& field : fields()) {
+        if (field.used && !field.used(c)) continue;
+        const FieldValue value = field.get(c);
+        Hdf5Handle dataset;
+        if (const auto* number = std::get_if<double>(&value))
+            dataset = writeHdf5Scalar(group, field.key, *number);
+        else if (const auto* whole = std::get_if<int>(&value))
+            dataset = writeHdf5Scalar(group, field.key, static_cast<double>(*whole));
+        else
+            dataset = writeHdf5Scalar(group, field.key, toText(c, field));
+        describeHdf5(dataset, unitText(field.unit), field.label);
+        if (!field.symbol.empty()) writeHdf5Attribute(dataset, "symbol", field.symbol);
+    }
+}
+
+void createTimeSeries(hid_t file, const std::vector<Quantity>& quantities)
+{
+    const Hdf5Handle group = createHdf5Group(file, series);
+    const Hdf5Handle time = createSeries(group, "time");
+    describeHdf5(time, "s", "Time");
+    checkHdf5(H5DSset_scale(time, "time"));
+    for (const Quantity& quantity : quantities) {
+        const Hdf5Handle dataset = createSeries(group, quantity.name);
+        describeHdf5(dataset, unitText(quantity.unit), quantity.longName);
+        writeHdf5Attribute(dataset, "display_unit", quantity.displayUnit);
+        checkHdf5(H5DSattach_scale(dataset, time, 0));
+    }
+}
+
+// "time" and the quantities.
+std::vector<std::string> seriesNames(const std::vector<Quantity>& quantities)
+{
+    std::vector<std::string> names{"time"};
+    for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+    return names;
+}
+
+hsize_t length(hid_t dataset)
+{
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+    hsize_t n = 0;
+    if (H5Sget_simple_extent_ndims(space) != 1) throw Hdf5Error("a time series is not one-dimensional");
+    checkHdf5(H5Sget_simple_extent_dims(space, &n, nullptr));
+    return n;
+}
+
+void copyChunks(hid_t from, hid_t to)
+{
+    const hsize_t wanted = length(from);
+    const hsize_t present = length(to);
+    if (wanted <= present) return;
+    checkHdf5(H5Dset_extent(to, &wanted));
+    std::vector<unsigned char> bytes;
+    for (hsize_t offset = present - present % chunkSamples; offset < wanted; offset += chunkSamples) {
+        hsize_t size = 0;
+        checkHdf5(H5Dget_chunk_storage_size(from, &offset, &size));
+        bytes.resize(size);
+        std::uint32_t filters = 0;
+        checkHdf5(H5Dread_chunk(from, H5P_DEFAULT, &offset, &filters, bytes.data()));
+        checkHdf5(H5Dwrite_chunk(to, H5P_DEFAULT, filters, &offset, size, bytes.data()));
+    }
+}
+
+void appendColumn(hid_t dataset, const std::vector<double>& values)
+{
+    const hsize_t before = length(dataset);
+    const hsize_t count = values.size();
+    const hsize_t after = before + count;
+    checkHdf5(H5Dset_extent(dataset, &after));
+    const Hdf5Handle target(H5Dget_space(dataset), H5Sclose);
+    checkHdf5(H5Sselect_hyperslab(target, H5S_SELECT_SET, &before, nullptr, &count, nullptr));
+    const Hdf5Handle source(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    checkHdf5(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT, values.data()));
+}
+
+} // namespace
+
+Hdf5Handle createResultsFile(const std::filesystem::path& path, const ResultsHeader& header)
+{
+    Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5FileAccess()), H5Fclose);
+    writeHdf5Attribute(file, "format", std::string(resultsFormat));
+    writeHdf5Attribute(file, "format_version",
+                       std::to_string(resultsFormatMajor) + "." + std::to_string(resultsFormatMinor));
+    writeHdf5Attribute(file, "software_version", std::string(TOUCHDOWN_VERSION));
+    writeHdf5Attribute(file, "date", header.date);
+    writeHdf5Attribute(file, "seed", std::int64_t{0}); // nothing in this model is random
+    writeHdf5Attribute(file, "status", std::string(interruptedStatus));
+    writeHdf5Attribute(file, "message", std::string("The run was interrupted; what follows the last sample is lost."));
+    writeHdf5Attribute(file, "title", header.value.title);
+
+    const Hdf5Handle group = createHdf5Group(file, "case");
+    describeHdf5(writeHdf5Scalar(group, "text", header.caseText), "1", "The case as it was given");
+    writeParameters(createHdf5Group(group, "parameters"), header.value);
+    createTimeSeries(file, header.quantities);
+    return file;
+}
+
+hsize_t storedSamples(hid_t file) { return length(openHdf5Dataset(file, std::string(series) + "/time")); }
+
+void copyMissingSamples(hid_t from, hid_t to, const std::vector<Quantity>& quantities)
+{
+    const Hdf5Handle source = openHdf5Group(from, series);
+    const Hdf5Handle target = openHdf5Group(to, series);
+    for (const std::string& name : seriesNames(quantities))
+        copyChunks(openHdf5Dataset(source, name), openHdf5Dataset(target, name));
+}
+
+void appendSamples(hid_t file, const std::vector<Quantity>& quantities, const SampleBatch& batch)
+{
+    if (batch.size() == 0) return;
+    const Hdf5Handle group = openHdf5Group(file, series);
+    appendColumn(openHdf5Dataset(group, "time"), batch.time);
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        appendColumn(openHdf5Dataset(group, quantities[i].name), batch.columns[i]);
+}
+
+hsize_t storedBytes(hid_t file, const std::vector<Quantity>& quantities)
+{
+    const Hdf5Handle group = openHdf5Group(file, series);
+    hsize_t bytes = 0;
+    for (const std::string& name : seriesNames(quantities)) bytes += H5Dget_storage_size(openHdf5Dataset(group, name));
+    return bytes;
+}
+
+void writeSpectrum(hid_t file, const ResultsSpectrum& entry)
+{
+    if (entry.spectrum.empty()) return;
+    const Hdf5Handle all =
+        H5Lexists(file, "spectra", H5P_DEFAULT) > 0 ? openHdf5Group(file, "spectra") : createHdf5Group(file, "spectra");
+    const std::string& name = entry.quantity.name;
+    if (H5Lexists(all, name.c_str(), H5P_DEFAULT) > 0) checkHdf5(H5Ldelete(all, name.c_str(), H5P_DEFAULT));
+    const Hdf5Handle group = createHdf5Group(all, name);
+
+    const Spectrum& spectrum = entry.spectrum;
+    const bool density = entry.options.scaling == SpectrumScaling::Density;
+    // The names and texts of the options are those of the case file.
+    Case options;
+    options.spectrum = entry.options;
+    const auto option = [&](const char* key) {
+        const Field* field = findField(key);
+        return field ? toText(options, *field) : std::string();
+    };
+    writeHdf5Attribute(group, "window", option("spectrum.window"));
+    writeHdf5Attribute(group, "scaling", option("spectrum.scaling"));
+    writeHdf5Attribute(group, "segment_length", 1.0 / spectrum.frequency[1]);
+    writeHdf5Attribute(group, "segment_length_unit", std::string("s"));
+    writeHdf5Attribute(group, "segment_samples", static_cast<std::int64_t>(spectrum.segment));
+    writeHdf5Attribute(group, "segments", static_cast<std::int64_t>(spectrum.segments));
+    writeHdf5Attribute(group, "overlap", entry.options.overlap);
+    writeHdf5Attribute(group, "equivalent_noise_bandwidth", spectrum.equivalentNoiseBandwidth);
+    writeHdf5Attribute(group, "equivalent_noise_bandwidth_unit", std::string("Hz"));
+
+    const Hdf5Handle frequency = writeHdf5Array(group, "frequency", spectrum.frequency);
+    describeHdf5(frequency, "Hz", "Frequency");
+    checkHdf5(H5DSset_scale(frequency, "frequency"));
+    const Hdf5Handle power = writeHdf5Array(group, density ? "density" : "power", spectrum.power);
+    const std::string square = entry.quantity.unit.empty() ? "1" : "(" + entry.quantity.unit + ")^2";
+    describeHdf5(power, density ? square + "/Hz" : square,
+                 (density ? "Power spectral density: " : "Power spectrum: ") + entry.quantity.longName);
+    checkHdf5(H5DSattach_scale(power, frequency, 0));
+}
+
+} // namespace touchdown

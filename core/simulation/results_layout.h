@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands where in a results file (HDF5):
+//
+//   /                                attributes format, format_version, software_version, date, seed, status, message, title
+//   /case/text                       the input as it was
+//   /case/parameters/<key>           every parameter that the model uses, with unit and long_name
+//   /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle + deflate; time is the dimension scale
+//   /spectra/<quantity>/frequency, density | power
+//   /events/time, name
+//   /summary/...                     numbers and texts of the Summary
+//
+// Each function throws Hdf5Error. Hold a Hdf5Access around them.
+#pragma once
+
+#include "core/simulation/hdf5_access.h"
+#include "core/simulation/run.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace touchdown {
+
+inline constexpr const char* resultsFormat = "touchdown-run";
+inline constexpr const char* interruptedStatus = "interrupted";
+
+/// What is known before the first sample.
+struct ResultsHeader {
+    Case value;
+    std::string caseText;
+    std::string date; // ISO 8601, UTC
+    std::vector<Quantity> quantities;
+};
+
+struct ResultsSpectrum {
+    Quantity quantity;
+    Spectrum spectrum;
+    SpectrumCase options;
+};
+
+/// A new file without samples, with the status "interrupted".
+Hdf5Handle createResultsFile(const std::filesystem::path& file, const ResultsHeader& header);
+
+/// Samples in a file.
+hsize_t storedSamples(hid_t file);
+
+/// Brings `to` to the samples of `from`, an earlier or later state of the same run. Compressed chunks go over as they are.
+void copyMissingSamples(hid_t from, hid_t to, const std::vector<Quantity>& quantities);
+
+void appendSamples(hid_t file, const std::vector<Quantity>& quantities, const SampleBatch& batch);
+
+void writeSpectrum(hid_t file, const ResultsSpectrum& spectrum);
+
+void writeSummary(hid_t file, const std::vector<Quantity>& quantities, const Summary& summary);
+
+/// Bytes that samples take in the file, compressed.
+hsize_t storedBytes(hid_t file, const std::vector<Quantity>& quantities);
+
+} // namespace touchdown
