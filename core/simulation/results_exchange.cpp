@@ -52,7 +52,12 @@ ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeade
     // What a killed run may have left here; removed, not overwritten, since someone may be reading it.
     std::error_code ignored;
     std::filesystem::remove(part_, ignored);
-    createPart().close();
+    try {
+        createPart().close();
+    } catch (...) {
+        removePart();
+        throw;
+    }
 }
 
 ResultsExchange::~ResultsExchange() { removePart(); }
