@@ -43,6 +43,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
 {
     using State = typename System::State;
     constexpr const auto& tableau = dopri5Tableau;
+    constexpr double hopeless = 100.0; // round-off of the state, in units of the error allowed to a step
 
     State y = start.y;
     auto mode = start.mode;
@@ -86,7 +87,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             rejected = true;
             h *= std::isfinite(error) ? std::max(0.1, 0.9 * std::pow(error, -0.2)) : 0.1;
             if (h < smallest) {
-                result.end = y.allFinite() && k[0].allFinite() ? IntegrationEnd::StepUnderflow : IntegrationEnd::NotFinite;
+                result.end = y.allFinite() && k[0].allFinite() ? IntegrationEnd::StepUnderflow : IntegrationEnd::Diverged;
                 break;
             }
             continue;
@@ -152,6 +153,10 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             continue;
         }
         k[0] = k[6];
+        if (y.cwiseProduct(inverseScale).norm() * std::numeric_limits<double>::epsilon() > hopeless) {
+            result.end = IntegrationEnd::Diverged;
+            break;
+        }
         // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04).
         const double bounded = std::max(error, 1e-10);
         double factor = 0.9 * std::pow(bounded, -0.17) * std::pow(previousError, 0.04);

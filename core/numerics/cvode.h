@@ -122,12 +122,12 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         if (flag < 0) {
             result.end = flag == CV_CONV_FAILURE ? IntegrationEnd::NewtonFailed
                          : flag == CV_ERR_FAILURE ? IntegrationEnd::StepUnderflow
-                                                  : IntegrationEnd::NotFinite;
+                                                  : IntegrationEnd::Diverged;
             break;
         }
         const State y1 = cvode::map<State>(y.get());
         if (!y1.allFinite()) {
-            result.end = IntegrationEnd::NotFinite;
+            result.end = IntegrationEnd::Diverged;
             break;
         }
         ++result.steps;

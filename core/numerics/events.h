@@ -81,7 +81,7 @@ public:
     {
         constexpr double few = 16.0 * std::numeric_limits<double>::epsilon();
         const Interval& interval = intervals_[static_cast<std::size_t>(guard)];
-        double size = y.template head<half>().cwiseAbs().dot(system_.guardSizes(guard));
+        double size = y.template head<half>().cwiseAbs().cwiseMax(system_.scale().template head<half>()).dot(system_.guardSizes(guard));
         if (std::isfinite(interval.lower)) size = std::max(size, std::abs(interval.lower));
         if (std::isfinite(interval.upper)) size = std::max(size, std::abs(interval.upper));
         return few * size;

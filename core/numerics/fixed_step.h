@@ -57,7 +57,7 @@ IntegrationResult integrateNaively(const System& system, Start<System> start, do
         const State y1 = y + combine<rk4Tableau.b, 4>(h, k);
         result.evaluations += 4;
         if (!std::isfinite(y1.sum())) {
-            result.end = IntegrationEnd::NotFinite;
+            result.end = IntegrationEnd::Diverged;
             break;
         }
         const auto next = system.naiveMode(y1, mode);
@@ -105,7 +105,7 @@ public:
         evaluations += 4;
         return std::isfinite(y1.sum());
     }
-    static constexpr IntegrationEnd failure = IntegrationEnd::NotFinite;
+    static constexpr IntegrationEnd failure = IntegrationEnd::Diverged;
     long long evaluations = 0;
 
 private:

@@ -74,7 +74,7 @@ std::array<Vector, 5> hermite(const Vector& y0, const Vector& dy0, const Vector&
 enum class IntegrationEnd {
     Reached,        // the end time
     Stopped,        // by the recorder
-    NotFinite,      // a step made a value that is no number
+    Diverged,       // a step made a value that is no number, or one beyond any use
     StepUnderflow,  // the error test asks for steps below round-off
     NewtonFailed,   // an implicit step found no solution
     Chattering,     // switches follow each other without end

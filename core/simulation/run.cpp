@@ -29,8 +29,8 @@ SpringRecorder::Verdict explain(const IntegrationResult& result)
     switch (result.end) {
     case IntegrationEnd::Reached:
     case IntegrationEnd::Stopped: return {};
-    case IntegrationEnd::NotFinite:
-        return {RunStatus::Diverged, "the motion diverged" + at + ": a step left the range of numbers; use a smaller step or tolerance"};
+    case IntegrationEnd::Diverged:
+        return {RunStatus::Diverged, "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
     case IntegrationEnd::StepUnderflow:
         return {RunStatus::Failed, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
     case IntegrationEnd::NewtonFailed:

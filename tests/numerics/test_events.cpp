@@ -8,7 +8,7 @@
 #include "tests/support/piecewise_oscillator.h"
 
 using namespace touchdown;
-using touchdown::test::PiecewiseOscillator;
+using namespace touchdown::test;
 
 namespace {
 
@@ -103,7 +103,7 @@ private slots:
     /// A step ends on the boundary to round-off: fall from rest at h = 1 under g = 2 takes exactly 1 s.
     void stepEndsOnCrossing()
     {
-        const PiecewiseOscillator fall{.upper = {.force = -2.0}, .lower = {.force = -2.0}};
+        const PiecewiseOscillator fall = switchedOscillator({-2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0});
         const GuardWatch<PiecewiseOscillator> watch(fall, PiecewiseOscillator::Mode::Upper);
         const auto take = [](double h) { return PiecewiseOscillator::State(1.0 - h * h, -2.0 * h); };
         double length = 0.97; // as from an inaccurate dense output

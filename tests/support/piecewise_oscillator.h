@@ -71,6 +71,26 @@ struct PiecewiseOscillator {
     }
 };
 
+/// One law everywhere.
+inline PiecewiseOscillator smoothOscillator(const PiecewiseOscillator::Law& law)
+{
+    return {.upper = law, .lower = law, .switches = false, .wall = false};
+}
+/// A law above and one below zero.
+inline PiecewiseOscillator switchedOscillator(const PiecewiseOscillator::Law& upper, const PiecewiseOscillator::Law& lower, bool wall = false)
+{
+    return {.upper = upper, .lower = lower, .switches = true, .wall = wall};
+}
+
+/// Keeps nothing, so that what allocates is the integrator.
+struct EventCount {
+    template <class Mode, class At>
+    bool step(double, const PiecewiseOscillator::State&, Mode, At&&) { return true; }
+    template <class Mode>
+    void event(double, int, bool, Mode, Mode) { ++events; }
+    int events = 0;
+};
+
 /// Keeps all that an integrator tells.
 struct Log {
     struct Event {

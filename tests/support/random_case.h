@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cases whose every value is drawn from its range, for round trips. The values need not make sense together.
+#pragma once
+
+#include "core/simulation/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace touchdown::test {
+
+class RandomCase {
+public:
+    explicit RandomCase(unsigned seed) : generator_(seed) {}
+
+    /// Changes each value with the given probability.
+    void change(Case& c, double probability)
+    {
+        for (const Field& field : fields())
+            if (uniform(0.0, 1.0) < probability) field.set(c, value(field));
+    }
+
+private:
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
+    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(generator_); }
+
+    FieldValue value(const Field& field)
+    {
+        switch (field.kind) {
+        case FieldKind::Number: return number(field);
+        case FieldKind::Integer: return whole(static_cast<int>(field.minimum), static_cast<int>(field.maximum));
+        case FieldKind::Choice: return field.choices[static_cast<std::size_t>(whole(0, static_cast<int>(field.choices.size()) - 1))];
+        case FieldKind::Boolean: return whole(0, 1) == 1;
+        case FieldKind::Text: return text();
+        }
+        return {};
+    }
+    /// Few digits or all of them, over the decades of the range.
+    FieldValue number(const Field& field)
+    {
+        const double low = std::max(field.minimum, -1e30);
+        const double high = std::min(field.maximum, 1e30);
+        double value = uniform(-1.0, 1.0) * std::pow(10.0, uniform(-20.0, std::log10(high)));
+        if (whole(0, 2) == 0) value = std::stod(std::to_string(whole(1, 99)) + "e" + std::to_string(whole(-15, 3)));
+        if (value < low) value = std::abs(value);
+        return std::clamp(value, field.minimumAllowed ? low : std::nextafter(low, high), high);
+    }
+    FieldValue text()
+    {
+        static const std::string alphabet[] = {"a", "Z", " ", "7", "\"", "\\", "'", "#", "=", "[", "]", "\n", "\t", "µ", "π", "𝛑", "{", ".", ","};
+        std::string result;
+        for (int i = whole(0, 40); i > 0; --i) result += alphabet[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(alphabet)) - 1))];
+        return result;
+    }
+
+    std::mt19937 generator_;
+};
+
+/// The first key in which two cases differ; "" when they are the same.
+inline std::string firstDifference(const Case& a, const Case& b)
+{
+    for (const Field& field : fields())
+        if (field.get(a) != field.get(b)) return field.key;
+    return {};
+}
+
+} // namespace touchdown::test
