@@ -3,7 +3,7 @@
 
 #include "core/simulation/fields.h"
 #include "core/simulation/nearest_name.h"
-#include "core/simulation/quoted.h"
+#include "core/simulation/quotation.h"
 #include "core/simulation/text_file.h"
 #include "core/simulation/toml_document.h"
 #include "core/simulation/units.h"
@@ -19,8 +19,7 @@ std::string needed(const Field& field)
 {
     switch (field.kind) {
     case FieldKind::Number:
-        return field.unit.empty() ? "a number is needed"
-                                  : "a number or \"" + formatQuantity(1.0, field.displayUnit) + "\" is needed";
+        return field.unit.empty() ? "a number is needed" : "a number or \"1 " + field.displayUnit + "\" is needed";
     case FieldKind::Integer: return "a whole number is needed";
     case FieldKind::Choice: return "allowed is " + allowedRange(field);
     case FieldKind::Boolean: return "true or false is needed";
@@ -171,12 +170,12 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
         return InputProblem{"--set", 0, shortened(std::string(key)), std::move(message)};
     };
     const auto equals = setting.find('=');
-    if (equals == std::string_view::npos) return problem("", quoted(setting) + " is not key=value");
+    if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
     const std::string_view key = trimmed(setting.substr(0, equals));
     std::string_view value = trimmed(setting.substr(equals + 1));
     const Field* field = findField(key);
     if (field == nullptr)
-        return problem(key.empty() ? quoted(setting) : std::string(key), "unknown key" + didYouMean(nearestKey(key)));
+        return problem(key.empty() ? inQuotes(setting) : std::string(key), "unknown key" + didYouMean(nearestKey(key)));
 
     const bool inMarks =
         value.size() > 1 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();

@@ -57,6 +57,17 @@ bool sameCase(const Case& a, const Case& b)
     return std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
 }
 
+/// The problems of single values; those of combinations were read well.
+std::vector<InputProblem> valueProblems(const CaseDocument& document)
+{
+    const std::vector<CaseProblem> combinations = checkCombinations(document.value);
+    std::vector<InputProblem> problems = document.problems;
+    std::erase_if(problems, [&](const InputProblem& problem) {
+        return std::ranges::find(combinations, problem.message, &CaseProblem::message) != combinations.end();
+    });
+    return problems;
+}
+
 /// A change of a text: `removed` bytes at `at` make place for `inserted`.
 struct Edit {
     std::size_t at = 0;
@@ -193,10 +204,12 @@ std::string updateCaseText(const std::string& text, const Case& c)
     TextEditor editor(text);
     if (!editor.readable()) return formatCase(c);
     const CaseDocument old = parseCase(text, "");
+    const std::vector<InputProblem> unread = valueProblems(old);
     for (const Field& field : fields()) {
         // A value that could not be read is put right even where the default that stood in for it is wanted.
-        const bool bad =
-            editor.has(field) && std::ranges::find(old.problems, field.key, &InputProblem::key) != old.problems.end();
+        const bool bad = editor.has(field) && std::ranges::any_of(unread, [&](const InputProblem& problem) {
+                             return problem.key == field.key;
+                         });
         if (bad || field.get(old.value) != field.get(c)) editor.put(field, tomlValue(c, field));
     }
     std::string updated = editor.result();

@@ -4,7 +4,7 @@
 #include "core/simulation/fields.h"
 
 #include "core/simulation/decimal.h"
-#include "core/simulation/quoted.h"
+#include "core/simulation/quotation.h"
 #include "core/simulation/units.h"
 
 #include <charconv>
@@ -62,11 +62,11 @@ std::optional<std::string> setInteger(Case& target, const Field& field, double v
 
 std::optional<std::string> setText(Case& target, const Field& field, std::string_view text)
 {
-    if (findInvalidUtf8(text) != std::string_view::npos) return quoted(text) + " is not valid UTF-8 text";
+    if (findInvalidUtf8(text) != std::string_view::npos) return inQuotes(text) + " is not valid UTF-8 text";
     if (text.size() > longestText) return "is longer than " + std::to_string(longestText) + " bytes";
     for (const char c : text)
         if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-            return quoted(text) + " holds control characters";
+            return inQuotes(text) + " holds control characters";
     field.set(target, std::string(text));
     return {};
 }
@@ -102,10 +102,10 @@ std::optional<std::string> setFromText(Case& target, const Field& field, std::st
             field.set(target, name);
             return {};
         }
-        return quoted(value) + " is not known: allowed is " + allowedRange(field);
+        return inQuotes(value) + " is not known: allowed is " + allowedRange(field);
     }
     if (field.kind == FieldKind::Boolean) {
-        if (value != "true" && value != "false") return quoted(value) + " is neither true nor false";
+        if (value != "true" && value != "false") return inQuotes(value) + " is neither true nor false";
         field.set(target, value == "true");
         return {};
     }

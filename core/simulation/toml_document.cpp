@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/toml_document.h"
 
-#include "core/simulation/quoted.h"
+#include "core/simulation/quotation.h"
 
 #include <toml++/toml.h>
 
@@ -51,7 +51,7 @@ std::string keyPart(std::string_view part)
     const bool bare = !part.empty() && std::ranges::all_of(part, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     });
-    return bare ? std::string(part) : quoted(part);
+    return bare ? std::string(part) : inQuotes(part);
 }
 
 std::string withoutCarriageReturns(std::string text)

@@ -2,7 +2,7 @@
 #include "core/simulation/units.h"
 
 #include "core/simulation/decimal.h"
-#include "core/simulation/quoted.h"
+#include "core/simulation/quotation.h"
 
 #include <udunits2.h>
 
@@ -241,7 +241,7 @@ Scale requiredScale(std::string_view unit)
 
 std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::string_view unit)
 {
-    const std::string shown = quoted(text);
+    const std::string shown = inQuotes(text);
     std::string_view rest = trimmed(text);
     if (rest.empty()) return UnitProblem{"is empty; a number is needed"};
     if (rest.size() > 1 && rest.front() == '+' && (isDigit(rest[1]) || rest[1] == '.')) rest.remove_prefix(1);

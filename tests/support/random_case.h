@@ -32,7 +32,8 @@ private:
         switch (field.kind) {
         case FieldKind::Number: return number(field);
         case FieldKind::Integer: return whole(static_cast<int>(field.minimum), static_cast<int>(field.maximum));
-        case FieldKind::Choice: return field.choices[static_cast<std::size_t>(whole(0, static_cast<int>(field.choices.size()) - 1))];
+        case FieldKind::Choice:
+            return field.choices[static_cast<std::size_t>(whole(0, static_cast<int>(field.choices.size()) - 1))];
         case FieldKind::Boolean: return whole(0, 1) == 1;
         case FieldKind::Text: return text();
         }
@@ -50,9 +51,11 @@ private:
     }
     FieldValue text()
     {
-        static const std::string alphabet[] = {"a", "Z", " ", "7", "\"", "\\", "'", "#", "=", "[", "]", "\n", "\t", "µ", "π", "𝛑", "{", ".", ","};
+        static const std::string alphabet[] = {"a", "Z",  " ",  "7", "\"", "\\", "'", "#", "=", "[",
+                                               "]", "\n", "\t", "µ", "π",  "𝛑",  "{", ".", ","};
         std::string result;
-        for (int i = whole(0, 40); i > 0; --i) result += alphabet[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(alphabet)) - 1))];
+        for (int i = whole(0, 40); i > 0; --i)
+            result += alphabet[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(alphabet)) - 1))];
         return result;
     }
 

@@ -9,7 +9,7 @@
 namespace touchdown {
 
 /// "7 nm" with its quotation marks; what is unprintable becomes '?', what is long ends with "...".
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// Index of the first byte that is not valid UTF-8 (RFC 3629); npos if there is none.
 std::size_t findInvalidUtf8(std::string_view text);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/quoted.h"
+#include "core/simulation/quotation.h"
 
 namespace touchdown {
 
-std::string quoted(std::string_view text)
+std::string inQuotes(std::string_view text)
 {
     constexpr std::size_t longest = 60; // [byte]
     const bool cut = text.size() > longest;
