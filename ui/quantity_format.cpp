@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/quantity_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QRegularExpression>
+
+#include "core/simulation/units.h"
+
+namespace touchdown {
+
+namespace {
+
+QString withDecimalPointOf(const QLocale& locale, QString number)
+{
+    return number.replace(QLatin1Char('.'), locale.decimalPoint());
+}
+
+QString withPrefix(double value, const QString& unit, const QLocale& locale)
+{
+    static constexpr std::array<std::pair<double, const char*>, 7> prefixes{
+        {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};
+    if (value == 0.0) return QStringLiteral("0 ") + unit;
+    const double size = std::abs(value) * (1.0 + 1e-9);
+    for (const auto& [factor, prefix] : prefixes) {
+        if (size < factor && factor > 1e-9) continue;
+        const double scaled = value / factor;
+        const int digits = std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(scaled) * (1.0 + 1e-9)))), 0, 3);
+        return locale.toString(scaled, 'f', digits) + QChar(0x00A0) + QString::fromUtf8(prefix) + unit;
+    }
+    return {};
+}
+
+} // namespace
+
+QString unitText(std::string_view unit)
+{
+    static const QRegularExpression micro(QStringLiteral("\\bu(?=(m|rad|s|N|g|Pa|J)\\b)"));
+    QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+    text.replace(micro, QStringLiteral("µ"));
+    text.replace(QLatin1String("^2"), QStringLiteral("²"));
+    text.replace(QLatin1String("^3"), QStringLiteral("³"));
+    text.replace(QLatin1Char(' '), QStringLiteral("·"));
+    return text;
+}
+
+QString symbolText(std::string_view symbol)
+{
+    static const std::array<std::pair<const char*, const char*>, 7> greek{{{"xi", "ξ"},
+                                                                           {"theta", "θ"},
+                                                                           {"mu", "μ"},
+                                                                           {"beta", "β"},
+                                                                           {"gamma", "γ"},
+                                                                           {"phi", "φ"},
+                                                                           {"omega", "ω"}}};
+    const QString text = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
+    const auto letters = [](const QString& name) {
+        for (const auto& [spelled, letter] : greek)
+            if (name == QLatin1String(spelled)) return QString::fromUtf8(letter);
+        return name.toHtmlEscaped();
+    };
+    const qsizetype bar = text.indexOf(QLatin1Char('_'));
+    if (bar < 0) return QStringLiteral("<i>%1</i>").arg(letters(text));
+    return QStringLiteral("<i>%1</i><sub>%2</sub>").arg(letters(text.left(bar)), letters(text.mid(bar + 1)));
+}
+
+QString sentence(std::string_view reason)
+{
+    QString text = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size())).trimmed();
+    if (text.isEmpty()) return text;
+    // A symbol such as d_e keeps its spelling.
+    if (text.size() > 1 && text[1] != QLatin1Char('_')) text[0] = text[0].toUpper();
+    if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
+    return text;
+}
+
+QString editorText(const Case& c, const Field& field, const QLocale& locale)
+{
+    if (field.kind == FieldKind::Number) {
+        const double value = std::get<double>(field.get(c));
+        return withDecimalPointOf(locale, QString::fromStdString(formatNumber(value, field.displayUnit)));
+    }
+    return QString::fromStdString(toText(c, field));
+}
+
+std::string entryText(const QString& typed, const Field& field, const QLocale& locale)
+{
+    QString text = typed.trimmed();
+    if (field.kind != FieldKind::Number) return text.toStdString();
+
+    text.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
+    text.replace(QChar(0x00A0), QLatin1Char(' '));
+    text.replace(QChar(0x00B5), QLatin1Char('u')); // micro sign
+    text.replace(QChar(0x03BC), QLatin1Char('u')); // Greek mu
+    text.replace(QStringLiteral("²"), QLatin1String("^2"));
+    text.replace(QStringLiteral("³"), QLatin1String("^3"));
+    text.replace(QStringLiteral("·"), QLatin1String(" "));
+    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1
+        && !text.contains(QLatin1Char('.')))
+        text.replace(locale.decimalPoint(), QLatin1String("."));
+
+    // In a form, a bare number means the unit that stands beside it; in a case file it means SI.
+    static const QRegularExpression bareNumber(QStringLiteral("^[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?$"));
+    if (!field.displayUnit.empty() && bareNumber.match(text).hasMatch())
+        text += QLatin1Char(' ') + QString::fromStdString(field.displayUnit);
+    return text.toStdString();
+}
+
+QString valueText(const Case& c, const Field& field, const QLocale& locale)
+{
+    const QString text = editorText(c, field, locale);
+    if (field.kind != FieldKind::Number || field.displayUnit.empty()) return text;
+    return text + QChar(0x00A0) + unitText(field.displayUnit);
+}
+
+QString readout(double value, std::string_view displayUnit, int decimals, const QLocale& locale)
+{
+    double scaled = displayUnit.empty() ? value : value / unitFactor(displayUnit);
+    // No "-0.000".
+    if (std::abs(scaled) < 0.5 * std::pow(10.0, -decimals)) scaled = 0.0;
+    const QString number = locale.toString(scaled, 'f', decimals);
+    return displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(displayUnit);
+}
+
+QString readout(double value, const Quantity& quantity, const QLocale& locale)
+{
+    return readout(value, quantity.displayUnit, quantity.unit == "rad" ? 2 : 3, locale);
+}
+
+QString timeText(double seconds, const QLocale& locale)
+{
+    return withPrefix(seconds, QStringLiteral("s"), locale);
+}
+
+QString frequencyText(double hertz, const QLocale& locale)
+{
+    return withPrefix(hertz, QStringLiteral("Hz"), locale);
+}
+
+} // namespace touchdown
