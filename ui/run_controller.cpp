@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/run_worker.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
+constexpr int longestInterval = 100; // [ms]
+
+} // namespace
+
+RunController::RunController(QObject* parent)
+    : RunController([](const Case& c, const RunCallback& callback) { return run(c, callback); }, parent)
+{
+}
+
+RunController::RunController(Solver solver, QObject* parent) : QObject(parent), solver_(std::move(solver))
+{
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &RunController::deliver);
+}
+
+RunController::~RunController() = default;
+
+void RunController::stopAndWait()
+{
+    if (!worker_) return;
+    worker_->stop();
+    worker_->join();
+    deliver();
+}
+
+int RunController::start(RunRequest request)
+{
+    stopAndWait();
+    ++run_;
+    const int run = run_;
+    setState(State::Running);
+    emit started(run);
+    sinceDelivery_.invalidate();
+    worker_ = std::make_unique<Worker>(solver_, std::move(request), pace_, [this, run] {
+        QMetaObject::invokeMethod(this, [this, run] { schedule(run); }, Qt::QueuedConnection);
+    });
+    return run;
+}
+
+void RunController::pause()
+{
+    if (state_ != State::Running) return;
+    worker_->setPaused(true);
+    setState(State::Paused);
+}
+
+void RunController::resume()
+{
+    if (state_ != State::Paused) return;
+    worker_->setPaused(false);
+    setState(State::Running);
+}
+
+void RunController::step()
+{
+    if (state_ == State::Paused) worker_->step();
+}
+
+void RunController::stop()
+{
+    if (!worker_ || state_ == State::Stopping) return;
+    worker_->stop();
+    setState(State::Stopping);
+}
+
+void RunController::setPace(double simulatedPerWallSecond)
+{
+    pace_ = simulatedPerWallSecond;
+    if (worker_) worker_->setPace(pace_);
+}
+
+void RunController::schedule(int run)
+{
+    if (run != run_ || !worker_ || timer_.isActive()) return;
+    const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : interval_;
+    timer_.start(static_cast<int>(std::max<qint64>(0, interval_ - passed)));
+}
+
+void RunController::deliver()
+{
+    if (!worker_) return;
+    timer_.stop();
+    sinceDelivery_.start();
+
+    Worker::Mail mail = worker_->take();
+    mail.delivery.run = run_;
+    if (!mail.recordingProblem.empty()) emit recordingFailed(run_, QString::fromStdString(mail.recordingProblem));
+    emit delivered(mail.delivery);
+    // A picture that takes long to draw is drawn less often, so that the window goes on answering.
+    interval_ = std::clamp(2 * static_cast<int>(sinceDelivery_.elapsed()), shortestInterval, longestInterval);
+
+    if (!mail.summary) return;
+    worker_.reset();
+    setState(State::Idle);
+    emit finished(run_, *mail.summary);
+}
+
+void RunController::setState(State state)
+{
+    if (state == state_) return;
+    state_ = state;
+    emit stateChanged(state);
+}
+
+} // namespace touchdown
