@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// touchdown-workbench: the window, and the same window without a screen for pictures.
+#include <cstdio>
+#include <iostream>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QTimer>
+
+#include "app/workbench_pictures.h"
+#include "core/simulation/case_file.h"
+#include "ui/main_window.h"
+#include "ui/theme.h"
+
+namespace {
+
+constexpr int badInput = 2; // exit code
+
+struct Arguments {
+    QString file;
+    bool run = false;
+    QString exportFolder;
+    QString screenshot;
+    QString size;
+    QString theme;
+};
+
+/// Ends the program for --help, --version and mistakes: none of them needs a display.
+Arguments parse(int argc, char** argv)
+{
+    QStringList list;
+    for (int i = 0; i < argc; ++i) list << QString::fromLocal8Bit(argv[i]);
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Touchdown: the dynamics of hard-disk sliders at the edge of contact."));
+    parser.addPositionalArgument(
+        QStringLiteral("CASE"), QStringLiteral("A case file (.toml), a saved run (.h5), or the name of a sample case."),
+        QStringLiteral("[CASE]"));
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Prints this help."));
+    const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
+                                     QStringLiteral("Prints the version."));
+    const QCommandLineOption run(QStringLiteral("run"), QStringLiteral("Starts the case at once."));
+    const QCommandLineOption exportTo(
+        QStringLiteral("export"),
+        QStringLiteral("Runs the case, writes its plots as PNG pictures to <folder>, prints their paths and ends."),
+        QStringLiteral("folder"));
+    const QCommandLineOption screenshot(
+        QStringLiteral("screenshot"),
+        QStringLiteral("Runs the case, writes a picture of the whole window to <file> and ends."),
+        QStringLiteral("file"));
+    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Of the window for pictures, as 1600x1000."),
+                                  QStringLiteral("size"), QStringLiteral("1600x1000"));
+    const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
+                                   QStringLiteral("name"));
+    parser.addOptions({help, version, run, exportTo, screenshot, size, theme});
+
+    const auto fail = [](const QString& sentence) {
+        std::cerr << "touchdown-workbench: " << sentence.toStdString() << "\nSee touchdown-workbench --help.\n";
+        std::exit(badInput);
+    };
+    if (!parser.parse(list)) fail(parser.errorText());
+    if (parser.isSet(help)) {
+        std::cout << parser.helpText().toStdString();
+        std::exit(0);
+    }
+    if (parser.isSet(version)) {
+        std::cout << "touchdown-workbench " TOUCHDOWN_VERSION "\n";
+        std::exit(0);
+    }
+    if (parser.positionalArguments().size() > 1) fail(QStringLiteral("more than one case was given."));
+
+    Arguments arguments;
+    arguments.file = parser.positionalArguments().value(0);
+    arguments.run = parser.isSet(run);
+    arguments.exportFolder = parser.value(exportTo);
+    arguments.screenshot = parser.value(screenshot);
+    arguments.size = parser.value(size);
+    arguments.theme = parser.value(theme);
+    if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
+        fail(QStringLiteral("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
+    return arguments;
+}
+
+/// The case that was asked for; ends the program with a sentence for each problem when it is bad.
+touchdown::CaseDocument readCase(const QString& fileOrSample)
+{
+    touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString());
+    if (!document.valid()) {
+        for (const touchdown::InputProblem& problem : document.problems) std::cerr << problem.text() << '\n';
+        std::exit(badInput);
+    }
+    return document;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    using namespace touchdown;
+    // Help and mistakes come before anything that needs a display.
+    const Arguments arguments = [&] {
+        int count = 1;
+        const QCoreApplication forTheParser(count, argv);
+        return parse(argc, argv);
+    }();
+    const bool isRun = CaseFiles::isResultsFile(arguments.file);
+    const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
+    CaseDocument document;
+    if (!arguments.file.isEmpty() && !isRun)
+        document = readCase(arguments.file);
+    else if (pictures)
+        document = readCase(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("touchdown-workbench"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("touchdown-workbench"));
+    applyTheme(themeFromName(arguments.theme));
+
+    MainWindow window;
+    // Pictures must not depend on what somebody did last.
+    if (!pictures) window.restoreSession();
+    if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
+
+    const QFileInfo info(arguments.file);
+    if (!document.name.empty())
+        window.files().take(document, info.isFile() ? info.absoluteFilePath() : QString());
+    else
+        window.openLastCase();
+
+    if (pictures) return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size});
+    window.show();
+    if (isRun) window.openResults(arguments.file);
+    if (arguments.run) QTimer::singleShot(0, &window, &MainWindow::startRun);
+    return QApplication::exec();
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench_pictures.h"
+
+#include <iostream>
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QRegularExpression>
+
+#include "ui/plot_export.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int done = 0, noAnswer = 1, badInput = 2; // exit codes
+
+bool report(const QString& problem, const QString& file)
+{
+    if (problem.isEmpty())
+        std::cout << file.toStdString() << '\n';
+    else
+        std::cerr << problem.toStdString() << '\n';
+    return problem.isEmpty();
+}
+
+bool exportPlots(MainWindow& window, const QString& folder)
+{
+    const QDir directory(folder);
+    if (!directory.mkpath(QStringLiteral(".")))
+        return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
+    const QString page = directory.filePath(QStringLiteral("page.png"));
+    bool good = report(savePage(*window.page(), page), page);
+    for (const LivePlots::Entry& entry : window.plots().plots()) {
+        if (entry.plot->isHidden()) continue;
+        const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
+        good = report(savePicture(*entry.plot, file), file) && good;
+    }
+    const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
+    return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
+}
+
+/// Lets every refresh that is due take place.
+void settle(QWidget& window)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 400) QApplication::processEvents(QEventLoop::AllEvents, 20);
+    window.repaint();
+}
+
+} // namespace
+
+int takePictures(MainWindow& window, const PictureRequest& request)
+{
+    const QRegularExpressionMatch size =
+        QRegularExpression(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$")).match(request.size);
+    if (!size.hasMatch()) {
+        std::cerr << "--size is written as 1600x1000, not \"" << request.size.toStdString() << "\".\n";
+        return badInput;
+    }
+    window.resize(size.captured(1).toInt(), size.captured(2).toInt());
+    window.show();
+    settle(window);
+
+    Summary summary;
+    QEventLoop untilFinished;
+    QObject::connect(&window.controller(), &RunController::finished, &untilFinished, [&](int, const Summary& ended) {
+        summary = ended;
+        untilFinished.quit();
+    });
+    window.startRun();
+    untilFinished.exec();
+    settle(window);
+
+    bool written = true;
+    if (!request.exportFolder.isEmpty()) written = exportPlots(window, request.exportFolder);
+    if (!request.screenshot.isEmpty()) {
+        const bool saved = window.grab().save(request.screenshot);
+        written = report(saved ? QString() : QStringLiteral("%1 cannot be written.").arg(request.screenshot),
+                         request.screenshot) &&
+                  written;
+    }
+    if (!written) return badInput;
+    if (summary.status == RunStatus::Completed) return done;
+    std::cerr << "The run ended without a valid answer: " << summary.message << '\n';
+    return noAnswer;
+}
+
+} // namespace touchdown

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/about_case_pane.h"
+
+#include <QEvent>
+
+#include "ui/quantity_format.h"
+#include "ui/theme.h"
+
+namespace touchdown {
+
+AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
+{
+    setAccessibleName(tr("About this case"));
+    setFrameShape(QFrame::NoFrame);
+    setOpenExternalLinks(false);
+    document()->setDocumentMargin(8);
+    setMinimumHeight(80);
+}
+
+void AboutCasePane::setCase(const Case& c)
+{
+    const QString title = QString::fromStdString(c.title);
+    if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch
+        && c.about.assumed == about_.assumed)
+        return;
+    title_ = title;
+    about_ = c.about;
+    result_.clear();
+    rule_.clear();
+    write();
+}
+
+void AboutCasePane::setResult(const QString& result, const QString& rule)
+{
+    if (result == result_ && rule == rule_) return;
+    result_ = result;
+    rule_ = rule;
+    write();
+}
+
+void AboutCasePane::changeEvent(QEvent* event)
+{
+    QTextBrowser::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+}
+
+void AboutCasePane::write()
+{
+    const MeaningColours colours = meaningColours(palette());
+    QString html = QStringLiteral("<p><b>%1</b></p>").arg(title_.toHtmlEscaped());
+    const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
+        if (text.isEmpty()) return;
+        html += QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
+                    .arg(colour.name(), heading, text.trimmed().toHtmlEscaped());
+    };
+    part(tr("What the paper saw"), QString::fromStdString(about_.paper), colours.muted);
+    part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
+    part(tr("What this run shows"), result_, colours.change);
+    part(tr("How that was decided"), rule_, colours.muted);
+    part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
+    setHtml(html);
+}
+
+QString resultText(const RunRecord& run)
+{
+    if (!run.summary) return {};
+    const Summary& summary = *run.summary;
+    QString text;
+    if (summary.status == RunStatus::Completed) {
+        QStringList ends;
+        for (const char* name : {"flying_height", "pitch", "net_contact_force"}) {
+            const int index = findQuantity(run.quantities, name);
+            const std::optional<double> value = run.last(name);
+            if (index < 0 || !value) continue;
+            const Quantity& quantity = run.quantities[static_cast<std::size_t>(index)];
+            if (quantity.name == "flying_height")
+                ends << AboutCasePane::tr("flying height %1").arg(readout(*value, quantity));
+            else if (quantity.name == "pitch")
+                ends << AboutCasePane::tr("pitch %1").arg(readout(*value, quantity));
+            else if (*value != 0.0)
+                ends << AboutCasePane::tr("net contact force %1").arg(readout(*value, quantity));
+        }
+        text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
+        if (!summary.bouncingRule.empty())
+            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It goes on bouncing.") : AboutCasePane::tr("It does not go on bouncing."));
+    } else {
+        text = sentence(summary.message);
+    }
+    return text;
+}
+
+} // namespace touchdown

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a case is about: what the paper saw, what to watch, what is a stand-in, and what this run shows.
+#pragma once
+
+#include "core/simulation/case.h"
+#include "ui/run_record.h"
+
+#include <QTextBrowser>
+
+namespace touchdown {
+
+class AboutCasePane : public QTextBrowser {
+    Q_OBJECT
+
+public:
+    explicit AboutCasePane(QWidget* parent = nullptr);
+
+    void setCase(const Case& c);
+    /// Of the run of this case that has ended, and by which rule; empty while it runs.
+    void setResult(const QString& result, const QString& rule = {});
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void write();
+
+    QString title_;
+    About about_;
+    QString result_;
+    QString rule_;
+};
+
+/// What a run came to, in a few sentences; warnings and the check of the step are not among them.
+QString resultText(const RunRecord& run);
+
+} // namespace touchdown

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/case_files.h"
+
+#include <filesystem>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostRecent = 10;
+constexpr auto recentKey = "files/recent";
+
+} // namespace
+
+CaseFiles::CaseFiles(CaseEdits& edits, QWidget& window) : QObject(&window), edits_(edits), window_(window) {}
+
+void CaseFiles::take(const CaseDocument& document, const QString& file)
+{
+    file_ = file;
+    sample_.clear();
+    if (file.isEmpty())
+        for (const SampleCase& sample : sampleCases())
+            if (sample.name == document.name) sample_ = QString::fromStdString(sample.name);
+    text_ = document.text;
+    edits_.open(document.value);
+    if (!file.isEmpty()) remember(file);
+    emit opened();
+}
+
+bool CaseFiles::openNow(const QString& fileOrSample)
+{
+    const CaseDocument document = openCase(fileOrSample.toStdString());
+    if (!document.valid()) {
+        QStringList problems;
+        for (const InputProblem& problem : document.problems) problems << QString::fromStdString(problem.text());
+        showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), problems);
+        return false;
+    }
+    const QFileInfo info(fileOrSample);
+    take(document, info.isFile() ? info.absoluteFilePath() : QString());
+    return true;
+}
+
+void CaseFiles::open(const QString& fileOrSample)
+{
+    whenSettled([this, fileOrSample] { openNow(fileOrSample); });
+}
+
+void CaseFiles::newCase()
+{
+    whenSettled([this] {
+        CaseDocument document;
+        document.text = formatCase(document.value);
+        take(document, {});
+    });
+}
+
+void CaseFiles::chooseFile()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Open a case or a saved run"), QFileInfo(file_).absolutePath(),
+                                   tr("Cases and runs (*.toml *.h5);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (isResultsFile(file)) emit resultsFileChosen(file);
+        else open(file);
+    });
+    dialog->open();
+}
+
+void CaseFiles::save()
+{
+    if (file_.isEmpty()) saveAs();
+    else write(file_);
+}
+
+void CaseFiles::saveAs()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Save the case"), file_, tr("Case files (*.toml)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("toml"));
+    if (file_.isEmpty()) dialog->selectFile(shortName() + QStringLiteral(".toml"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { write(file); });
+    connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
+    dialog->open();
+}
+
+void CaseFiles::whenSettled(const std::function<void()>& next)
+{
+    if (!modified()) {
+        next();
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("The parameters of \"%1\" have changed.").arg(shortName()),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+    box->setObjectName(QStringLiteral("unsavedChanges"));
+    box->setInformativeText(tr("Do you want to save them?"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::buttonClicked, this, [this, box, next](QAbstractButton* button) {
+        switch (box->standardButton(button)) {
+        case QMessageBox::Save:
+            afterSave_ = next;
+            save();
+            break;
+        case QMessageBox::Discard: next(); break;
+        default: break;
+        }
+    });
+    box->open();
+}
+
+bool CaseFiles::modified() const
+{
+    return !edits_.undoStack().isClean();
+}
+
+QString CaseFiles::shortName() const
+{
+    if (!file_.isEmpty()) return QFileInfo(file_).fileName();
+    return sample_.isEmpty() ? tr("Untitled") : sample_;
+}
+
+std::string CaseFiles::text() const
+{
+    return modified() ? updateCaseText(text_, edits_.value()) : text_;
+}
+
+bool CaseFiles::write(const QString& file)
+{
+    const std::function<void()> next = std::exchange(afterSave_, nullptr);
+    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
+        showProblems(tr("The case was not saved."), {reason});
+        return false;
+    }
+    const std::string text = updateCaseText(text_, edits_.value());
+    const std::string problem = writeCaseFile(std::filesystem::path(file.toStdString()), text);
+    if (!problem.empty()) {
+        showProblems(tr("The case was not saved."), {QString::fromStdString(problem)});
+        return false;
+    }
+    file_ = QFileInfo(file).absoluteFilePath();
+    sample_.clear();
+    text_ = text;
+    edits_.undoStack().setClean();
+    remember(file_);
+    emit saved();
+    if (next) next();
+    return true;
+}
+
+QStringList CaseFiles::recent() const
+{
+    return QSettings().value(recentKey).toStringList();
+}
+
+void CaseFiles::remember(const QString& file)
+{
+    QStringList list = recent();
+    list.removeAll(file);
+    list.prepend(file);
+    while (list.size() > mostRecent) list.removeLast();
+    QSettings().setValue(recentKey, list);
+}
+
+void CaseFiles::showProblems(const QString& what, const QStringList& problems)
+{
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Touchdown"), what, QMessageBox::Close, &window_);
+    box->setObjectName(QStringLiteral("problems"));
+    box->setInformativeText(problems.mid(0, 8).join(QLatin1Char('\n')));
+    if (problems.size() > 8) box->setDetailedText(problems.join(QLatin1Char('\n')));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+bool CaseFiles::isCaseFile(const QString& file)
+{
+    return QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0;
+}
+
+bool CaseFiles::isResultsFile(const QString& file)
+{
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    return suffix == QLatin1String("h5") || suffix == QLatin1String("hdf5");
+}
+
+} // namespace touchdown

@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "ui/icons.h"
+#include "ui/plot_export.h"
+#include "ui/quantity_format.h"
+#include "ui/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int stateVersion = 1; // of the arrangement of docks
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      actions_(new WindowActions(*this, edits_.undoStack())),
+      files_(new CaseFiles(edits_, *this)),
+      casePanel_(new CasePanel(edits_, this)),
+      runsPanel_(new RunsPanel(runs_, this)),
+      aboutCase_(new AboutCasePane(this)),
+      plots_(new LivePlots(runs_, this)),
+      spectrum_(new LiveSpectrum(runs_, this)),
+      messages_(new MessageStrip(this)),
+      progress_(new RunProgress(this))
+{
+    setObjectName(QStringLiteral("workbench"));
+    setWindowIcon(programIcon());
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    buildCentre();
+    buildDocks();
+    statusBar()->addWidget(progress_, 1);
+    statusBar()->setSizeGripEnabled(false);
+    connectFiles();
+    connectRuns();
+    connectView();
+    connectHelp();
+    resize(1500, 940);
+    updateRunActions();
+    updateTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre()
+{
+    splitter_ = new QSplitter(Qt::Vertical, this);
+    splitter_->addWidget(plots_);
+    splitter_->addWidget(spectrum_);
+    splitter_->setStretchFactor(0, 2);
+    splitter_->setStretchFactor(1, 1);
+    splitter_->setSizes({560, 280});
+    splitter_->setChildrenCollapsible(true);
+    splitter_->setCollapsible(0, false);
+    page_ = splitter_;
+
+    auto* centre = new QWidget(this);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(splitter_, 1);
+    layout->addWidget(messages_);
+    setCentralWidget(centre);
+    runFiles_ = new RunFiles(runs_, *page_, *this);
+}
+
+void MainWindow::buildDocks()
+{
+    cursorTable_ = new CursorTable(plots_->group(), this);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QDockWidget* parameters = addDock(QStringLiteral("parameters"), tr("Parameters"), casePanel_, Qt::LeftDockWidgetArea);
+    QDockWidget* about = addDock(QStringLiteral("about"), tr("About this case"), aboutCase_, Qt::RightDockWidgetArea);
+    QDockWidget* runs = addDock(QStringLiteral("runs"), tr("Runs"), runsPanel_, Qt::RightDockWidgetArea);
+    QDockWidget* values = addDock(QStringLiteral("values"), tr("Values at the cursors"), cursorTable_, Qt::RightDockWidgetArea);
+    resizeDocks({parameters, about}, {340, 340}, Qt::Horizontal);
+    resizeDocks({about, runs, values}, {280, 240, 260}, Qt::Vertical);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setAccessibleName(title);
+    addDockWidget(area, dock);
+    actions_->panes->addAction(dock->toggleViewAction());
+    return dock;
+}
+
+void MainWindow::connectFiles()
+{
+    connect(actions_->newCase, &QAction::triggered, files_, &CaseFiles::newCase);
+    connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
+    connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
+    connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
+    connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+    connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
+    connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
+    connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
+    connect(actions_->resetAll, &QAction::triggered, &edits_, &CaseEdits::resetAll);
+    connect(actions_->findParameter, &QAction::triggered, this, [this] {
+        casePanel_->search()->setFocus();
+        casePanel_->search()->selectAll();
+    });
+    connect(actions_->openResults, &QAction::triggered, runFiles_, &RunFiles::chooseOpen);
+    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runsPanel_->chosen(), false); });
+    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runsPanel_->chosen(), true); });
+    connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
+    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*page_); });
+    connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
+    connect(files_, &CaseFiles::saved, this, [this] {
+        casePanel_->setPreset({});
+        updateTitle();
+        messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
+    });
+    connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
+    connect(runFiles_, &RunFiles::succeeded, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(runFiles_, &RunFiles::failed, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::connectRuns()
+{
+    connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
+    connect(actions_->pause, &QAction::triggered, this, [this](bool on) { on ? controller_.pause() : controller_.resume(); });
+    connect(actions_->step, &QAction::triggered, &controller_, &RunController::step);
+    connect(actions_->stop, &QAction::triggered, &controller_, &RunController::stop);
+    connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
+    connect(actions_->pace, &QComboBox::currentIndexChanged, this,
+            [this] { controller_.setPace(actions_->pace->currentData().toDouble()); });
+    connect(&controller_, &RunController::stateChanged, this, [this](RunController::State state) {
+        progress_->setState(state);
+        updateRunActions();
+    });
+    connect(&controller_, &RunController::delivered, this, &MainWindow::onRunDelivered);
+    connect(&controller_, &RunController::finished, this, &MainWindow::onRunFinished);
+    connect(&controller_, &RunController::recordingFailed, this,
+            [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
+    connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
+    connect(runsPanel_, &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
+    connect(runsPanel_, &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
+    connect(runsPanel_, &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
+    connect(&runs_, &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
+    connect(&runs_, &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
+}
+
+void MainWindow::connectView()
+{
+    PlotGroup* group = plots_->group();
+    connect(actions_->fit, &QAction::triggered, this, [this, group] {
+        group->fit();
+        spectrum_->view()->group()->fit();
+    });
+    connect(actions_->follow, &QAction::triggered, group,
+            [group](bool on) { group->setFollow(on ? PlotGroup::Follow::WholeRun : PlotGroup::Follow::Frozen); });
+    connect(group, &PlotGroup::followChanged, this,
+            [this](PlotGroup::Follow follow) { actions_->follow->setChecked(follow != PlotGroup::Follow::Frozen); });
+    connect(actions_->zoomBack, &QAction::triggered, group, &PlotGroup::goBack);
+    connect(actions_->zoomForward, &QAction::triggered, group, &PlotGroup::goForward);
+    const auto updateHistory = [this, group] {
+        actions_->zoomBack->setEnabled(group->canGoBack());
+        actions_->zoomForward->setEnabled(group->canGoForward());
+    };
+    connect(group, &PlotGroup::historyChanged, this, updateHistory);
+    updateHistory();
+    connect(plots_, &LivePlots::curvesChanged, cursorTable_, &CursorTable::scheduleUpdate);
+
+    for (const LivePlots::Entry& entry : plots_->plots()) {
+        QAction* action = actions_->plots->addAction(entry.title);
+        action->setCheckable(true);
+        action->setChecked(true);
+        connect(action, &QAction::toggled, this, [this, name = entry.name](bool on) { plots_->setWanted(name, on); });
+    }
+    QAction* spectrum = actions_->plots->addAction(tr("Power spectrum"));
+    spectrum->setCheckable(true);
+    spectrum->setChecked(true);
+    connect(spectrum, &QAction::toggled, spectrum_, &QWidget::setVisible);
+
+    connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::connectHelp()
+{
+    connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
+    connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
+    connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
+    connect(actions_->aboutQt, &QAction::triggered, this, [this] {
+        auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
+                                    tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
+                                       "Public License, version 3.")
+                                        .arg(QString::fromLatin1(qVersion())),
+                                    QMessageBox::Close, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+}
+
+void MainWindow::startRun()
+{
+    // What stands in a field but was not confirmed yet counts.
+    if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
+        focused->clearFocus();
+        focused->setFocus();
+    }
+    if (!edits_.reasonNotToRun().isEmpty()) {
+        casePanel_->showFirstProblem();
+        return;
+    }
+    RunRequest request;
+    request.value = edits_.value();
+    request.caseText = files_->text();
+    request.recordTo = recordTo_.toStdString();
+    // A run under way ends, and says so, before the new one is in the list.
+    controller_.stopAndWait();
+    onRunStarted(runs_.nextNumber());
+    controller_.start(std::move(request));
+}
+
+void MainWindow::onRunStarted(int number)
+{
+    if (!runsPanel_->overlay())
+        for (int row = 0; row < runs_.count(); ++row) runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
+    auto record = std::make_unique<RunRecord>(number, edits_.value(), files_->text(), recordedQuantities(edits_.value()));
+    record->file = recordTo_;
+    runNumber_ = number;
+    runs_.add(std::move(record));
+    runsPanel_->setRunningRun(number);
+    spectrum_->setOptionsOf(edits_.value());
+    aboutCase_->setResult({});
+    messages_->clear();
+    progress_->begin();
+    if (plots_->group()->follow() == PlotGroup::Follow::Frozen) return;
+    plots_->group()->fit();
+}
+
+void MainWindow::onRunDelivered(const RunDelivery& delivery)
+{
+    runs_.append(runNumber_, delivery.samples, delivery.events);
+    plots_->dataArrived(runNumber_);
+    spectrum_->dataArrived(runNumber_);
+    if (delivery.duration > 0.0) progress_->advance(delivery.time, delivery.duration);
+}
+
+void MainWindow::onRunFinished(int, const Summary& summary)
+{
+    const int number = std::exchange(runNumber_, -1);
+    runs_.finish(number, summary);
+    runsPanel_->setRunningRun(-1);
+    plots_->runFinished(number);
+    spectrum_->runFinished(number);
+    progress_->end(summary);
+    updateRunActions();
+
+    const RunRecord& run = *runs_.find(number);
+    const QString result = resultText(run);
+    aboutCase_->setResult(result, sentence(summary.bouncingRule));
+    QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
+    MessageStrip::Kind kind = MessageStrip::Kind::Success;
+    for (const std::string& warning : summary.warnings) lines << sentence(warning);
+    // A check that found a difference is among the warnings.
+    if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
+    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState)) kind = MessageStrip::Kind::Warning;
+    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
+    if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
+        kind = MessageStrip::Kind::Failure;
+        lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
+    }
+    messages_->show(kind, lines.join(QLatin1Char('\n')));
+}
+
+void MainWindow::onCaseOpened()
+{
+    casePanel_->setPreset(files_->sample());
+    aboutCase_->setResult({});
+    spectrum_->setOptionsOf(edits_.value());
+    messages_->clear();
+    updateTitle();
+}
+
+void MainWindow::onCaseEdited()
+{
+    aboutCase_->setCase(edits_.value());
+    updateRunActions();
+    updateTitle();
+}
+
+void MainWindow::updateRunActions()
+{
+    using State = RunController::State;
+    const State state = controller_.state();
+    const QString reason = edits_.reasonNotToRun();
+    actions_->run->setEnabled(reason.isEmpty());
+    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case; a run under way starts again (F5)")
+                                               : tr("The case cannot be run. %1").arg(reason));
+    if (!reason.isEmpty())
+        messages_->show(MessageStrip::Kind::Failure, tr("The case cannot be run. %1").arg(reason), tr("Show the field"));
+    else if (messages_->text().startsWith(tr("The case cannot be run.")))
+        messages_->clear();
+    actions_->pause->setEnabled(state == State::Running || state == State::Paused);
+    actions_->pause->setChecked(state == State::Paused);
+    actions_->step->setEnabled(state == State::Paused);
+    actions_->stop->setEnabled(state == State::Running || state == State::Paused);
+    actions_->resetAll->setEnabled(edits_.anyChanged());
+    const bool anyEnded = runs_.count() > (controller_.active() ? 1 : 0);
+    actions_->saveResults->setEnabled(anyEnded);
+    actions_->exportCsv->setEnabled(anyEnded);
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(tr("%1[*] – Touchdown").arg(files_->shortName()));
+    setWindowModified(files_->modified());
+}
+
+void MainWindow::updateRecentMenu()
+{
+    actions_->recent->clear();
+    for (const QString& file : files_->recent())
+        actions_->recent->addAction(QDir::toNativeSeparators(file), files_, [this, file] { files_->open(file); });
+    if (actions_->recent->isEmpty()) actions_->recent->addAction(tr("None yet"))->setEnabled(false);
+}
+
+void MainWindow::chooseRecording(bool on)
+{
+    if (!on) {
+        recordTo_.clear();
+        return;
+    }
+    auto* dialog = new QFileDialog(this, tr("Record the runs that follow to"), {}, tr("HDF5 (*.h5)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("h5"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { recordTo_ = file; });
+    connect(dialog, &QDialog::finished, this, [this] { actions_->record->setChecked(!recordTo_.isEmpty()); });
+    dialog->open();
+}
+
+void MainWindow::useParametersOf(int number)
+{
+    const RunRecord* run = runs_.find(number);
+    if (run) edits_.setAll(run->value, tr("use the parameters of run %1").arg(number));
+}
+
+void MainWindow::showHelp(HelpWindow::Page page)
+{
+    if (!help_) {
+        QString rows = QStringLiteral("<table cellpadding='3'>");
+        for (const QAction* action : actions_->withShortcuts())
+            rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                        .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                             action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
+        help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
+    }
+    help_->open(page);
+}
+
+void MainWindow::look()
+{
+    const QAction* theme = actions_->theme->checkedAction();
+    const QAction* size = actions_->fontSize->checkedAction();
+    applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
+               systemPointSize() + (size ? size->data().toInt() : 0));
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) actions_->updateIcons(palette());
+    if (event->type() == QEvent::WindowStateChange) actions_->fullScreen->setChecked(isFullScreen());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (CaseFiles::isCaseFile(url.toLocalFile()) || CaseFiles::isResultsFile(url.toLocalFile()))
+            event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls()) {
+        const QString file = url.toLocalFile();
+        if (CaseFiles::isResultsFile(file)) runFiles_->openRun(file);
+        else if (CaseFiles::isCaseFile(file)) files_->open(file);
+    }
+    event->acceptProposedAction();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!closing_ && files_->modified()) {
+        event->ignore();
+        files_->whenSettled([this] {
+            closing_ = true;
+            close();
+        });
+        return;
+    }
+    controller_.stop();
+    saveSession();
+    event->accept();
+}
+
+void MainWindow::saveSession()
+{
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
+    settings.setValue(QStringLiteral("window/splitter"), splitter_->saveState());
+    if (const QAction* theme = actions_->theme->checkedAction()) settings.setValue(QStringLiteral("window/theme"), theme->data());
+    if (const QAction* size = actions_->fontSize->checkedAction()) settings.setValue(QStringLiteral("window/font"), size->data());
+    settings.setValue(QStringLiteral("runs/overlay"), runsPanel_->overlay());
+    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
+    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
+}
+
+void MainWindow::restoreSession()
+{
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
+    splitter_->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
+    const auto check = [](QActionGroup* group, const QVariant& value) {
+        for (QAction* action : group->actions())
+            if (action->data().toString() == value.toString()) action->setChecked(true);
+    };
+    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
+    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    look();
+    runsPanel_->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
+    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
+}
+
+void MainWindow::openLastCase()
+{
+    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
+    const bool sample = std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
+    // A file that is gone or spoiled since is no reason to begin with an error.
+    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid()) files_->openNow(last);
+    else files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+}
+
+} // namespace touchdown

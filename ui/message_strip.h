@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One message at the foot of the window: what a run came to, what went wrong, what to mind.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+
+namespace touchdown {
+
+class MessageStrip : public QFrame {
+    Q_OBJECT
+
+public:
+    enum class Kind { Information, Success, Warning, Failure };
+    Q_ENUM(Kind)
+
+    explicit MessageStrip(QWidget* parent = nullptr);
+
+    /// `action` is the text of a button, for which `actionRequested` is emitted; none when empty.
+    void show(Kind kind, const QString& text, const QString& action = {});
+    void clear();
+    QString text() const { return text_->text(); }
+    Kind kind() const { return kind_; }
+
+signals:
+    void actionRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void colour();
+
+    Kind kind_ = Kind::Information;
+    QLabel* mark_;
+    QLabel* text_;
+    QPushButton* action_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a run is: state, simulated time, rate, time left.
+#pragma once
+
+#include "ui/run_controller.h"
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QWidget>
+
+namespace touchdown {
+
+class RunProgress : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RunProgress(QWidget* parent = nullptr);
+
+    void begin();
+    void setState(RunController::State state);
+    void advance(double time, double duration);
+    void end(const Summary& summary);
+    QString text() const { return text_->text(); }
+
+private:
+    QString stateText(RunController::State state) const;
+    void updateText();
+
+    QLabel* state_;
+    QProgressBar* bar_;
+    QLabel* text_;
+    QElapsedTimer clock_;
+    double time_ = 0.0;     // [s]
+    double duration_ = 0.0; // [s]
+    double rate_ = 0.0;     // simulated per wall time, smoothed [s/s]
+    double rateTime_ = 0.0; // of the last estimate [s]
+    RunController::State runState_ = RunController::State::Idle;
+};
+
+} // namespace touchdown
