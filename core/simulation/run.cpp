@@ -16,9 +16,9 @@ namespace {
 
 constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
 
-std::string time(double t) { return formatQuantity(std::round(t * 1e12) * 1e-12, "us"); }
-std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) * 1e-13, "nm"); }
-std::string angle(double a) { return formatQuantity(std::round(a * 1e10) * 1e-10, "urad"); }
+std::string time(double t) { return formatQuantity(std::round(t * 1e12) / 1e12, "us"); }
+std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
+std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
 
 bool hasFixedStep(IntegratorKind integrator) { return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode; }
 
@@ -111,7 +111,8 @@ double tailMean(const Summary& summary, std::string_view name)
 /// Runs again with half the step and compares where the slider ends.
 StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callback)
 {
-    const SampleBatch none;
+    SampleBatch none;
+    none.columns.resize(recordedQuantities(c).size());
     const RunCallback stopOnly = [&](const RunUpdate& update) {
         return !callback || callback({c.run.duration, update.duration, none, {}});
     };

@@ -103,7 +103,7 @@ void RunStatistics::finish(Summary& summary) const
         const double swing = tail.max - tail.min;
         const double swingBefore = before.max - before.min;
         summary.bouncing = swing > smallestSwing && swing >= smallestDecay * swingBefore;
-        const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) * 1e-13, "nm") + " nm"; };
+        const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
         summary.bouncingRule = "sustained if the minimum spacing swings by more than " + nm(smallestSwing)
                                + " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing)
                                + " after " + nm(swingBefore);

@@ -64,7 +64,7 @@ void SpringRecorder::lookAtClock()
 
 bool SpringRecorder::judge(const Point& point, const double* values)
 {
-    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e12) * 1e-12, "us"); };
+    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e12) / 1e12, "us"); };
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
@@ -98,7 +98,7 @@ void SpringRecorder::flush()
     filled_ = 0;
     if (batchSeen) batchSeen(batch_);
     if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_}) && verdict_.status == RunStatus::Completed) {
-        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e12) * 1e-12, "us")};
+        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e12) / 1e12, "us")};
         goOn_ = false;
     }
     events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());

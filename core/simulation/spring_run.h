@@ -41,6 +41,7 @@ public:
             nextTime_ = double(++index_) * interval_;
             if (filled_ == points_.size()) flush();
         }
+        if (!goOn_) return false;
         last_ = {t1, y1, mode};
         if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
         return goOn_;
