@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/case_commands.h"
+
+#include <algorithm>
+
+#include "app/json_text.h"
+
+namespace touchdown {
+
+CaseDocument openCaseOrComplain(const CaseArguments& arguments)
+{
+    CaseDocument document = openCase(arguments.name);
+    if (!arguments.settings.empty()) applySettings(document, arguments.settings);
+    for (const InputProblem& problem : document.problems) complain(problem.text());
+    return document;
+}
+
+int validateCommand(const CaseArguments& arguments, bool json)
+{
+    const CaseDocument document = openCaseOrComplain(arguments);
+    if (json) {
+        Json problems = Json::array();
+        for (const InputProblem& problem : document.problems)
+            problems.push_back({{"file", problem.file},
+                                {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
+                                {"key", problem.key},
+                                {"message", problem.message}});
+        print(jsonText({{"case", document.name},
+                        {"title", document.value.title},
+                        {"valid", document.valid()},
+                        {"problems", problems}}));
+    } else if (document.valid()) {
+        print(document.name + ": valid\n");
+    }
+    return document.valid() ? exitDone : exitWrongInput;
+}
+
+int listCommand(bool json)
+{
+    Json all = Json::array();
+    std::string table;
+    std::size_t width = 0;
+    for (const SampleCase& sample : sampleCases()) width = std::max(width, sample.name.size());
+    for (const SampleCase& sample : sampleCases()) {
+        const Case c = parseCase(sample.text, sample.name).value;
+        table += sample.name + std::string(width + 2 - sample.name.size(), ' ') + c.title + "\n";
+        all.push_back({{"name", sample.name},
+                       {"title", c.title},
+                       {"paper", c.about.paper},
+                       {"watch", c.about.watch},
+                       {"assumed", c.about.assumed}});
+    }
+    print(json ? jsonText({{"cases", all}}) : table);
+    return exitDone;
+}
+
+} // namespace touchdown

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "app/case_commands.h"
+#include "app/describe_command.h"
+#include "app/run_command.h"
+
+namespace touchdown {
+namespace {
+
+void addCase(CLI::App& command, CaseArguments& arguments)
+{
+    command.add_option("CASE", arguments.name, "A case file, or the name of a sample case (see `touchdown list`)");
+    command.add_option("--set", arguments.settings, "Changes a value of the case, such as springs.cutoff=\"0.3 nm\"")
+        ->type_name("KEY=VALUE");
+}
+
+// `--set a=1 fig10a`: the option takes all that follows, so the last one may be the case.
+void findCase(const CLI::App& command, CaseArguments& arguments)
+{
+    if (arguments.name.empty() && !arguments.settings.empty() &&
+        arguments.settings.back().find('=') == std::string::npos) {
+        arguments.name = arguments.settings.back();
+        arguments.settings.pop_back();
+    }
+    if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": CASE");
+}
+
+// A full disk or a closed pipe behind standard output is found out at the last moment.
+int finishOutput(int code)
+{
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    complain("cannot write to standard output: " + std::generic_category().message(errno));
+    return exitNoAnswer;
+}
+
+} // namespace
+
+void complain(std::string_view sentence)
+{
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(sentence.size()), sentence.data());
+}
+
+void print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+int commandLine(int argc, char** argv)
+{
+    CLI::App app("Touchdown: dynamics of hard-disk sliders at the edge of contact", "touchdown");
+    app.set_version_flag("--version", "touchdown " TOUCHDOWN_VERSION);
+    app.require_subcommand(0, 1); // none is refused below, after what is misspelt
+    app.footer("Exit codes: 0 done; 1 the calculation ended without a valid answer; 2 wrong input or arguments.");
+    bool json = false;
+    const auto addJson = [&json](CLI::App& command) {
+        command.add_flag("--json", json, "One JSON object on standard output, numbers in SI");
+    };
+
+    RunArguments runArguments;
+    CLI::App& run = *app.add_subcommand("run", "Simulates a case");
+    addCase(run, runArguments.caseArguments);
+    run.add_option("--out", runArguments.out, "Writes all results as HDF5")->type_name("FILE.h5");
+    run.add_option("--csv", runArguments.csv, "Writes the time series as CSV")->type_name("FILE.csv");
+    run.add_flag("--progress", runArguments.progress, "Shows progress even when standard error is no terminal");
+    addJson(run);
+
+    CaseArguments validated;
+    CLI::App& validate = *app.add_subcommand("validate", "Checks a case and lists every problem");
+    addCase(validate, validated);
+    addJson(validate);
+
+    CLI::App& list = *app.add_subcommand("list", "Lists the sample cases");
+    addJson(list);
+
+    std::string key;
+    CLI::App& describe = *app.add_subcommand("describe", "Explains the keys of a case: unit, range, default, source");
+    describe.add_option("KEY", key, "A key such as springs.cutoff, or a group such as springs");
+    addJson(describe);
+
+    try {
+        app.parse(argc, argv);
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+        if (run.parsed()) findCase(run, runArguments.caseArguments);
+        if (validate.parsed()) findCase(validate, validated);
+    } catch (const CLI::ParseError& error) {
+        return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
+    }
+    runArguments.json = json;
+    if (run.parsed()) return finishOutput(runCommand(runArguments));
+    if (validate.parsed()) return finishOutput(validateCommand(validated, json));
+    if (list.parsed()) return finishOutput(listCommand(json));
+    return finishOutput(describeCommand(key, json));
+}
+
+} // namespace touchdown

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/describe_command.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/json_text.h"
+#include "core/simulation/fields.h"
+#include "core/simulation/nearest_name.h"
+
+namespace touchdown {
+namespace {
+
+using Selection = std::vector<const Field*>;
+
+std::string kindName(const Field& field)
+{
+    switch (field.kind) {
+    case FieldKind::Number: return "number";
+    case FieldKind::Integer: return "integer";
+    case FieldKind::Choice: return "choice";
+    case FieldKind::Boolean: return "boolean";
+    case FieldKind::Text: return "text";
+    }
+    return {};
+}
+
+Selection select(const std::string& key)
+{
+    Selection selection;
+    for (const Field& field : fields())
+        if (key.empty() || field.key == key || field.group() == key) selection.push_back(&field);
+    return selection;
+}
+
+// The key or group that was meant.
+std::string nearest(const std::string& key)
+{
+    if (const std::string name = nearestKey(key); !name.empty()) return name;
+    std::vector<std::string> groups;
+    for (const Field& field : fields())
+        if (!field.group().empty() && (groups.empty() || groups.back() != field.group()))
+            groups.push_back(field.group());
+    return nearestName(key, groups);
+}
+
+std::string defaultText(const Field& field)
+{
+    const std::string text = toText(Case{}, field);
+    return text.empty() ? "(empty)" : text;
+}
+
+std::string unitText(const Field& field)
+{
+    if (field.unit.empty()) return field.kind == FieldKind::Number ? "-" : "";
+    return field.unit == field.displayUnit ? field.unit : field.displayUnit + " (" + field.unit + ")";
+}
+
+// Lines of at most 100 characters, all indented.
+std::string wrapped(const std::string& text, std::size_t indent)
+{
+    constexpr std::size_t width = 100;
+    std::string result;
+    std::size_t column = width; // so that the first word begins a line
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::size_t length = end - at;
+        if (column + 1 + length > width) {
+            result += (result.empty() ? "" : "\n") + std::string(indent, ' ');
+            column = indent;
+        } else {
+            result += ' ';
+            ++column;
+        }
+        result.append(text, at, length);
+        column += length;
+        at = end + 1;
+    }
+    return result + "\n";
+}
+
+std::string padded(const std::string& text, std::size_t width)
+{
+    return text + std::string(text.size() < width ? width - text.size() : 0, ' ') + "  ";
+}
+
+std::string table(const Selection& selection)
+{
+    std::size_t keyWidth = 3;
+    std::size_t unitWidth = 4;
+    std::size_t defaultWidth = 7;
+    for (const Field* field : selection) {
+        keyWidth = std::max(keyWidth, field->key.size());
+        unitWidth = std::max(unitWidth, unitText(*field).size());
+        defaultWidth = std::max(defaultWidth, defaultText(*field).size());
+    }
+    std::string text =
+        padded("KEY", keyWidth) + padded("UNIT", unitWidth) + padded("DEFAULT", defaultWidth) + "ALLOWED\n";
+    std::string group;
+    for (const Field* field : selection) {
+        if (field->group() != group) text += "\n[" + field->group() + "]\n";
+        group = field->group();
+        text += padded(field->key, keyWidth) + padded(unitText(*field), unitWidth) +
+                padded(defaultText(*field), defaultWidth) + allowedRange(*field) + "\n";
+        text += wrapped(field->help + (field->source.empty() ? "" : " Source: " + field->source + "."), 6);
+    }
+    return text;
+}
+
+std::string details(const Field& field)
+{
+    const auto line = [](const char* name, const std::string& value) {
+        return value.empty() ? std::string() : padded(name, 8) + value + "\n";
+    };
+    return line("key", field.key) + line("name", field.label) + line("symbol", field.symbol) +
+           line("kind", kindName(field)) + line("unit", unitText(field)) + line("default", defaultText(field)) +
+           line("allowed", allowedRange(field)) + line("effect", field.help) + line("source", field.source);
+}
+
+Json json(const Field& field)
+{
+    const auto value = [](const FieldValue& v) { return std::visit([](const auto& x) { return Json(x); }, v); };
+    Json result{{"key", field.key}, {"label", field.label}, {"symbol", field.symbol}, {"kind", kindName(field)}};
+    if (field.kind == FieldKind::Number) {
+        result["unit"] = field.unit.empty() ? "1" : field.unit;
+        result["display_unit"] = field.displayUnit;
+    }
+    if (field.kind == FieldKind::Number || field.kind == FieldKind::Integer) {
+        result["minimum"] = jsonNumber(field.minimum);
+        result["minimum_allowed"] = field.minimumAllowed;
+        result["maximum"] = jsonNumber(field.maximum);
+    }
+    if (field.kind == FieldKind::Choice) result["choices"] = field.choices;
+    result["default"] = value(field.get(Case{}));
+    result["allowed"] = allowedRange(field);
+    result["help"] = field.help;
+    result["source"] = field.source;
+    return result;
+}
+
+} // namespace
+
+int describeCommand(const std::string& key, bool asJson)
+{
+    const Selection selection = select(key);
+    if (selection.empty()) {
+        complain(key + ": unknown key" + didYouMean(nearest(key)));
+        return exitWrongInput;
+    }
+    if (asJson) {
+        Json all = Json::array();
+        for (const Field* field : selection) all.push_back(json(*field));
+        print(jsonText({{"fields", all}}));
+    } else {
+        print(selection.size() == 1 && selection.front()->key == key ? details(*selection.front()) : table(selection));
+    }
+    return exitDone;
+}
+
+} // namespace touchdown

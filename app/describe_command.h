@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `touchdown describe`: the reference of every key, from the one description of the fields.
+#pragma once
+
+#include <string>
+
+namespace touchdown {
+
+/// `key` is a key, a group, or "" for all.
+int describeCommand(const std::string& key, bool json);
+
+} // namespace touchdown

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_command.h"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "app/case_commands.h"
+#include "app/progress_line.h"
+#include "app/run_report.h"
+#include "app/stop_signal.h"
+#include "core/simulation/results_file.h"
+#include "core/simulation/run.h"
+#include "core/simulation/run_spectra.h"
+
+namespace touchdown {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whether two names lead to one file, which need not exist.
+bool sameFile(const std::string& a, const std::string& b)
+{
+    std::error_code none;
+    if (fs::equivalent(a, b, none)) return true;
+    const fs::path path = fs::weakly_canonical(fs::absolute(a, none), none);
+    return !path.empty() && path == fs::weakly_canonical(fs::absolute(b, none), none);
+}
+
+// Unlike HDF5, CSV may go into a device or a pipe.
+std::string checkCsvTarget(const std::string& file)
+{
+    std::error_code none;
+    const fs::file_status status = fs::status(file, none);
+    const bool stream = fs::is_character_file(status) || fs::is_fifo(status);
+    return stream && ::access(file.c_str(), W_OK) == 0 ? std::string() : checkResultsTarget(file);
+}
+
+// Everything that can be known to go wrong with the output before anything is written.
+bool targetsAreGood(const RunArguments& arguments)
+{
+    bool good = true;
+    const auto check = [&](const char* option, const std::string& file, const std::string& problem) {
+        if (file.empty()) return;
+        std::error_code none;
+        if (!problem.empty())
+            complain(std::string(option) + ": " + problem);
+        else if (fs::exists(arguments.caseArguments.name, none) && sameFile(file, arguments.caseArguments.name))
+            complain(std::string(option) + ": " + file + " is the case file itself");
+        else
+            return;
+        good = false;
+    };
+    check("--out", arguments.out, checkResultsTarget(arguments.out));
+    check("--csv", arguments.csv, checkCsvTarget(arguments.csv));
+    if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
+        complain("--out and --csv: both name " + arguments.out);
+        good = false;
+    }
+    return good;
+}
+
+// The files that a run fills. The first problem is kept, and ends the run.
+class RunOutput {
+public:
+    RunOutput(const RunArguments& arguments, const CaseDocument& document)
+        : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
+    {
+        if (!arguments.out.empty()) {
+            problem_ = results_.emplace().open(arguments.out, document.value, document.text, quantities_);
+            spectra_.emplace(document.value, quantities_);
+        }
+        if (problem_.empty() && !arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
+    }
+
+    const std::vector<Quantity>& quantities() const { return quantities_; }
+    const std::string& problem() const { return problem_; }
+
+    void add(const SampleBatch& batch)
+    {
+        if (spectra_) spectra_->add(batch);
+        if (problem_.empty() && results_) problem_ = results_->append(batch);
+        if (problem_.empty() && csv_) problem_ = csv_->append(batch);
+    }
+
+    void finish(const Summary& summary)
+    {
+        const auto keep = [this](std::string problem) {
+            if (problem_.empty()) problem_ = std::move(problem);
+        };
+        if (csv_) keep(csv_->close());
+        if (!results_) return;
+        for (const auto& [quantity, spectrum] : spectra_->spectra())
+            keep(results_->addSpectrum(quantity, spectrum, spectrum_));
+        keep(results_->finish(summary));
+    }
+
+private:
+    std::vector<Quantity> quantities_;
+    SpectrumCase spectrum_;
+    std::optional<ResultsWriter> results_;
+    std::optional<RunSpectra> spectra_;
+    std::optional<CsvWriter> csv_;
+    std::string problem_;
+};
+
+} // namespace
+
+int runCommand(const RunArguments& arguments)
+{
+    const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
+    const bool good = targetsAreGood(arguments);
+    if (!document.valid() || !good) return exitWrongInput;
+
+    const StopSignal stop;
+    RunOutput output(arguments, document);
+    if (!output.problem().empty()) {
+        complain(output.problem());
+        return exitWrongInput;
+    }
+    ProgressLine progress(arguments.progress, output.quantities());
+    Summary summary = run(document.value, [&](const RunUpdate& update) {
+        output.add(update.samples);
+        progress.show(update);
+        return !stop.requested() && output.problem().empty();
+    });
+    progress.end();
+
+    output.finish(summary);
+    if (!output.problem().empty()) {
+        summary.status = RunStatus::Failed;
+        summary.message = output.problem();
+    }
+    print(arguments.json ? runJson(summary, output.quantities())
+                         : runText(document.value, summary, output.quantities()));
+    if (summary.status == RunStatus::Completed) return exitDone;
+    complain(std::string(name(summary.status)) + (summary.message.empty() ? "" : ": " + summary.message));
+    return exitNoAnswer;
+}
+
+} // namespace touchdown

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/json_text.h"
+#include "app/progress_line.h"
+#include "core/simulation/units.h"
+
+namespace touchdown {
+namespace {
+
+// Present in every object, whatever the model: scripts rely on them.
+constexpr std::array finalKeys{
+    "flying_height",  "minimum_spacing",   "pitch", "roll", "height", "contact_force", "adhesion_force",
+    "friction_force", "air_bearing_force", "energy"};
+constexpr std::array tailKeys{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
+
+template <typename Values>
+auto find(const Values& values, const std::string& key)
+{
+    return std::find_if(values.begin(), values.end(), [&](const auto& entry) { return entry.first == key; });
+}
+
+Json statisticsJson(const Statistics& s)
+{
+    return {{"mean", jsonNumber(s.mean)},
+            {"std", jsonNumber(s.std)},
+            {"min", jsonNumber(s.min)},
+            {"max", jsonNumber(s.max)}};
+}
+
+Json finalJson(const Summary& summary)
+{
+    Json result = Json::object();
+    for (const char* key : finalKeys) {
+        const auto found = find(summary.final, key);
+        result[key] = found == summary.final.end() ? Json(nullptr) : jsonNumber(found->second);
+    }
+    for (const auto& [key, value] : summary.final) result[key] = jsonNumber(value);
+    return result;
+}
+
+Json tailJson(const Summary& summary)
+{
+    Json result = Json::object();
+    for (const char* key : tailKeys) {
+        const auto found = find(summary.tail, key);
+        result[key] = found == summary.tail.end() ? Json(nullptr) : statisticsJson(found->second);
+    }
+    return result;
+}
+
+Json stepCheckJson(const std::optional<StepCheck>& check)
+{
+    if (!check) return nullptr;
+    return {{"step", jsonNumber(check->step)},
+            {"flying_height", jsonNumber(check->flyingHeight)},
+            {"pitch", jsonNumber(check->pitch)},
+            {"same_end_state", check->sameEndState},
+            {"message", check->message}};
+}
+
+// Every null has its reason in the message.
+std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    std::string missing; // in the model
+    std::string unknown; // at the end of this run
+    for (const char* key : finalKeys) {
+        if (find(summary.final, key) != summary.final.end()) continue;
+        std::string& list = findQuantity(quantities, key) < 0 ? missing : unknown;
+        list += (list.empty() ? "" : ", ") + std::string(key);
+    }
+    std::string message = summary.message;
+    const auto add = [&](const char* reason, const std::string& keys) {
+        if (!keys.empty()) message += (message.empty() ? "" : "; ") + std::string(reason) + keys;
+    };
+    add("null because this case does not have it: ", missing);
+    add("null because the run gave no valid value: ", unknown);
+    return message;
+}
+
+std::string row(const std::string& name, const std::string& value)
+{
+    constexpr std::size_t width = 22;
+    return name + std::string(width - std::min(width - 1, name.size()), ' ') + value + "\n";
+}
+
+// With its trailing zeros, which say how far the value was looked at.
+std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
+{
+    const int i = findQuantity(quantities, key);
+    if (i < 0) return displayed(value, "");
+    const std::string& unit = quantities[static_cast<std::size_t>(i)].displayUnit;
+    char text[64];
+    std::snprintf(text, sizeof text, "%#.5g ", value / unitFactor(unit));
+    return text + unit;
+}
+
+} // namespace
+
+std::string runJson(const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    Json events = Json::array();
+    for (const RunEvent& event : summary.events)
+        events.push_back({{"time", jsonNumber(event.time)}, {"name", event.name}});
+    Json peaks = Json::array();
+    for (const SpectrumPeak& peak : summary.peaks)
+        peaks.push_back({{"frequency", jsonNumber(peak.frequency)}, {"amplitude", jsonNumber(peak.amplitude)}});
+    return jsonText({{"status", name(summary.status)},
+                     {"message", jsonMessage(summary, quantities)},
+                     {"end_time", jsonNumber(summary.endTime)},
+                     {"steps", summary.steps},
+                     {"rejected_steps", summary.rejectedSteps},
+                     {"evaluations", summary.evaluations},
+                     {"wall_seconds", jsonNumber(summary.wallSeconds)},
+                     {"solver_seconds", jsonNumber(summary.solverSeconds)},
+                     {"model", summary.model},
+                     {"integrator", summary.integrator},
+                     {"final", finalJson(summary)},
+                     {"tail", tailJson(summary)},
+                     {"bouncing", summary.bouncing},
+                     {"bouncing_rule", summary.bouncingRule},
+                     {"spectrum", {{"peaks", peaks}}},
+                     {"step_check", stepCheckJson(summary.stepCheck)},
+                     {"warnings", summary.warnings},
+                     {"events", events}});
+}
+
+std::string runText(const Case& c, const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    std::string text = c.title + "\n";
+    text += row("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    for (const auto& [key, label] : {std::pair{"flying_height", "final flying height"},
+                                     std::pair{"pitch", "final pitch"}, std::pair{"roll", "final roll"}})
+        if (const auto found = find(summary.final, key); found != summary.final.end())
+            text += row(label, shown(quantities, key, found->second));
+    if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
+        text += row("minimum spacing",
+                    shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
+    if (!summary.bouncingRule.empty())
+        text += row("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
+    for (std::size_t i = 0; i < summary.peaks.size(); ++i)
+        text += row(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
+                                                        displayed(summary.peaks[i].amplitude, "nm"));
+    text += row("events", std::to_string(summary.events.size()));
+    text += row("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) + " rejected), " +
+                             std::to_string(summary.evaluations) + " evaluations, " + summary.integrator);
+    text += row("solver time", displayed(summary.solverSeconds, "ms", 3));
+    if (summary.stepCheck) text += row("step check", summary.stepCheck->message);
+    for (const std::string& warning : summary.warnings) text += row("warning", warning);
+    return text;
+}
+
+} // namespace touchdown
