@@ -13,7 +13,9 @@ namespace touchdown {
 namespace {
 
 // toml++ descends once per dot of a dotted key, so an endless line of dots would end the program.
-constexpr std::size_t longestLine = 20000; // [byte]
+constexpr std::size_t longestLine = 10000; // [byte]
+// Case files have two levels. What lies deeper is not looked into: the keys would take memory by the square of their depth.
+constexpr int deepest = 8;
 
 /// Byte offsets of the places that toml++ counts in lines and code points, both from 1.
 class Places {
@@ -75,16 +77,16 @@ public:
         : text_(text), places_(places), document_(document)
     {}
 
-    void add(const toml::table& table, const std::string& prefix)
+    void add(const toml::table& table, const std::string& prefix, int depth = 1)
     {
         for (const auto& [name, node] : table) {
             const std::string key = prefix + keyPart(name.str());
             const std::size_t begin = places_.offset(node.source().begin);
             const std::size_t end = places_.offset(node.source().end);
             const int line = static_cast<int>(name.source().begin.line);
-            if (const toml::table* inner = node.as_table()) {
+            if (const toml::table* inner = node.as_table(); inner != nullptr && depth < deepest) {
                 document_.tables.push_back({key, kindOf(*inner, key, begin, end), line, begin, end});
-                add(*inner, key + '.');
+                add(*inner, key + '.', depth + 1);
             } else {
                 document_.entries.push_back({key, valueOf(node), line, begin, end});
             }
