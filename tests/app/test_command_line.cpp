@@ -1,91 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// The program as people and scripts use it: arguments in; exit code, standard output, standard error and files out.
-#include <cmath>
-#include <csignal>
-#include <fstream>
-#include <random>
 
 #include <QtTest>
 
-#include "core/simulation/case_file.h"
 #include "core/simulation/fields.h"
-#include "core/simulation/results_file.h"
+#include "tests/support/command_process.h"
 
 using namespace touchdown;
-
-namespace {
-
-struct Outcome {
-    int code = -1;
-    QByteArray out;
-    QByteArray err;
-    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-    QList<QByteArray> errorLines() const
-    {
-        QList<QByteArray> lines = err.split('\n');
-        lines.removeAll(QByteArray());
-        return lines;
-    }
-};
-
-Outcome outcome(QProcess& process)
-{
-    if (!process.waitForFinished(100000) || process.exitStatus() != QProcess::NormalExit) return {};
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-QByteArray defaultCase()
-{
-    for (const SampleCase& sample : sampleCases())
-        if (sample.name == defaultCaseName) return QByteArray::fromStdString(sample.text);
-    return {};
-}
-
-// The default case with one line changed, and that line's number.
-QByteArray changed(const QByteArray& key, const QByteArray& line, int& number)
-{
-    QList<QByteArray> lines = defaultCase().split('\n');
-    for (number = 1; number <= lines.size(); ++number)
-        if (lines[number - 1].startsWith(key)) {
-            lines[number - 1] = line;
-            break;
-        }
-    return lines.join('\n');
-}
-
-} // namespace
 
 class TestCommandLine : public QObject {
     Q_OBJECT
 
 private slots:
-    void init();
+    void init() { folder_ = std::make_unique<CommandFolder>(); }
     void helpAndVersion_data();
     void helpAndVersion();
     void wrongArguments_data();
     void wrongArguments();
-    void runForPeople();
-    void runAsJson();
-    void stepCheckAsJson();
     void settingsInAnyPlace_data();
     void settingsInAnyPlace();
-    void resultFiles();
-    void everySampleCaseRuns_data();
-    void everySampleCaseRuns();
-    void failedRun();
-    void badInput_data();
-    void badInput();
-    void unreadableInput_data();
-    void unreadableInput();
-    void everyProblemIsListed();
-    void badTargets_data();
-    void badTargets();
-    void fullDisk_data();
-    void fullDisk();
-    void signalEndsARunInOrder_data();
-    void signalEndsARunInOrder();
-    void progressIsSilentUnlessAskedFor();
     void validate();
     void list();
     void describeAll();
@@ -93,31 +25,8 @@ private slots:
     void describeUnknown();
 
 private:
-    Outcome touchdown(const QStringList& arguments)
-    {
-        QProcess process;
-        process.setWorkingDirectory(folder_->path());
-        process.start(TOUCHDOWN_COMMAND, arguments);
-        return outcome(process);
-    }
-    QString path(const QString& name) const { return folder_->filePath(name); }
-    void put(const QString& name, const QByteArray& text)
-    {
-        QFile file(path(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        QCOMPARE(file.write(text), text.size());
-    }
-    // Files in the folder, in the order of their names.
-    QStringList files() const { return QDir(folder_->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot); }
-
-    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<CommandFolder> folder_;
 };
-
-void TestCommandLine::init()
-{
-    folder_ = std::make_unique<QTemporaryDir>();
-    QVERIFY(folder_->isValid());
-}
 
 void TestCommandLine::helpAndVersion_data()
 {
@@ -135,7 +44,7 @@ void TestCommandLine::helpAndVersion()
 {
     QFETCH(QStringList, arguments);
     QFETCH(QByteArray, says);
-    const Outcome o = touchdown(arguments);
+    const Outcome o = folder_->touchdown(arguments);
     QCOMPARE(o.code, 0);
     QVERIFY2(o.out.contains(says), o.out);
     QCOMPARE(o.err, QByteArray());
@@ -159,67 +68,10 @@ void TestCommandLine::wrongArguments()
 {
     QFETCH(QStringList, arguments);
     QFETCH(QByteArray, says);
-    const Outcome o = touchdown(arguments);
+    const Outcome o = folder_->touchdown(arguments);
     QCOMPARE(o.code, 2);
     QVERIFY2(o.err.contains(says), o.err);
     QCOMPARE(o.out, QByteArray());
-}
-
-void TestCommandLine::runForPeople()
-{
-    const Outcome o = touchdown({"run", "fig10a"});
-    QCOMPARE(o.code, 0);
-    QCOMPARE(o.err, QByteArray());
-    for (const char* part : {"Fig. 10 (a)", "completed at 2 ms", "7.0000 nm", "90.000 urad", "minimum spacing",
-                             "bouncing", "no: ", "kHz", "events", "steps", "dopri5", "solver time"})
-        QVERIFY2(o.out.contains(part), part);
-}
-
-// Fig. 10 (a) is damped to the static state, 7 nm and 90 urad, within 0.001 nm and 0.01 urad.
-void TestCommandLine::runAsJson()
-{
-    const Outcome o = touchdown({"run", "fig10a", "--json"});
-    QCOMPARE(o.code, 0);
-    QCOMPARE(o.err, QByteArray());
-    const QJsonObject json = o.json();
-    QCOMPARE(json["status"].toString(), "completed");
-    QCOMPARE(json["end_time"].toDouble(), 2e-3);
-    QCOMPARE(json["model"].toString(), "springs");
-    QCOMPARE(json["integrator"].toString(), "dopri5");
-    for (const char* key : {"steps", "rejected_steps", "evaluations", "wall_seconds", "solver_seconds"})
-        QVERIFY2(json[key].toDouble(-1.0) >= 0.0, key);
-    const QJsonObject final = json["final"].toObject();
-    QVERIFY(std::abs(final["flying_height"].toDouble() - 7e-9) < 0.001e-9);
-    QVERIFY(std::abs(final["pitch"].toDouble() - 90e-6) < 0.01e-6);
-    QVERIFY(final["roll"].isNull());
-    QVERIFY(json["message"].toString().contains("roll"));
-    for (const char* key : {"minimum_spacing", "height", "contact_force", "adhesion_force", "friction_force",
-                            "air_bearing_force", "energy"})
-        QVERIFY2(final[key].isDouble(), key);
-    const QJsonObject tail = json["tail"].toObject();
-    QVERIFY(tail["roll"].isNull());
-    for (const char* key : {"flying_height", "minimum_spacing", "pitch", "contact_force"})
-        for (const char* statistic : {"mean", "std", "min", "max"})
-            QVERIFY2(tail[key].toObject()[statistic].isDouble(), key);
-    QVERIFY(json["bouncing"].isBool() && !json["bouncing"].toBool());
-    QVERIFY(!json["bouncing_rule"].toString().isEmpty());
-    const QJsonArray peaks = json["spectrum"].toObject()["peaks"].toArray();
-    QVERIFY(!peaks.isEmpty());
-    QVERIFY(peaks[0].toObject()["frequency"].toDouble() > 0.0 && peaks[0].toObject()["amplitude"].toDouble() > 0.0);
-    QVERIFY(json["step_check"].isNull());
-    QVERIFY(json["warnings"].isArray());
-    QVERIFY(json["events"].toArray().size() > 0);
-    QVERIFY(json["events"].toArray()[0].toObject()["time"].toDouble() > 0.0);
-}
-
-void TestCommandLine::stepCheckAsJson()
-{
-    const Outcome o = touchdown({"run", "fig10a", "--set", "run.integrator=rk4", "run.step=10 ns", "--json"});
-    const QJsonObject check = o.json()["step_check"].toObject();
-    QCOMPARE(check["step"].toDouble(), 5e-9);
-    QVERIFY(check["same_end_state"].isBool());
-    QVERIFY(check["flying_height"].isDouble() && check["pitch"].isDouble());
-    QVERIFY(!check["message"].toString().isEmpty());
 }
 
 void TestCommandLine::settingsInAnyPlace_data()
@@ -237,279 +89,35 @@ void TestCommandLine::settingsInAnyPlace_data()
 void TestCommandLine::settingsInAnyPlace()
 {
     QFETCH(QStringList, arguments);
-    const Outcome o = touchdown(QStringList{"run", "--json"} + arguments);
+    const Outcome o = folder_->touchdown(QStringList{"run", "--json"} + arguments);
     QCOMPARE(o.code, 0);
     QCOMPARE(o.json()["end_time"].toDouble(), 1e-6);
     QCOMPARE(o.json()["integrator"].toString(), "rk4-events");
 }
 
-void TestCommandLine::resultFiles()
-{
-    put("mine.toml", defaultCase());
-    const Outcome o = touchdown({"run", "mine.toml", "--out", "a.h5", "--csv", "a.csv", "--json"});
-    QCOMPARE(o.code, 0);
-    QCOMPARE(files(), QStringList({"a.csv", "a.h5", "mine.toml"}));
-
-    const StoredRun run = readResults(path("a.h5").toStdString());
-    QCOMPARE(run.problem, std::string());
-    QCOMPARE(run.status, std::string("completed"));
-    QCOMPARE(QByteArray::fromStdString(run.caseText), defaultCase());
-    // A sample every 0.1 us from 0 to 2 ms, both included.
-    QCOMPARE(run.samples.size(), std::size_t{20001});
-    const auto column = static_cast<std::size_t>(findQuantity(run.quantities, "flying_height"));
-    QCOMPARE(run.samples.columns[column].back(), o.json()["final"].toObject()["flying_height"].toDouble());
-
-    QFile csv(path("a.csv"));
-    QVERIFY(csv.open(QIODevice::ReadOnly));
-    const QList<QByteArray> lines = csv.readAll().split('\n');
-    QCOMPARE(lines.size(), 20003);
-    QVERIFY(lines[0].startsWith("time [s],flying_height [m],"));
-    QCOMPARE(lines[20001].split(',')[1].toDouble(), run.samples.columns[column].back());
-}
-
-void TestCommandLine::everySampleCaseRuns_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const SampleCase& sample : sampleCases())
-        QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
-}
-
-// Only Fig. 12 (b) is outside the model.
-void TestCommandLine::everySampleCaseRuns()
-{
-    QFETCH(QString, name);
-    const Outcome o = touchdown({"run", name, "--json"});
-    const bool fails = name == "fig12b";
-    QCOMPARE(o.code, fails ? 1 : 0);
-    QCOMPARE(o.json()["status"].toString(), fails ? "failed" : "completed");
-}
-
-void TestCommandLine::failedRun()
-{
-    const Outcome o = touchdown({"run", "fig12b", "--json", "--out", "a.h5"});
-    QCOMPARE(o.code, 1);
-    QCOMPARE(o.errorLines().size(), 1);
-    QVERIFY2(o.err.startsWith("failed: ") && o.err.contains("spring is lost"), o.err);
-    QVERIFY(o.json()["message"].toString().contains("spring is lost"));
-    const StoredRun run = readResults(path("a.h5").toStdString());
-    QCOMPARE(run.status, std::string("failed"));
-    QVERIFY(run.message.find("spring is lost") != std::string::npos);
-}
-
-void TestCommandLine::badInput_data()
-{
-    QTest::addColumn<QByteArray>("key");
-    QTest::addColumn<QByteArray>("line");
-    QTest::addColumn<QList<QByteArray>>("says");
-    using Words = QList<QByteArray>;
-    QTest::newRow("unknown key") << QByteArray("cutoff") << QByteArray("cutof = \"3 nm\"")
-                                 << Words{"springs.cutof", "unknown key", "springs.cutoff"};
-    QTest::newRow("missing unit") << QByteArray("mass") << QByteArray("mass = \"1.6\"") << Words{"slider.mass", "unit"};
-    QTest::newRow("wrong unit") << QByteArray("mass") << QByteArray("mass = \"1.6 nm\"") << Words{"slider.mass", "nm"};
-    QTest::newRow("negative mass") << QByteArray("mass") << QByteArray("mass = \"-1.6 mg\"")
-                                   << Words{"slider.mass", "-1.6 mg", "greater than 0"};
-    QTest::newRow("d_e < d_s") << QByteArray("take_off =") << QByteArray("take_off = \"2 nm\"")
-                               << Words{"ono_yamane.take_off", "touch_down"};
-    QTest::newRow("no TOML") << QByteArray("mass") << QByteArray("mass = = 3") << Words{};
-    QTest::newRow("twice the same key") << QByteArray("mass") << QByteArray("mass = 1e-6\nmass = 1e-6") << Words{};
-    QTest::newRow("not a number") << QByteArray("mass") << QByteArray("mass = nan") << Words{"slider.mass"};
-    QTest::newRow("unknown name") << QByteArray("integrator") << QByteArray("integrator = \"euler\"")
-                                  << Words{"run.integrator", "euler", "dopri5"};
-}
-
-// What is wrong is told with file, line and key; what stands under the names of the results stays.
-void TestCommandLine::badInput()
-{
-    QFETCH(QByteArray, key);
-    QFETCH(QByteArray, line);
-    QFETCH(QList<QByteArray>, says);
-    int number = 0;
-    put("bad.toml", changed(key, line, number));
-    put("old.csv", "older results");
-    const Outcome o = touchdown({"run", "bad.toml", "--out", "a.h5", "--csv", "old.csv", "--json"});
-    QCOMPARE(o.code, 2);
-    QCOMPARE(o.out, QByteArray());
-    QCOMPARE(o.errorLines().size(), 1);
-    // A second key is on the line below the first.
-    const bool placed = o.err.startsWith("bad.toml:" + QByteArray::number(number) + ": ") ||
-                        o.err.startsWith("bad.toml:" + QByteArray::number(number + 1) + ": ");
-    QVERIFY2(placed, o.err);
-    for (const QByteArray& word : says) QVERIFY2(o.err.contains(word), o.err);
-    QCOMPARE(files(), QStringList({"bad.toml", "old.csv"}));
-    QCOMPARE(QFileInfo(path("old.csv")).size(), 13);
-}
-
-void TestCommandLine::unreadableInput_data()
-{
-    QTest::addColumn<QString>("file");
-    QTest::newRow("missing") << "missing.toml";
-    QTest::newRow("a directory") << "folder";
-    QTest::newRow("empty") << "empty.toml";
-    QTest::newRow("blank") << "blank.toml";
-    QTest::newRow("noise") << "noise.toml";
-    QTest::newRow("100 MB of noise") << "large.toml";
-    QTest::newRow("a device") << "/dev/zero";
-    QTest::newRow("a file whose reading fails") << "/proc/self/mem";
-    QTest::newRow("nearly a sample case") << "fig10";
-}
-
-void TestCommandLine::unreadableInput()
-{
-    QFETCH(QString, file);
-    QVERIFY(QDir(folder_->path()).mkdir("folder"));
-    put("empty.toml", "");
-    put("blank.toml", " \n\t\n");
-    std::mt19937 random(3);
-    QByteArray noise(1 << 20, '\0');
-    for (char& c : noise) c = static_cast<char>(random());
-    put("noise.toml", noise.first(10000));
-    if (file == "large.toml") {
-        QFile large(path(file));
-        QVERIFY(large.open(QIODevice::WriteOnly));
-        for (int i = 0; i < 100; ++i) QCOMPARE(large.write(noise), noise.size());
-    }
-    const QStringList before = files();
-    for (const char* command : {"run", "validate"}) {
-        QStringList arguments{command, file};
-        if (QByteArray(command) == "run") arguments += {"--out", "a.h5", "--csv", "a.csv"};
-        const Outcome o = touchdown(arguments);
-        QCOMPARE(o.code, 2);
-        QCOMPARE(o.out, QByteArray());
-        QCOMPARE(o.errorLines().size(), 1);
-        QVERIFY2(o.err.startsWith(file.toUtf8() + ":"), o.err);
-        QVERIFY2(o.err.size() < 400, o.err);
-    }
-    QCOMPARE(files(), before);
-}
-
-void TestCommandLine::everyProblemIsListed()
-{
-    int number = 0;
-    put("bad.toml", changed("mass", "mass = \"-1 mg\"\nwings = 2", number));
-    const Outcome o = touchdown(
-        {"run", "bad.toml", "--set", "springs.cutof=1e-9", "nonsense=1", "--out", ".", "--csv", "none/a.csv"});
-    QCOMPARE(o.code, 2);
-    QCOMPARE(o.errorLines().size(), 6);
-    for (const char* word : {"slider.mass", "slider.wings", "springs.cutof", "nonsense", "--out: ", "--csv: "})
-        QVERIFY2(o.err.contains(word), word);
-}
-
-void TestCommandLine::badTargets_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QByteArray>("says");
-    QTest::newRow("HDF5 into a directory") << QStringList{"--out", "folder"} << QByteArray("is a directory");
-    QTest::newRow("CSV into a directory") << QStringList{"--csv", "folder"} << QByteArray("is a directory");
-    QTest::newRow("HDF5 in no directory") << QStringList{"--out", "none/a.h5"} << QByteArray("there is no directory");
-    QTest::newRow("CSV in no directory") << QStringList{"--csv", "none/a.csv"} << QByteArray("there is no directory");
-    QTest::newRow("HDF5 in a file") << QStringList{"--out", "mine.toml/a.h5"} << QByteArray("there is no directory");
-    QTest::newRow("HDF5 over the case") << QStringList{"--out", "mine.toml"} << QByteArray("is the case file itself");
-    QTest::newRow("CSV over the case, by a detour")
-        << QStringList{"--csv", "folder/../mine.toml"} << QByteArray("is the case file itself");
-    QTest::newRow("both the same") << QStringList{"--csv", "a", "--out", "./a"} << QByteArray("both name");
-    QTest::newRow("HDF5 into a device") << QStringList{"--out", "/dev/null"} << QByteArray("no regular file");
-}
-
-void TestCommandLine::badTargets()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(QByteArray, says);
-    QVERIFY(QDir(folder_->path()).mkdir("folder"));
-    put("mine.toml", defaultCase());
-    const Outcome o = touchdown(QStringList{"run", "mine.toml"} + arguments);
-    QCOMPARE(o.code, 2);
-    QCOMPARE(o.out, QByteArray());
-    QCOMPARE(o.errorLines().size(), 1);
-    QVERIFY2(o.err.contains(says) && o.err.startsWith("--"), o.err);
-    QCOMPARE(files(), QStringList({"folder", "mine.toml"}));
-    QCOMPARE(QFileInfo(path("mine.toml")).size(), defaultCase().size());
-}
-
-void TestCommandLine::fullDisk_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QString>("output");
-    QTest::newRow("CSV") << QStringList{"run", "fig10a", "--csv", "/dev/full"} << QProcess::nullDevice();
-    QTest::newRow("standard output of run") << QStringList{"run", "fig10a", "--json"} << "/dev/full";
-    QTest::newRow("standard output of list") << QStringList{"list"} << "/dev/full";
-}
-
-void TestCommandLine::fullDisk()
-{
-    QFETCH(QStringList, arguments);
-    QFETCH(QString, output);
-    QProcess process;
-    process.setStandardOutputFile(output);
-    process.start(TOUCHDOWN_COMMAND, arguments);
-    const Outcome o = outcome(process);
-    // What cannot even be begun is wrong input.
-    QVERIFY(o.code == 1 || o.code == 2);
-    QCOMPARE(o.errorLines().size(), 1);
-    QVERIFY2(o.err.contains("No space left on device"), o.err);
-}
-
-void TestCommandLine::signalEndsARunInOrder_data()
-{
-    QTest::addColumn<int>("signal");
-    QTest::newRow("SIGINT") << SIGINT;
-    QTest::newRow("SIGTERM") << SIGTERM;
-}
-
-void TestCommandLine::signalEndsARunInOrder()
-{
-    QFETCH(int, signal);
-    QProcess process;
-    process.setWorkingDirectory(folder_->path());
-    process.start(TOUCHDOWN_COMMAND, {"run", "fig10a", "--set", "run.duration=5 s", "--out", "a.h5", "--csv", "a.csv",
-                                      "--json", "--progress"});
-    process.setReadChannel(QProcess::StandardError);
-    QVERIFY(process.waitForReadyRead(20000));
-    QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
-    const Outcome o = outcome(process);
-    QCOMPARE(o.code, 1);
-    QCOMPARE(o.json()["status"].toString(), "cancelled");
-    QVERIFY(o.errorLines().last().startsWith("cancelled"));
-    const StoredRun run = readResults(path("a.h5").toStdString());
-    QCOMPARE(run.problem, std::string());
-    QCOMPARE(run.status, std::string("cancelled"));
-    QVERIFY(run.samples.size() > 0);
-    QFile csv(path("a.csv"));
-    QVERIFY(csv.open(QIODevice::ReadOnly));
-    QCOMPARE(static_cast<std::size_t>(csv.readAll().count('\n')), run.samples.size() + 1);
-    QCOMPARE(files(), QStringList({"a.csv", "a.h5"}));
-}
-
-void TestCommandLine::progressIsSilentUnlessAskedFor()
-{
-    QCOMPARE(touchdown({"run", "fig10a"}).err, QByteArray());
-    const Outcome o = touchdown({"run", "fig10a", "--progress", "--json"});
-    QVERIFY2(o.err.contains("2 ms of 2 ms (100 %)") && o.err.contains("minimum spacing"), o.err);
-    QVERIFY(!o.json().isEmpty());
-}
-
 void TestCommandLine::validate()
 {
-    const Outcome good = touchdown({"validate", "fig10a"});
+    const Outcome good = folder_->touchdown({"validate", "fig10a"});
     QCOMPARE(good.code, 0);
     QCOMPARE(good.out, QByteArray("fig10a: valid\n"));
     QCOMPARE(good.err, QByteArray());
 
     int number = 0;
-    put("bad.toml", changed("mass", "mass = \"-1 mg\"", number));
-    const Outcome bad = touchdown({"validate", "bad.toml", "--json"});
+    folder_->put("bad.toml", changedCase("mass", "mass = \"-1 mg\"", number));
+    const Outcome bad = folder_->touchdown({"validate", "bad.toml", "--json"});
     QCOMPARE(bad.code, 2);
     QCOMPARE(bad.json()["valid"].toBool(true), false);
     const QJsonObject problem = bad.json()["problems"].toArray()[0].toObject();
     QCOMPARE(problem["line"].toInt(), number);
     QCOMPARE(problem["key"].toString(), "slider.mass");
     QCOMPARE(bad.errorLines().size(), 1);
-    QVERIFY(touchdown({"validate", "fig10a", "--json"}).json()["valid"].toBool());
+    QVERIFY(folder_->touchdown({"validate", "fig10a", "--json"}).json()["valid"].toBool());
 }
 
 void TestCommandLine::list()
 {
-    const Outcome text = touchdown({"list"});
-    const Outcome json = touchdown({"list", "--json"});
+    const Outcome text = folder_->touchdown({"list"});
+    const Outcome json = folder_->touchdown({"list", "--json"});
     QCOMPARE(text.code, 0);
     QCOMPARE(json.code, 0);
     const QJsonArray cases = json.json()["cases"].toArray();
@@ -522,8 +130,8 @@ void TestCommandLine::list()
 
 void TestCommandLine::describeAll()
 {
-    const Outcome text = touchdown({"describe"});
-    const Outcome json = touchdown({"describe", "--json"});
+    const Outcome text = folder_->touchdown({"describe"});
+    const Outcome json = folder_->touchdown({"describe", "--json"});
     QCOMPARE(text.code, 0);
     const QJsonArray all = json.json()["fields"].toArray();
     QCOMPARE(static_cast<std::size_t>(all.size()), fields().size());
@@ -531,17 +139,17 @@ void TestCommandLine::describeAll()
         QVERIFY2(text.out.contains("\n" + QByteArray::fromStdString(field.key) + " "), field.key.c_str());
         QVERIFY2(text.out.contains(QByteArray::fromStdString(allowedRange(field)) + "\n"), field.key.c_str());
     }
-    QCOMPARE(touchdown({"describe", "springs", "--json"}).json()["fields"].toArray().size(), 10);
+    QCOMPARE(folder_->touchdown({"describe", "springs", "--json"}).json()["fields"].toArray().size(), 10);
 }
 
 void TestCommandLine::describeOne()
 {
-    const Outcome o = touchdown({"describe", "springs.cutoff"});
+    const Outcome o = folder_->touchdown({"describe", "springs.cutoff"});
     QCOMPARE(o.code, 0);
     for (const char* part : {"springs.cutoff", "d_1", "nm (m)", "0.3 nm", "greater than 0 nm", "paper"})
         QVERIFY2(o.out.contains(part), part);
     const QJsonObject json =
-        touchdown({"describe", "springs.cutoff", "--json"}).json()["fields"].toArray()[0].toObject();
+        folder_->touchdown({"describe", "springs.cutoff", "--json"}).json()["fields"].toArray()[0].toObject();
     QCOMPARE(json["default"].toDouble(), 0.3e-9);
     QCOMPARE(json["unit"].toString(), "m");
     QCOMPARE(json["minimum"].toDouble(-1.0), 0.0);
@@ -550,11 +158,11 @@ void TestCommandLine::describeOne()
 
 void TestCommandLine::describeUnknown()
 {
-    const Outcome o = touchdown({"describe", "springs.cutof"});
+    const Outcome o = folder_->touchdown({"describe", "springs.cutof"});
     QCOMPARE(o.code, 2);
     QCOMPARE(o.err, QByteArray("springs.cutof: unknown key; did you mean springs.cutoff?\n"));
     QCOMPARE(o.out, QByteArray());
-    QVERIFY(touchdown({"describe", "sprins"}).err.contains("did you mean springs?"));
+    QVERIFY(folder_->touchdown({"describe", "sprins"}).err.contains("did you mean springs?"));
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)

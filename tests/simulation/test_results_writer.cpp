@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/results_file.h"
+
+#include <cstdio>
+#include <random>
+#include <string_view>
+
+#include <QtTest>
+
+#include "tests/support/sample_results.h"
+
+using namespace touchdown;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+// The program that is killed: writes without end, and tells of each batch.
+int writeUntilKilled(const char* file)
+{
+    ResultsWriter writer(1ms);
+    std::string problem = writer.open(file, sampleCase(), sampleCaseText, sampleQuantities);
+    for (std::size_t k = 0; problem.empty(); k += 700) {
+        problem = writer.append(sampleBatch(k, 700));
+        if (fs::exists(file)) {
+            std::putchar('.');
+            std::fflush(stdout);
+        }
+    }
+    std::fprintf(stderr, "%s\n", problem.c_str());
+    return 1;
+}
+
+// Nor does a test that starts programs start threads itself: the thread sanitizer cannot follow both.
+int writeToTheEnd(const char* file)
+{
+    ResultsWriter writer;
+    if (!writer.open(file, sampleCase(), sampleCaseText, sampleQuantities).empty()) return 1;
+    return writer.finish(sampleSummary()).empty() ? 0 : 1;
+}
+
+} // namespace
+
+class TestResultsWriter : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void killedWritersLeaveWholeFiles();
+
+private:
+    fs::path path(const char* name = "run.h5") const { return fs::path(folder_->path().toStdString()) / name; }
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void TestResultsWriter::init()
+{
+    folder_ = std::make_unique<QTemporaryDir>();
+    QVERIFY(folder_->isValid());
+}
+
+// The writer flushes without pause, so that nearly every kill falls into a flush; when it dies is decided
+// by how much it has told of, and by what the machine does meanwhile.
+void TestResultsWriter::killedWritersLeaveWholeFiles()
+{
+    std::mt19937 random(7);
+    std::uniform_int_distribution<qint64> patience(1, 120);
+    for (int round = 0; round < 60; ++round) {
+        QProcess writer;
+        writer.start(QCoreApplication::applicationFilePath(), {"--write-until-killed", path().c_str()});
+        const qint64 wanted = patience(random);
+        while (writer.bytesAvailable() < wanted && writer.state() != QProcess::NotRunning)
+            writer.waitForReadyRead(5000);
+        QVERIFY2(writer.state() == QProcess::Running, writer.readAllStandardError().constData());
+        writer.kill();
+        QVERIFY(writer.waitForFinished());
+
+        const StoredRun run = readResults(path());
+        QVERIFY2(run.problem.empty(), run.problem.c_str());
+        QCOMPARE(run.status, std::string("interrupted"));
+        QCOMPARE(run.caseText, sampleCaseText);
+        QVERIFY(run.samples.size() > 0);
+        QCOMPARE(wrongSample(run.samples), QString());
+        fs::remove(path());
+    }
+    // What the killed left beside the file hinders nobody.
+    QProcess writer;
+    writer.start(QCoreApplication::applicationFilePath(), {"--write-to-the-end", path().c_str()});
+    QVERIFY(writer.waitForFinished());
+    QCOMPARE(writer.exitCode(), 0);
+    QCOMPARE(readResults(path()).status, std::string("failed"));
+    QVERIFY(!fs::exists(path("run.h5.part")));
+}
+
+int main(int argc, char** argv)
+{
+    const std::string_view mode = argc == 3 ? argv[1] : "";
+    if (mode == "--write-until-killed") return writeUntilKilled(argv[2]);
+    if (mode == "--write-to-the-end") return writeToTheEnd(argv[2]);
+    QCoreApplication application(argc, argv);
+    TestResultsWriter test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_results_writer.moc"
