@@ -46,6 +46,7 @@ QIcon lineSample(const CurveStyle& style, const PlotTheme& theme)
 CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     : QWidget(parent), group_(group), times_(new QLabel(this)), table_(new QTableWidget(0, columnCount, this))
 {
+    times_->setContentsMargins(6, 4, 6, 4);
     times_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     times_->setAccessibleName(tr("Times of the cursors"));
     table_->setAccessibleName(tr("Values at the cursors"));
@@ -54,6 +55,10 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     table_->horizontalHeader()->setHighlightSections(false);
     table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("\u22120000.0000")));
+    for (int column = 0; column < columnCount; ++column) {
+        const bool text = column == nameColumn || column == unitColumn;
+        table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     table_->setShowGrid(false);

@@ -156,7 +156,7 @@ std::vector<AxisTick> PlotAxis::logarithmicTicks(int most, double decades) const
             const QString text = plain ? typeset(power, std::max(0, -exponent)) : powerOfTen(exponent);
             ticks.push_back({power * label.factor, major ? text : QString(), major});
         }
-        for (int digit = 2; digit <= 9 && decades <= 8.0; ++digit) {
+        for (int digit = 2; digit <= 9 && 2.0 * decades <= most; ++digit) {
             if (digit * power < low || digit * power > high) continue;
             const bool named = decades < 1.7 && (digit == 2 || digit == 5) && 3 * (decades + 1.0) <= most;
             const QString text = plain ? typeset(digit * power, std::max(0, -exponent))
@@ -211,7 +211,8 @@ PlotRange autoscaled(const PlotRange& data, const PlotRange& current, AxisScale 
     // A width of rounding errors is not worth a picture.
     const double largest = magnitude(data);
     const double width = std::max(data.width(), largest > 0.0 ? 1e-6 * largest : unit);
-    if (current.contains(data.low) && current.contains(data.high) && width > 0.55 * current.width()) return current;
+    const bool fits = current.width() > 0.0 && current.contains(data.low) && current.contains(data.high);
+    if (fits && width > 0.55 * current.width()) return current;
 
     const double middle = 0.5 * (data.low + data.high);
     const PlotRange padded{middle - 0.56 * width, middle + 0.56 * width};

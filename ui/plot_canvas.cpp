@@ -66,9 +66,11 @@ void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
             if (series_[i]->count() > 0) series_[i]->clear();
             continue;
         }
-        // A long folded line would be broken into some 100 000 dashes that nobody can see.
-        const bool dashed = pathLength(paths[i], size) < 20.0 * size.width();
-        const QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
+        // A line folded many times would be broken into thousands of dashes that nobody can see.
+        const bool dashed = pathLength(paths[i], size) < longestDashed * size.width();
+        QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
+        // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.
+        pen.setJoinStyle(Qt::BevelJoin);
         if (series_[i]->pen() != pen) series_[i]->setPen(pen);
         series_[i]->replace(QList<QPointF>(paths[i].begin(), paths[i].end()));
     }

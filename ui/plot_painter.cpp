@@ -128,10 +128,11 @@ void PlotPainter::paintNumbers(QPainter& painter) const
         painter.setPen(QPen(theme_.axis, 1.0));
         painter.drawLine(QPointF(x, area_.bottom()), QPointF(x, area_.bottom() + tickLength));
         const double half = metrics.horizontalAdvance(tick.text) / 2.0 + 1.0;
-        if (!plot_.xNumbersVisible() || x - half < free) continue;
+        const double left = std::min(x - half, plot_.width() - 2.0 * half - 2.0); // the last one may not leave the plot
+        if (!plot_.xNumbersVisible() || left < free) continue;
         painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(x - half, area_.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter, tick.text);
-        free = x + half + gap;
+        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter, tick.text);
+        free = left + 2.0 * half + gap;
     }
 }
 
@@ -223,11 +224,7 @@ void PlotPainter::paintReferenceLabels(QPainter& painter) const
         for (const QRectF& other : taken)
             if (box.intersects(other)) box.moveRight(other.left() - gap);
         taken.push_back(box);
-        QColor paper = theme_.plotArea;
-        paper.setAlphaF(0.8F);
-        painter.fillRect(box, paper);
-        painter.setPen(theme_.mutedText);
-        painter.drawText(box, Qt::AlignCenter, line.label);
+        paintLabel(painter, box, line.label, theme_.mutedText);
     }
 }
 
@@ -258,16 +255,27 @@ void PlotPainter::paintPointMarks(QPainter& painter) const
         painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
         painter.setBrush(Qt::NoBrush);
 
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(mark.label) + 2.0, metrics.height());
-        box.moveCenter(tip - QPointF(0.0, 7.0 + box.height() / 2.0));
-        box.moveLeft(std::clamp(box.left(), area_.left() + 2.0, std::max(area_.left() + 2.0, area_.right() - box.width())));
-        if (box.top() < area_.top()) box.moveTopLeft(at + QPointF(8.0, -4.0));
-        const bool covered = std::any_of(taken.begin(), taken.end(), [&](const QRectF& b) { return b.intersects(box); });
-        if (covered) continue; // the marker alone; the table of peaks has the number
-        taken.push_back(box);
-        painter.setPen(theme_.text);
-        painter.drawText(box, Qt::AlignCenter, mark.label);
+        const QSizeF size(metrics.horizontalAdvance(mark.label) + 4.0, metrics.height());
+        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()), tip + QPointF(6.0, -size.height()),
+                                   tip - QPointF(6.0 + size.width(), size.height())};
+        for (const QPointF& corner : corners) {
+            const QRectF box(corner, size);
+            const auto meets = [&](const QRectF& other) { return other.intersects(box); };
+            if (!area_.contains(box) || std::any_of(taken.begin(), taken.end(), meets)) continue;
+            taken.push_back(box);
+            paintLabel(painter, box, mark.label, theme_.text);
+            break; // without room anywhere the marker stands alone
+        }
     }
+}
+
+void PlotPainter::paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const
+{
+    QColor paper = theme_.plotArea;
+    paper.setAlphaF(0.75F);
+    painter.fillRect(box, paper);
+    painter.setPen(colour);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void PlotPainter::paintCurves(QPainter& painter) const
@@ -275,7 +283,7 @@ void PlotPainter::paintCurves(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     const auto paths = plot_.curvePaths();
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        const bool dashed = pathLength(paths[i], area_.size()) < 20.0 * area_.width();
+        const bool dashed = pathLength(paths[i], area_.size()) < longestDashed * area_.width();
         painter.setPen(curvePen(plot_.curves()[i].style, theme_, dashed));
         for (QPolygonF piece : insideArea(paths[i])) {
             for (QPointF& point : piece) point = {across(point.x()), up(point.y())};
@@ -298,8 +306,9 @@ void PlotPainter::paintCursors(QPainter& painter) const
             if (which == 1) pen.setDashPattern({3.0, 3.0});
             painter.setPen(pen);
             painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
+            // 1 left and 2 right of the line, so that close cursors hide neither each other's number nor the title.
             const double side = QFontMetricsF(numberFont_).height();
-            const QRectF tag(x - side / 2.0 - 0.5, area_.top() - side - 1.0, side + 1.0, side);
+            const QRectF tag(which == 0 ? x - side - 2.0 : x + 2.0, area_.top() + 8.0, side, side);
             painter.setPen(Qt::NoPen);
             painter.setBrush(theme_.cursor);
             painter.drawRoundedRect(tag, 3.0, 3.0);

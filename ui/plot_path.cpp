@@ -64,12 +64,31 @@ std::pair<double, double> partInside(const QPointF& a, const QPointF& b)
     return {first, second};
 }
 
+/// Where the line runs up and down within a pixel, each pair begins with the value nearer to where the line is: the same
+/// ink with half the length to draw. Nothing moves by more than half a pixel.
+void shortenFolds(std::vector<QPointF>& path, double pixel)
+{
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        QPointF& first = path[i];
+        QPointF& second = path[i + 1];
+        if (second.x() - first.x() > 0.5 * pixel) continue;
+        const double from = path[i - 1].y();
+        if (std::abs(second.y() - from) < std::abs(first.y() - from)) {
+            const double y = first.y();
+            first.setY(second.y());
+            second.setY(y);
+        }
+        ++i;
+    }
+}
+
 } // namespace
 
 std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels)
 {
     std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale);
     for (QPointF& point : path) point = {x.position(point.x()), y.position(point.y())};
+    if (path.size() > static_cast<std::size_t>(pixels)) shortenFolds(path, 1.0 / pixels);
     return cutNearArea(path);
 }
 

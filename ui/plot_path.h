@@ -21,6 +21,8 @@ std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& 
 /// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip.
 std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path);
 
+/// A longer line is drawn solid [widths of the plot area].
+constexpr double longestDashed = 8.0;
 /// The length of a line [px].
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);
 

@@ -64,7 +64,7 @@ QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed)
     static const std::array<QList<qreal>, 4> dashes{{{}, {5.0, 3.0}, {1.2, 2.2}, {6.0, 2.5, 1.2, 2.5}}};
     QPen pen(theme.colour(style), 1.5);
     pen.setJoinStyle(Qt::RoundJoin);
-    pen.setCapStyle(Qt::RoundCap);
+    pen.setCapStyle(Qt::SquareCap); // Qt fills a single line with round ends some ten times slower
     const auto& dash = dashes[static_cast<std::size_t>(style.dash) % dashes.size()];
     if (dashed && !dash.isEmpty()) {
         pen.setCapStyle(Qt::FlatCap);

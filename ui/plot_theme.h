@@ -40,7 +40,7 @@ PlotTheme darkPlotTheme();
 /// The one that fits the palette of the application.
 PlotTheme plotTheme(const QPalette& palette);
 
-/// 1.5 wide, round. `dashed` false draws a dashed curve solid: a dash says nothing where the line folds within a pixel.
+/// 1.5 wide. `dashed` false draws a dashed curve solid: a dash says nothing where the line folds within a pixel.
 QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed = true);
 
 } // namespace touchdown

@@ -57,6 +57,7 @@ SpectrumView::SpectrumView(QWidget* parent)
 
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
+    row->setContentsMargins(6, 4, 6, 4);
     const auto addField = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);
@@ -74,6 +75,7 @@ SpectrumView::SpectrumView(QWidget* parent)
     row->addStretch();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addLayout(row);
     layout->addWidget(plot_, 1);
 
