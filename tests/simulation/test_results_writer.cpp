@@ -31,7 +31,8 @@ int writeUntilKilled(const char* file)
     return 1;
 }
 
-// Nor does a test that starts programs start threads itself: the thread sanitizer cannot follow both.
+// A program of its own as well: a process that has started programs and then starts threads, as the writer does,
+// cannot be followed by the thread sanitizer.
 int writeToTheEnd(const char* file)
 {
     ResultsWriter writer;
