@@ -36,7 +36,7 @@ endforeach()
 # Every folder of the core has its place in the order.
 file(GLOB folders RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/*)
 foreach(folder IN LISTS folders)
-    if(NOT folder IN_LIST layers)
+    if(IS_DIRECTORY ${SOURCE_DIR}/${folder} AND NOT folder IN_LIST layers)
         list(APPEND problems "${folder}: has no place in the order of the layers")
     endif()
 endforeach()

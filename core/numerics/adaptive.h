@@ -9,12 +9,12 @@
 // step balances.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/numerics/events.h"
 #include "core/numerics/runge_kutta.h"
 #include "core/numerics/switched_system.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace touchdown {
 

@@ -10,13 +10,13 @@
 #include "core/numerics/adaptive.h"
 
 #ifdef TOUCHDOWN_HAVE_CVODE
+#include <memory>
+
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-
-#include <memory>
 #endif
 
 namespace touchdown {

@@ -7,13 +7,13 @@
 // again within one step is not missed. Otherwise the first crossing is found by halving.
 #pragma once
 
-#include "core/numerics/switched_system.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "core/numerics/switched_system.h"
 
 namespace touchdown {
 

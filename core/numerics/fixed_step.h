@@ -4,13 +4,13 @@
 // `rk4-events`, `newmark` with a frozen mode within the step and switches located.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/numerics/events.h"
 #include "core/numerics/newmark.h"
 #include "core/numerics/runge_kutta.h"
 #include "core/numerics/switched_system.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace touchdown {
 

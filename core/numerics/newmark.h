@@ -9,12 +9,12 @@
 // linear systems. Needs System::jacobian(y, mode), the derivatives of the acceleration by the state.
 #pragma once
 
-#include "core/numerics/switched_system.h"
+#include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
-#include <cmath>
-#include <limits>
+#include "core/numerics/switched_system.h"
 
 namespace touchdown {
 

@@ -8,13 +8,13 @@
 // ERKStepReInit: the right-hand side must have a smooth extension).
 #pragma once
 
-#include "core/numerics/interval.h"
-
-#include <Eigen/Core>
-
 #include <array>
 #include <concepts>
 #include <cstddef>
+
+#include <Eigen/Core>
+
+#include "core/numerics/interval.h"
 
 namespace touchdown {
 

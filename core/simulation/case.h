@@ -4,12 +4,12 @@
 // members are described once, in core/simulation/fields.h.
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 #include "core/numerics/spectrum.h"
 #include "core/physics/air_spring.h"
 #include "core/physics/ono_yamane.h"
-
-#include <cstdint>
-#include <string>
 
 namespace touchdown {
 

@@ -11,15 +11,15 @@
 // run lasts this takes its results' space twice; chunks are compressed once and copied as they are.
 #pragma once
 
-#include "core/numerics/spectrum.h"
-#include "core/simulation/quantity.h"
-#include "core/simulation/run.h"
-
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "core/numerics/spectrum.h"
+#include "core/simulation/quantity.h"
+#include "core/simulation/run.h"
 
 namespace touchdown {
 

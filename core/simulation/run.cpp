@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
 
+#include <chrono>
+#include <cmath>
+
 #include "core/numerics/cvode.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/run_statistics.h"
 #include "core/simulation/spring_run.h"
 #include "core/simulation/units.h"
-
-#include <chrono>
-#include <cmath>
 
 namespace touchdown {
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
 
-std::string time(double t) { return formatQuantity(std::round(t * 1e12) / 1e12, "us"); }
+std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "us"); }
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
 std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
 

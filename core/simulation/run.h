@@ -3,14 +3,14 @@
 // One run of a case: case -> model -> integrator -> batches of samples -> Summary.
 #pragma once
 
-#include "core/simulation/case.h"
-#include "core/simulation/quantity.h"
-
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "core/simulation/case.h"
+#include "core/simulation/quantity.h"
 
 namespace touchdown {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run_statistics.h"
 
-#include "core/simulation/units.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/simulation/units.h"
 
 namespace touchdown {
 

@@ -3,11 +3,11 @@
 // Statistics of a run as it goes, in bounded memory.
 #pragma once
 
-#include "core/simulation/run.h"
-
 #include <cstddef>
 #include <string>
 #include <vector>
+
+#include "core/simulation/run.h"
 
 namespace touchdown {
 

@@ -13,19 +13,19 @@
 // Energy as in equation (5), with the k_theta term that the paper omits and J where it prints m; zero at rest.
 #pragma once
 
-#include "core/numerics/interval.h"
-#include "core/physics/air_spring.h"
-#include "core/physics/ono_yamane.h"
-#include "core/simulation/case.h"
-#include "core/simulation/quantity.h"
-
-#include <Eigen/Core>
-
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "core/numerics/interval.h"
+#include "core/physics/air_spring.h"
+#include "core/physics/ono_yamane.h"
+#include "core/simulation/case.h"
+#include "core/simulation/quantity.h"
 
 namespace touchdown {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/spring_run.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
 #include "core/numerics/adaptive.h"
 #include "core/numerics/cvode.h"
 #include "core/numerics/fixed_step.h"
 #include "core/simulation/units.h"
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace touchdown {
 
@@ -64,7 +64,7 @@ void SpringRecorder::lookAtClock()
 
 bool SpringRecorder::judge(const Point& point, const double* values)
 {
-    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e12) / 1e12, "us"); };
+    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e9) / 1e9, "us"); };
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
@@ -98,7 +98,7 @@ void SpringRecorder::flush()
     filled_ = 0;
     if (batchSeen) batchSeen(batch_);
     if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_}) && verdict_.status == RunStatus::Completed) {
-        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e12) / 1e12, "us")};
+        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }
     events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());

@@ -3,11 +3,11 @@
 // Integrates the spring model by any of the integrators, and turns accepted steps into batches of samples.
 #pragma once
 
+#include <vector>
+
 #include "core/numerics/switched_system.h"
 #include "core/simulation/run.h"
 #include "core/simulation/spring_model.h"
-
-#include <vector>
 
 namespace touchdown {
 

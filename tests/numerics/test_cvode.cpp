@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numerics/cvode.h"
 
-#include <QTest>
-
 #include <numbers>
+
+#include <QTest>
 
 #include "tests/support/piecewise_oscillator.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numerics/events.h"
 
-#include <QTest>
-
 #include <random>
+
+#include <QTest>
 
 #include "tests/support/piecewise_oscillator.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numerics/fixed_step.h"
 
-#include <QTest>
-
 #include <numbers>
+
+#include <QTest>
 
 #include "tests/support/allocation_count.h"
 #include "tests/support/piecewise_oscillator.h"

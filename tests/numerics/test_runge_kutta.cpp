@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numerics/runge_kutta.h"
 
-#include <QTest>
+#include <cmath>
 
 #include <Eigen/Core>
-
-#include <cmath>
+#include <QTest>
 
 using namespace touchdown;
 

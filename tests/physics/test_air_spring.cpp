@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/air_spring.h"
 
-#include <QTest>
-
 #include <cmath>
+
+#include <QTest>
 
 using namespace touchdown;
 

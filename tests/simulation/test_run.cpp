@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
 
-#include <QFile>
-#include <QTest>
-
 #include <cmath>
 #include <numbers>
+
+#include <QFile>
+#include <QTest>
 
 #include "core/numerics/cvode.h"
 #include "core/simulation/case_file.h"

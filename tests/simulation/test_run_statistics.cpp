@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run_statistics.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <numbers>
+
+#include <QTest>
 
 using namespace touchdown;
 

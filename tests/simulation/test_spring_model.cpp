@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/spring_model.h"
 
-#include <QTest>
-
 #include <cmath>
 #include <random>
+
+#include <QTest>
 
 #include "core/numerics/adaptive.h"
 

@@ -3,9 +3,8 @@
 // The program `touchdown` in a folder of its own: arguments in; exit code, standard output and standard error out.
 #pragma once
 
-#include <memory>
-
 #include <QtTest>
+#include <memory>
 
 #include "core/simulation/case_file.h"
 

@@ -5,13 +5,13 @@
 //   q" = upper.force - upper.stiffness q - upper.damping q'   for q > 0, likewise `lower` for q < 0.
 #pragma once
 
-#include "core/numerics/switched_system.h"
-
-#include <Eigen/Core>
-
 #include <cmath>
 #include <complex>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "core/numerics/switched_system.h"
 
 namespace touchdown::test {
 

@@ -3,12 +3,12 @@
 // Cases whose every value is drawn from its range, for round trips. The values need not make sense together.
 #pragma once
 
-#include "core/simulation/fields.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
+
+#include "core/simulation/fields.h"
 
 namespace touchdown::test {
 

@@ -104,8 +104,8 @@ void TestMinMaxPyramid::thinningKeepsEveryBinsExtremes_data()
     QTest::addRow("even, logarithmic time, 50 px") << true << true << 50;
 }
 
-// Every column of pixels must show its smallest and largest sample. A bin is at most one column wide, so each sample has a
-// drawn point within one column that lies at least as far down, and one at least as far up.
+// Every column of pixels must show its smallest and largest sample. A bin is at most one column wide, so each sample
+// has a drawn point within one column that lies at least as far down, and one at least as far up.
 void TestMinMaxPyramid::thinningKeepsEveryBinsExtremes()
 {
     QFETCH(bool, even);
@@ -138,7 +138,8 @@ void TestMinMaxPyramid::thinningKeepsEveryBinsExtremes()
             QVERIFY(std::any_of(first, last, [&](QPointF p) { return p.y() >= samples.values[i]; }));
         }
         const auto extremes = pyramid.extremes(from, to);
-        const auto drawnLow = std::min_element(points.begin(), points.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
+        const auto drawnLow =
+            std::min_element(points.begin(), points.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
         QVERIFY(drawnLow->y() <= extremes->low);
     }
 }
@@ -192,7 +193,8 @@ void TestMinMaxPyramid::foldingLosesNoExtreme()
     QCOMPARE(pyramid.valueAt(samples.times[54321]), std::optional(-3e-9));
     QCOMPARE(pyramid.valueAt(samples.times[12345]), std::optional(4e-8));
     const auto points = pyramid.thinned(samples.times.front(), samples.times.back(), 40);
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
     QCOMPARE(low->y(), -3e-9);
     QCOMPARE(high->y(), 4e-8);
 }
@@ -204,7 +206,8 @@ void TestMinMaxPyramid::refusesWhatIsNoSample()
     const std::vector<double> times{0.0, 1.0, 2.0, 1.5, nan, 3.0, 3.0};
     const std::vector<double> values{1.0, nan, 3.0, 9.0, 1.0, infinite, 4.0};
     MinMaxPyramid pyramid;
-    // Taken: (0, 1), (2, 3), (3, 4). Refused: a value not a number, a time before the last, a time not a number, infinity.
+    // Taken: (0, 1), (2, 3), (3, 4). Refused: a value not a number, a time before the last, a time not a number,
+    // infinity.
     QCOMPARE(pyramid.append(times, values), std::size_t(3));
     QCOMPARE(pyramid.size(), std::size_t(3));
     QCOMPARE(pyramid.valueAt(1.0), std::optional(2.0)); // the gap is bridged: half way from 1 to 3

@@ -37,7 +37,6 @@ private slots:
     void autoscaleHolds();
     void autoscaleOfFlatData();
     void autoscaleOnLogarithmicAxis();
-    void unitsAreTypeset();
 };
 
 void TestPlotAxis::ticksAreRoundNumbers_data()
@@ -48,12 +47,15 @@ void TestPlotAxis::ticksAreRoundNumbers_data()
     QTest::addColumn<bool>("logarithmic");
     QTest::addColumn<int>("most");
     QTest::addColumn<QStringList>("expected");
-    QTest::addRow("spacing in nm") << 0.0 << 250e-9 << 1e-9 << false << 6 << QStringList{"0", "50", "100", "150", "200", "250"};
+    QTest::addRow("spacing in nm") << 0.0 << 250e-9 << 1e-9 << false << 6
+                                   << QStringList{"0", "50", "100", "150", "200", "250"};
     QTest::addRow("about zero") << -1e-3 << 1e-3 << 1e-3 << false << 5
                                 << QStringList{minus + "1.0", minus + "0.5", "0.0", "0.5", "1.0"};
-    QTest::addRow("range between ticks") << 6.95e-9 << 7.051e-9 << 1e-9 << false << 4 << QStringList{"6.95", "7.00", "7.05"};
+    QTest::addRow("range between ticks") << 6.95e-9 << 7.051e-9 << 1e-9 << false << 4
+                                         << QStringList{"6.95", "7.00", "7.05"};
     QTest::addRow("powers of ten") << 1e-9 << 1e-5 << 1.0 << true << 9
-                                   << QStringList{"10\u207b\u2079", "10\u207b\u2078", "10\u207b\u2077", "10\u207b\u2076", "10\u207b\u2075"};
+                                   << QStringList{"10\u207b\u2079", "10\u207b\u2078", "10\u207b\u2077",
+                                                  "10\u207b\u2076", "10\u207b\u2075"};
     QTest::addRow("frequency in kHz") << 1e3 << 1e6 << 1e3 << true << 6 << QStringList{"1", "10", "100", "1000"};
 }
 
@@ -71,7 +73,8 @@ void TestPlotAxis::ticksAreRoundNumbers()
     QCOMPARE(texts(axis, most), expected);
 }
 
-// 1.25 ms with a window of 1 ns: the numbers would need 7 decimals. They count from a round offset instead, which the title names.
+// 1.25 ms with a window of 1 ns: the numbers would need 7 decimals. They count from a round offset instead, which the
+// title names.
 void TestPlotAxis::farZoomKeepsNumbersShort()
 {
     PlotAxis axis;
@@ -142,8 +145,8 @@ void TestPlotAxis::autoscaleHolds()
     const PlotRange first = autoscaled({0.0, 10.0}, {0.0, 0.0}, AxisScale::Linear, 1.0);
     QVERIFY(first.low < 0.0 && first.high > 10.0);
     QVERIFY(first.width() < 13.0);
-    QCOMPARE(autoscaled({1.0, 9.0}, first, AxisScale::Linear, 1.0), first);   // 8 of some 12 are still in use
-    QVERIFY(autoscaled({4.0, 5.0}, first, AxisScale::Linear, 1.0) != first);  // too little is
+    QCOMPARE(autoscaled({1.0, 9.0}, first, AxisScale::Linear, 1.0), first);         // 8 of some 12 are still in use
+    QVERIFY(autoscaled({4.0, 5.0}, first, AxisScale::Linear, 1.0) != first);        // too little is
     const PlotRange grown = autoscaled({0.0, 14.0}, first, AxisScale::Linear, 1.0); // it no longer fits
     QVERIFY(grown.contains(14.0));
 }
@@ -166,14 +169,6 @@ void TestPlotAxis::autoscaleOnLogarithmicAxis()
     QVERIFY(withZero.low > 0.0 && withZero.low < 1.1e-6); // six decades below the largest
     const PlotRange nothing = autoscaled({-2.0, -1.0}, {0.0, 0.0}, AxisScale::Logarithmic, 1e-9);
     QVERIFY(nothing.low > 0.0 && nothing.high > nothing.low);
-}
-
-void TestPlotAxis::unitsAreTypeset()
-{
-    QCOMPARE(typesetUnit("um"), QStringLiteral("\u00b5m"));
-    QCOMPARE(typesetUnit("urad"), QStringLiteral("\u00b5rad"));
-    QCOMPARE(typesetUnit("m/s^2"), QStringLiteral("m/s\u00b2"));
-    QCOMPARE(typesetUnit("mN"), QStringLiteral("mN"));
 }
 
 QTEST_GUILESS_MAIN(TestPlotAxis)

@@ -34,7 +34,8 @@ int ink(const QImage& image, const QColor& colour)
         for (int x = 0; x < image.width(); ++x) {
             const QColor c = image.pixelColor(x, y);
             count += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
-                                 std::abs(c.blue() - colour.blue()) < 60
+                                 std::abs(c.blue() - colour.blue()) <
+                             60
                          ? 1
                          : 0;
         }
@@ -96,10 +97,7 @@ void TestPlotExport::init()
     QVERIFY(QTest::qWaitForWindowExposed(page_.get()));
 }
 
-void TestPlotExport::cleanup()
-{
-    page_.reset();
-}
+void TestPlotExport::cleanup() { page_.reset(); }
 
 void TestPlotExport::svgHoldsLinesAndText()
 {
@@ -209,10 +207,14 @@ void TestPlotExport::problemsAreSentences_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("says");
-    QTest::addRow("folder that is not there") << "no/such/folder/plot.svg" << "could not be written";
-    QTest::addRow("unknown format") << "plot.bmp" << "does not end in .png, .svg or .pdf";
-    QTest::addRow("no format") << "plot" << "does not end in";
-    QTest::addRow("a folder instead of a file") << "folder.png" << "could not be written";
+    QTest::addRow("folder that is not there") << "no/such/folder/plot.svg"
+                                              << "could not be written";
+    QTest::addRow("unknown format") << "plot.bmp"
+                                    << "does not end in .png, .svg or .pdf";
+    QTest::addRow("no format") << "plot"
+                               << "does not end in";
+    QTest::addRow("a folder instead of a file") << "folder.png"
+                                                << "could not be written";
 }
 
 void TestPlotExport::problemsAreSentences()

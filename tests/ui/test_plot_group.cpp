@@ -17,7 +17,8 @@ namespace {
 void turnWheel(PlotWidget& plot, double x, int notches)
 {
     const QPointF at(plot.toPixel(x, 0.0).x(), plot.plotArea().center().y());
-    QWheelEvent event(at, plot.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QWheelEvent event(at, plot.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
     QCoreApplication::sendEvent(&plot, &event);
 }
 
@@ -227,10 +228,10 @@ void TestPlotGroup::readingsAtTheCursors()
     const auto readings = group_->readings();
     QCOMPARE(readings.size(), std::size_t(2));
     QCOMPARE(readings[0].name, QStringLiteral("Spacing"));
-    QVERIFY(std::abs(*readings[0].first - 10.2e-9) < 1e-15);  // 10 nm + 0.2 ms * 1 um/s
+    QVERIFY(std::abs(*readings[0].first - 10.2e-9) < 1e-15); // 10 nm + 0.2 ms * 1 um/s
     QVERIFY(std::abs(*readings[0].second - 10.7e-9) < 1e-15);
-    QVERIFY(std::abs(*readings[1].first - 98e-6) < 1e-12);    // 100 urad - 0.2 ms * 10 mrad/s
-    group_->setCursor(1, 99.0); // beyond the data
+    QVERIFY(std::abs(*readings[1].first - 98e-6) < 1e-12); // 100 urad - 0.2 ms * 10 mrad/s
+    group_->setCursor(1, 99.0);                            // beyond the data
     QVERIFY(!group_->readings()[0].second.has_value());
     upper_->setCurveVisible("spacing", false);
     QCOMPARE(group_->readings().size(), std::size_t(1));

@@ -117,11 +117,11 @@ void TestPlotPath::phasePortraitIsACircle()
     across.append(times, x);
     up.append(times, y);
     const auto path = phasePath(across, up, {0.0, 100.0}, axis(-2.0, 2.0), axis(-2.0, 2.0), {400.0, 400.0});
-    QVERIFY(path.size() > 1000);  // 10 circles of 628 px, points some 0.7 px apart
+    QVERIFY(path.size() > 1000); // 10 circles of 628 px, points some 0.7 px apart
     QVERIFY(path.size() < 10000);
-    for (const QPointF& point : path)
-        QVERIFY(std::abs(std::hypot(point.x() - 0.5, point.y() - 0.5) - 0.25) < 1e-6);
-    const auto [left, right] = std::minmax_element(path.begin(), path.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
+    for (const QPointF& point : path) QVERIFY(std::abs(std::hypot(point.x() - 0.5, point.y() - 0.5) - 0.25) < 1e-6);
+    const auto [left, right] =
+        std::minmax_element(path.begin(), path.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
     QVERIFY(left->x() < 0.2501 && right->x() > 0.7499);
 }
 
@@ -129,7 +129,7 @@ void TestPlotPath::phasePortraitOfDifferentTimes()
 {
     MinMaxPyramid across;
     MinMaxPyramid up;
-    across.append(std::vector{0.0, 2.0}, std::vector{0.0, 1.0});           // x = t / 2
+    across.append(std::vector{0.0, 2.0}, std::vector{0.0, 1.0});                 // x = t / 2
     up.append(std::vector{0.0, 1.0, 2.0, 3.0}, std::vector{0.0, 1.0, 0.0, 5.0}); // beyond t = 2 there is no x
     const auto path = phasePath(across, up, {0.0, 10.0}, axis(0.0, 1.0), axis(0.0, 1.0), {100.0, 100.0});
     QCOMPARE(path, (std::vector<QPointF>{{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}));

@@ -45,7 +45,8 @@ int ink(const QImage& image, const QRectF& area, const QColor& colour)
 
 void turnWheel(QWidget& widget, const QPointF& at, int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
 {
-    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
+                      false);
     QCoreApplication::sendEvent(&widget, &event);
 }
 
@@ -64,10 +65,7 @@ void drag(QWidget& widget, Qt::MouseButton button, const QPointF& from, const QP
     QTest::mouseRelease(&widget, button, Qt::NoModifier, to.toPoint());
 }
 
-bool close(double a, double b, double tolerance)
-{
-    return std::abs(a - b) <= tolerance;
-}
+bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
 } // namespace
 
@@ -121,10 +119,7 @@ void TestPlotWidget::init()
     plot_->refreshNow();
 }
 
-void TestPlotWidget::cleanup()
-{
-    plot_.reset();
-}
+void TestPlotWidget::cleanup() { plot_.reset(); }
 
 void TestPlotWidget::fitsItsData()
 {
@@ -142,8 +137,8 @@ void TestPlotWidget::inkWhereTheCurveIs_data()
     QTest::addRow("dashed") << 0 << 1;
 }
 
-// The crest of the first period stands at 0.025 ms and 12 nm. At 0.05 ms the sine is back in the middle: the upper and lower
-// quarter of that column are empty.
+// The crest of the first period stands at 0.025 ms and 12 nm. At 0.05 ms the sine is back in the middle: the upper
+// and lower quarter of that column are empty.
 void TestPlotWidget::inkWhereTheCurveIs()
 {
     QFETCH(int, colour);
@@ -163,8 +158,8 @@ void TestPlotWidget::inkWhereTheCurveIs()
     QCOMPARE(ink(image, near(0.5e-4, 2e-9, 8.0), expected), 0);
 }
 
-// No font would leave boxes or nothing: the row of the title must hold as much dark ink as the text has, and its left half more
-// than an empty title.
+// No font would leave boxes or nothing: the row of the title must hold as much dark ink as the text has, and its left
+// half more than an empty title.
 void TestPlotWidget::textIsDrawn()
 {
     const QRectF header(plot_->plotArea().left(), 0.0, 150.0, plot_->plotArea().top() - 2.0);
@@ -279,7 +274,8 @@ void TestPlotWidget::wheelZoomsAboutThePointer()
     QCOMPARE(changed.count(), 1);
     const double factor = std::pow(1.25, -notches);
     QVERIFY(close(plot_->xAxis().range().width() / x.width(), zoomsX ? factor : 1.0, 1e-12));
-    QVERIFY(close(plot_->yAxis().range().width() / y.width(), zoomsY ? factor : 1.0, 1e-2)); // may round where it is automatic
+    QVERIFY(close(plot_->yAxis().range().width() / y.width(), zoomsY ? factor : 1.0,
+                  1e-2)); // may round where it is automatic
     QCOMPARE(plot_->view().x.has_value(), zoomsX);
     QCOMPARE(plot_->view().y.has_value(), zoomsY);
     QVERIFY(close(plot_->toPixel(atX, atY).x(), pointer.x(), 1e-6));
@@ -378,7 +374,8 @@ void TestPlotWidget::cursors()
     QVERIFY(close(*plot_->plotCursor(0), 4e-4, pixel));
     QVERIFY(moved.count() >= 3);
     QCOMPARE(moved.last()[0].toInt(), 1);
-    drag(*plot_, Qt::LeftButton, plot_->toPixel(*plot_->plotCursor(1), 7e-9), plot_->toPixel(7e-4, 7e-9)); // taken by its line
+    drag(*plot_, Qt::LeftButton, plot_->toPixel(*plot_->plotCursor(1), 7e-9),
+         plot_->toPixel(7e-4, 7e-9)); // taken by its line
     QVERIFY(close(*plot_->plotCursor(1), 7e-4, 1.5 * pixel));
     QCOMPARE(plot_->view(), PlotView());
 

@@ -13,7 +13,8 @@ using namespace touchdown;
 
 namespace {
 
-/// 0 to 500 kHz in steps of 1 kHz: a floor of 1e-24 with peaks of 1e-18 at 42 kHz and 1e-20 at 152 kHz, and some bad values.
+/// 0 to 500 kHz in steps of 1 kHz: a floor of 1e-24 with peaks of 1e-18 at 42 kHz and 1e-20 at 152 kHz, and some bad
+/// values.
 Spectrum sample()
 {
     Spectrum spectrum;
@@ -49,7 +50,8 @@ private slots:
     void controlsHaveNames();
 
 private:
-    template <typename Widget> Widget* field(const QString& name) const
+    template <typename Widget>
+    Widget* field(const QString& name) const
     {
         for (Widget* widget : view_->findChildren<Widget*>())
             if (widget->accessibleName() == name) return widget;
