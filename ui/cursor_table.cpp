@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cursor_table.h"
 
+#include "ui/quantity_format.h"
+
 #include <cmath>
 
 #include <QClipboard>
@@ -15,18 +17,6 @@ namespace touchdown {
 namespace {
 
 enum Column { nameColumn, firstColumn, secondColumn, differenceColumn, unitColumn, columnCount };
-
-/// A frequency in Hz with the prefix that leaves one to three digits before the point.
-QString frequencyText(double frequency)
-{
-    static const char* const units[] = {"Hz", "kHz", "MHz", "GHz"};
-    std::size_t k = 0;
-    while (frequency >= 1000.0 && k + 1 < std::size(units)) {
-        frequency /= 1000.0;
-        ++k;
-    }
-    return typeset(frequency, frequency < 10.0 ? 3 : frequency < 100.0 ? 2 : 1) + u' ' + QLatin1String(units[k]);
-}
 
 QIcon lineSample(const CurveStyle& style, const PlotTheme& theme)
 {
@@ -54,10 +44,12 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("\u22120000.0000")));
+    table_->horizontalHeader()->setMinimumSectionSize(
+        fontMetrics().horizontalAdvance(QStringLiteral("\u22120000.0000")));
     for (int column = 0; column < columnCount; ++column) {
         const bool text = column == nameColumn || column == unitColumn;
-        table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) |
+                                                               Qt::AlignVCenter);
     }
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
@@ -147,7 +139,8 @@ QString CursorTable::asText() const
 
 bool CursorTable::eventFilter(QObject* watched, QEvent* event)
 {
-    if (watched == table_ && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+    if (watched == table_ && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
         QGuiApplication::clipboard()->setText(asText());
         return true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of all curves at the two cursors, their differences, and 1/dt in Hz. Follows its group by itself; Ctrl+C copies.
+// The values of all curves at the two cursors, their differences, and 1/dt in Hz. Follows its group by itself; Ctrl+C
+// copies.
 #pragma once
 
 #include "ui/plot_group.h"
@@ -19,7 +20,8 @@ public:
     /// `group` must outlive the table or be destroyed together with it.
     explicit CursorTable(PlotGroup* group, QWidget* parent = nullptr);
 
-    /// Fills the table again at the next turn of the event loop, as after curves came or went; the cursors need no call.
+    /// Fills the table again at the next turn of the event loop, as after curves came or went; the cursors need no
+    /// call.
     void scheduleUpdate();
     /// As text with tabulators, for a spreadsheet.
     QString asText() const;

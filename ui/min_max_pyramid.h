@@ -2,11 +2,12 @@
 //
 // The history of one quantity, held so that any part of it can be drawn at any zoom in time proportional to the pixels.
 //
-// The samples stand in one row; above them stand levels whose entries hold the index of the smallest and the largest of 16
-// entries below. A query over an interval touches at most 2 * 16 entries of each level.
+// The samples stand in one row; above them stand levels whose entries hold the index of the smallest and the largest
+// of 16 entries below. A query over an interval touches at most 2 * 16 entries of each level.
 //
-// Memory is bounded: when more than `capacity` samples are held, each four neighbours become their smallest and largest,
-// in the order of time. So no minimum and no maximum is ever lost, and the times of those that stay are true.
+// Memory is bounded: when more than `capacity` samples are held, each four neighbours become their smallest and
+// largest, in the order of time. So no minimum and no maximum is ever lost, and the times of those that stay are
+// true.
 //
 // One thread only (the GUI's). Queries return values, so that appending never invalidates what they gave.
 #pragma once
@@ -38,8 +39,8 @@ public:
 
     explicit MinMaxPyramid(std::size_t capacity = defaultCapacity);
 
-    /// Takes samples in the order of time, evenly spaced or not. A sample that is not finite or lies before the last one
-    /// taken is refused: it leaves a gap that the line bridges. Returns how many were taken.
+    /// Takes samples in the order of time, evenly spaced or not. A sample that is not finite or lies before the last
+    /// one taken is refused: it leaves a gap that the line bridges. Returns how many were taken.
     std::size_t append(std::span<const double> times, std::span<const double> values);
     void clear();
 
@@ -59,10 +60,11 @@ public:
     /// By a straight line between neighbours; nothing before the first and after the last sample.
     std::optional<double> valueAt(double time) const;
 
-    /// What a line needs to show from <= time <= to on `pixels` columns: at most 4 points a column, plus 4, with the smallest
-    /// and the largest sample of each bin, in the order of time, and the neighbours just outside so that the line reaches the
-    /// edges. A bin is half a column to one column wide and lies on an absolute grid (multiples of a power of two; of the
-    /// logarithm on a logarithmic axis), so that the picture does not shimmer when the window moves.
+    /// What a line needs to show from <= time <= to on `pixels` columns: at most 4 points a column, plus 4, with the
+    /// smallest and the largest sample of each bin, in the order of time, and the neighbours just outside so that the
+    /// line reaches the edges. A bin is half a column to one column wide and lies on an absolute grid (multiples of a
+    /// power of two; of the logarithm on a logarithmic axis), so that the picture does not shimmer when the window
+    /// moves.
     std::vector<QPointF> thinned(double from, double to, int pixels, AxisScale timeScale = AxisScale::Linear) const;
 
 private:

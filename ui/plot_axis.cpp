@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <QLocale>
-#include <QRegularExpression>
 
 namespace touchdown {
 
@@ -14,15 +13,9 @@ namespace {
 constexpr double farBelow = -1e6; // of the axis, for what has no logarithm
 constexpr double mostDecades = 14.0;
 
-int decimalsFor(double step)
-{
-    return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12);
-}
+int decimalsFor(double step) { return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12); }
 
-double magnitude(const PlotRange& range)
-{
-    return std::max(std::abs(range.low), std::abs(range.high));
-}
+double magnitude(const PlotRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
 } // namespace
 
@@ -41,15 +34,6 @@ QString powerOfTen(int exponent)
     QString text = QStringLiteral("10");
     if (exponent < 0) text += QChar(0x207b);
     for (const QChar digit : QString::number(std::abs(exponent))) text += raised[digit.digitValue()];
-    return text;
-}
-
-QString typesetUnit(const QString& unit)
-{
-    static const QRegularExpression micro(QStringLiteral("\\bu(?=(m|rad|N|s|g|J|W|Pa)\\b)"));
-    QString text = unit;
-    text.replace(micro, QStringLiteral("\u00b5"));
-    text.replace(QLatin1String("^2"), QStringLiteral("\u00b2")).replace(QLatin1String("^3"), QStringLiteral("\u00b3"));
     return text;
 }
 
@@ -93,10 +77,7 @@ double PlotAxis::valueAt(double position) const
     return range_.low * std::pow(range_.high / range_.low, position);
 }
 
-PlotRange PlotAxis::part(double from, double to) const
-{
-    return {valueAt(from), valueAt(to)};
-}
+PlotRange PlotAxis::part(double from, double to) const { return {valueAt(from), valueAt(to)}; }
 
 PlotAxis::Notation PlotAxis::notation() const
 {
@@ -177,7 +158,8 @@ QString PlotAxis::text() const
             const QChar sign(how.offset < 0.0 ? u'+' : u'\u2212');
             text += QStringLiteral(" %1 %2").arg(sign).arg(typeset(std::abs(how.offset), how.offsetDecimals));
         }
-        if (how.exponent != 0) unit = unit.isEmpty() ? powerOfTen(how.exponent) : powerOfTen(how.exponent) + u' ' + unit;
+        if (how.exponent != 0)
+            unit = unit.isEmpty() ? powerOfTen(how.exponent) : powerOfTen(how.exponent) + u' ' + unit;
     }
     if (unit.isEmpty()) return text;
     return text.isEmpty() ? unit : QStringLiteral("%1 [%2]").arg(text, unit);

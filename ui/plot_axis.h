@@ -31,7 +31,8 @@ public:
     AxisLabel label;
 
     const PlotRange& range() const { return range_; }
-    /// Refuses an empty, infinite or too small range, and zero or less on a logarithmic axis, by taking the nearest that can be drawn.
+    /// Refuses an empty, infinite or too small range, and zero or less on a logarithmic axis, by taking the nearest
+    /// that can be drawn.
     void setRange(PlotRange range);
 
     bool logarithmic() const { return label.scale == AxisScale::Logarithmic; }
@@ -43,7 +44,8 @@ public:
 
     /// Not more than `most` major ticks.
     std::vector<AxisTick> ticks(int most) const;
-    /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]" far zoomed in.
+    /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]" far
+    /// zoomed in.
     QString text() const;
 
     /// A number of this axis in its display unit with digits that resolve a thousandth of the range: "7.013".
@@ -52,8 +54,8 @@ public:
 private:
     /// What keeps the numbers short: shown = value / (factor 10^exponent) - offset.
     struct Notation {
-        int exponent = 0;       // a multiple of 3
-        double offset = 0.0;    // [display unit 10^exponent]
+        int exponent = 0;    // a multiple of 3
+        double offset = 0.0; // [display unit 10^exponent]
         int offsetDecimals = 0;
     };
     Notation notation() const;
@@ -67,9 +69,6 @@ private:
 QString typeset(double value, int decimals);
 /// 10 to the power as "10⁻³".
 QString powerOfTen(int exponent);
-
-/// "um" as "µm", "urad" as "µrad", "m/s^2" as "m/s²".
-QString typesetUnit(const QString& unit);
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value` > 0.
 double niceStep(double value);

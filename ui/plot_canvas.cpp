@@ -13,7 +13,11 @@
 namespace touchdown {
 
 PlotCanvas::PlotCanvas(PlotWidget* plot)
-    : QGraphicsView(plot), plot_(*plot), scene_(new QGraphicsScene(this)), chart_(new QChart), across_(new QValueAxis),
+    : QGraphicsView(plot),
+      plot_(*plot),
+      scene_(new QGraphicsScene(this)),
+      chart_(new QChart),
+      across_(new QValueAxis),
       up_(new QValueAxis)
 {
     setScene(scene_);
@@ -76,10 +80,7 @@ void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
     }
 }
 
-void PlotCanvas::setPlotArea(const QRectF& area)
-{
-    chart_->setPlotArea(area);
-}
+void PlotCanvas::setPlotArea(const QRectF& area) { chart_->setPlotArea(area); }
 
 void PlotCanvas::setSelection(std::optional<QRectF> box)
 {
@@ -93,10 +94,7 @@ void PlotCanvas::repaintCursor(double pixel)
     viewport()->update(QRectF(pixel - reach, 0.0, 2.0 * reach, height()).toAlignedRect());
 }
 
-void PlotCanvas::repaintAll()
-{
-    viewport()->update();
-}
+void PlotCanvas::repaintAll() { viewport()->update(); }
 
 void PlotCanvas::drawBackground(QPainter* painter, const QRectF& rect)
 {

@@ -2,8 +2,9 @@
 //
 // The curves of a plot on the screen, drawn by Qt Charts, between what PlotPainter draws behind and above them.
 //
-// The chart's own axes stay hidden at 0 to 1 and the points come in parts of the plot area: a range that changed would cost a
-// second pass over all points, a logarithmic axis would lose a whole curve to one zero, and the numbers of QValueAxis move the plot area.
+// The chart's own axes stay hidden at 0 to 1 and the points come in parts of the plot area: a range that changed
+// would cost a second pass over all points, a logarithmic axis would lose a whole curve to one zero, and the numbers
+// of QValueAxis move the plot area.
 #pragma once
 
 #include "ui/plot_theme.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a plot shows: curves, lines to compare with, and marks. Numbers are SI; the axis holds the factor of the display unit.
+// What a plot shows: curves, lines to compare with, and marks. Numbers are SI; the axis holds the factor of the
+// display unit.
 #pragma once
 
 #include "ui/min_max_pyramid.h"

@@ -32,10 +32,7 @@ struct Picture {
     std::function<void(QPainter&)> paint;
 };
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("touchdown::PlotExport", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotExport", text); }
 
 QImage rastered(const Picture& picture, double scale)
 {
@@ -77,7 +74,8 @@ QByteArray asPdf(const Picture& picture)
     {
         QPdfWriter writer(&buffer);
         writer.setResolution(paperResolution);
-        writer.setPageSize(QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
+        writer.setPageSize(
+            QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
         writer.setPageMargins({});
         writer.setTitle(picture.title);
         writer.setCreator(QStringLiteral("Touchdown"));
@@ -110,13 +108,15 @@ QString save(const Picture& picture, const QString& path)
     else if (suffix == QLatin1String("pdf"))
         bytes = asPdf(picture);
     else
-        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.").arg(QDir::toNativeSeparators(path));
+        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
+            .arg(QDir::toNativeSeparators(path));
     return writeFile(path, [&](QIODevice& device) { device.write(bytes); });
 }
 
 Picture pictureOf(PlotWidget& plot, const PlotTheme& theme)
 {
-    return {plot.size(), plot.title(), [&plot, theme](QPainter& painter) { plot.paintPlot(painter, plot.rect(), theme); }};
+    return {plot.size(), plot.title(),
+            [&plot, theme](QPainter& painter) { plot.paintPlot(painter, plot.rect(), theme); }};
 }
 
 Picture pictureOf(QWidget& page, const QString& title, const PlotTheme& theme)
@@ -156,10 +156,7 @@ QByteArray number(std::optional<double> value, double factor)
 
 } // namespace
 
-QString savePicture(PlotWidget& plot, const QString& path)
-{
-    return save(pictureOf(plot, lightPlotTheme()), path);
-}
+QString savePicture(PlotWidget& plot, const QString& path) { return save(pictureOf(plot, lightPlotTheme()), path); }
 
 QString savePage(QWidget& page, const QString& path, const QString& title)
 {
@@ -185,8 +182,9 @@ void writeCsv(const PlotWidget& plot, QIODevice& device)
     QStringList titles{phase ? tr("Time [s]") : columnTitle(x.title, x.unit)};
     for (const PlotCurve& curve : plot.curves()) {
         if (!curve.visible || curve.data == nullptr) continue;
-        const auto [begin, end] = phase ? std::pair<std::size_t, std::size_t>{0, curve.data->size()}
-                                        : curve.data->samplesWithin(plot.xAxis().range().low, plot.xAxis().range().high);
+        const auto [begin, end] = phase
+                                      ? std::pair<std::size_t, std::size_t>{0, curve.data->size()}
+                                      : curve.data->samplesWithin(plot.xAxis().range().low, plot.xAxis().range().high);
         columns.push_back({&curve, begin, end});
         if (phase) titles += columnTitle(x.title, x.unit);
         titles += columnTitle(curve.name.isEmpty() ? plot.title() : curve.name, y.unit);

@@ -26,10 +26,10 @@ void PlotGroup::add(PlotWidget* plot)
     connect(plot, &QObject::destroyed, this, [this, plot] { std::erase(plots_, plot); });
     connect(plot, &PlotWidget::viewChanged, this,
             [this, plot](const PlotView& view, PlotWidget::Gesture gesture) { onViewChanged(plot, view, gesture); });
-    connect(plot, &PlotWidget::historyRequested, this, [this](int direction) { direction < 0 ? goBack() : goForward(); });
-    connect(plot, &PlotWidget::cursorMoved, this, [this](int which, bool valid, double x) {
-        setCursor(which, valid ? std::optional(x) : std::nullopt);
-    });
+    connect(plot, &PlotWidget::historyRequested, this,
+            [this](int direction) { direction < 0 ? goBack() : goForward(); });
+    connect(plot, &PlotWidget::cursorMoved, this,
+            [this](int which, bool valid, double x) { setCursor(which, valid ? std::optional(x) : std::nullopt); });
     connect(plot, &PlotWidget::cursorPinnedChanged, this, [this](bool pinned) {
         for (PlotWidget* other : plots_) other->setCursorPinned(pinned);
     });
@@ -123,7 +123,8 @@ void PlotGroup::setXRange(const PlotRange& range)
 
 void PlotGroup::fit()
 {
-    for (PlotWidget* plot : plots_) plot->setView({plot->isPhasePortrait() ? std::nullopt : plot->view().x, std::nullopt});
+    for (PlotWidget* plot : plots_)
+        plot->setView({plot->isPhasePortrait() ? std::nullopt : plot->view().x, std::nullopt});
     changeFollow(Follow::WholeRun);
     followData();
     record(std::nullopt, nullptr);
@@ -154,7 +155,8 @@ PlotGroup::State PlotGroup::state() const
 void PlotGroup::record(std::optional<PlotWidget::Gesture> gesture, const PlotWidget* plot)
 {
     const State now = state();
-    const bool continues = gesture && gesture == lastGesture_ && plot == lastPlot_ && isOneOfMany(*gesture) && position_ > 0;
+    const bool continues =
+        gesture && gesture == lastGesture_ && plot == lastPlot_ && isOneOfMany(*gesture) && position_ > 0;
     lastGesture_ = gesture;
     lastPlot_ = plot;
     if (now == history_[position_]) return;
@@ -172,7 +174,8 @@ void PlotGroup::record(std::optional<PlotWidget::Gesture> gesture, const PlotWid
 void PlotGroup::show(const State& state)
 {
     for (PlotWidget* plot : plots_) {
-        const auto same = std::find_if(state.views.begin(), state.views.end(), [&](const auto& v) { return v.first == plot; });
+        const auto same =
+            std::find_if(state.views.begin(), state.views.end(), [&](const auto& v) { return v.first == plot; });
         if (same == state.views.end()) continue; // came later
         plot->setView({plot->isPhasePortrait() ? same->second.x : plot->view().x, same->second.y});
     }

@@ -2,8 +2,9 @@
 //
 // Plots that belong together: one time axis, one zoom history, one pair of cursors; they follow the run or stand still.
 //
-// The group owns no plot. A plot leaves by itself when it is destroyed. Zooming x by hand freezes; fitting follows the whole run again.
-// A phase portrait shares cursors and history, and shows the part of the history that the time axis shows, but not the time axis itself.
+// The group owns no plot. A plot leaves by itself when it is destroyed. Zooming x by hand freezes; fitting follows
+// the whole run again. A phase portrait shares cursors and history, and shows the part of the history that the time
+// axis shows, but not the time axis itself.
 #pragma once
 
 #include "ui/plot_widget.h"
@@ -18,8 +19,8 @@ namespace touchdown {
 /// A curve at the cursors, for tables. Numbers in SI.
 struct CursorReading {
     const PlotWidget* plot = nullptr;
-    QString curve;   // id
-    QString name;    // "Energy: kinetic"; the title of the plot alone where the curve has no other name
+    QString curve; // id
+    QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name
     CurveStyle style;
     std::optional<double> first;  // at cursor 1
     std::optional<double> second; // at cursor 2
@@ -51,7 +52,7 @@ public:
 
     void setXRange(const PlotRange& range); // freezes; a step of the history
     PlotRange xRange() const { return xRange_; }
-    void fit();                             // all x and y follow the data; a step of the history
+    void fit(); // all x and y follow the data; a step of the history
 
     bool canGoBack() const { return position_ > 0; }
     bool canGoForward() const { return position_ + 1 < history_.size(); }
@@ -74,7 +75,7 @@ signals:
 private:
     struct State {
         Follow follow = Follow::WholeRun;
-        std::optional<PlotRange> x; // when frozen
+        std::optional<PlotRange> x;                                // when frozen
         std::vector<std::pair<const PlotWidget*, PlotView>> views; // x only of phase portraits
         bool operator==(const State&) const = default;
     };

@@ -14,10 +14,7 @@ namespace touchdown {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("touchdown::PlotMenu", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotMenu", text); }
 
 /// Asks for a file, calls `save`, and shows the sentence that it returns, if any.
 void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suffix,
@@ -80,9 +77,8 @@ void openMenu(PlotWidget* plot, PlotGroup* group, QWidget* page, const QPoint& a
     logarithmic->setCheckable(true);
     logarithmic->setChecked(plot->yAxis().logarithmic());
     logarithmic->setShortcut(Qt::Key_L);
-    QObject::connect(logarithmic, &QAction::toggled, plot, [plot](bool on) {
-        plot->setYScale(on ? AxisScale::Logarithmic : AxisScale::Linear);
-    });
+    QObject::connect(logarithmic, &QAction::toggled, plot,
+                     [plot](bool on) { plot->setYScale(on ? AxisScale::Logarithmic : AxisScale::Linear); });
     addCurveSwitches(menu, plot);
     menu->addSeparator();
 

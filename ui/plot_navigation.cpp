@@ -22,10 +22,7 @@ constexpr double widestView = 20.0; // of the data
 
 } // namespace
 
-PlotNavigation::PlotNavigation(PlotWidget* plot) : QObject(plot), plot_(*plot)
-{
-    plot->installEventFilter(this);
-}
+PlotNavigation::PlotNavigation(PlotWidget* plot) : QObject(plot), plot_(*plot) { plot->installEventFilter(this); }
 
 bool PlotNavigation::eventFilter(QObject* /*watched*/, QEvent* event)
 {

@@ -44,7 +44,10 @@ QFont plotNumberFont(const QFont& font)
 }
 
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
-    : plot_(plot), theme_(theme), textFont_(plotTextFont(plot.font())), numberFont_(plotNumberFont(plot.font())),
+    : plot_(plot),
+      theme_(theme),
+      textFont_(plotTextFont(plot.font())),
+      numberFont_(plotNumberFont(plot.font())),
       area_(plot.plotArea())
 {}
 
@@ -52,7 +55,8 @@ QRectF PlotPainter::plotArea(const QSizeF& size, const QFont& font, bool xNumber
 {
     const QFontMetricsF text(plotTextFont(font));
     const QFontMetricsF numbers(plotNumberFont(font));
-    const double left = gap + text.height() + gap + numbers.horizontalAdvance(QStringLiteral("\u2212000.000")) + tickLength;
+    const double left =
+        gap + text.height() + gap + numbers.horizontalAdvance(QStringLiteral("\u2212000.000")) + tickLength;
     const double top = std::ceil(text.height() + 2.0 * gap);
     const double below = tickLength + numbers.height() + text.height() + gap + 4.0;
     const double right = numbers.horizontalAdvance(QStringLiteral("00.0")) / 2.0 + gap;
@@ -69,7 +73,8 @@ std::vector<AxisTick> PlotPainter::xTicks() const
 
 std::vector<AxisTick> PlotPainter::yTicks() const
 {
-    return plot_.yAxis().ticks(std::min(9, static_cast<int>(area_.height() / (2.0 * QFontMetricsF(numberFont_).height()))));
+    return plot_.yAxis().ticks(
+        std::min(9, static_cast<int>(area_.height() / (2.0 * QFontMetricsF(numberFont_).height()))));
 }
 
 void PlotPainter::paintBehind(QPainter& painter) const
@@ -131,7 +136,8 @@ void PlotPainter::paintNumbers(QPainter& painter) const
         const double left = std::min(x - half, plot_.width() - 2.0 * half - 2.0); // the last one may not leave the plot
         if (!plot_.xNumbersVisible() || left < free) continue;
         painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter, tick.text);
+        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter,
+                         tick.text);
         free = left + 2.0 * half + gap;
     }
 }
@@ -172,7 +178,9 @@ void PlotPainter::paintHeader(QPainter& painter) const
         if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title()) named.push_back(&curve);
 
     constexpr double sample = 20.0; // of the line [px]
-    const auto widthOf = [&](const PlotCurve& curve) { return sample + gap + metrics.horizontalAdvance(curve.name) + 2.0 * gap; };
+    const auto widthOf = [&](const PlotCurve& curve) {
+        return sample + gap + metrics.horizontalAdvance(curve.name) + 2.0 * gap;
+    };
     const double moreWidth = metrics.horizontalAdvance(QStringLiteral("+00"));
     double used = 0.0;
     std::size_t shown = 0;
@@ -256,7 +264,8 @@ void PlotPainter::paintPointMarks(QPainter& painter) const
         painter.setBrush(Qt::NoBrush);
 
         const QSizeF size(metrics.horizontalAdvance(mark.label) + 4.0, metrics.height());
-        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()), tip + QPointF(6.0, -size.height()),
+        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
+                                   tip + QPointF(6.0, -size.height()),
                                    tip - QPointF(6.0 + size.width(), size.height())};
         for (const QPointF& corner : corners) {
             const QRectF box(corner, size);

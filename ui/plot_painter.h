@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything of a plot but its curves: paper, grid, axes, numbers, titles, legend, marks, cursors. The same on the screen and on paper.
+// Everything of a plot but its curves: paper, grid, axes, numbers, titles, legend, marks, cursors. The same on the
+// screen and on paper.
 #pragma once
 
 #include "ui/plot_widget.h"

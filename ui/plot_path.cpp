@@ -10,7 +10,8 @@ namespace {
 
 constexpr PlotRange nearArea{-0.5, 1.5};
 
-/// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of the band.
+/// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of
+/// the band.
 std::vector<QPointF> cutToBand(const std::vector<QPointF>& path, const PlotRange& band, double (*coordinate)(QPointF),
                                QPointF (*with)(QPointF, double))
 {
@@ -43,7 +44,8 @@ std::vector<QPointF> cutNearArea(const std::vector<QPointF>& path)
         inX, nearArea, [](QPointF p) { return p.y(); }, [](QPointF p, double y) { return QPointF(p.x(), y); });
 }
 
-/// The part [first, second] of the segment a to b within 0 <= x, y <= 1 (Liang and Barsky 1984); first > second if none.
+/// The part [first, second] of the segment a to b within 0 <= x, y <= 1 (Liang and Barsky 1984); first > second if
+/// none.
 std::pair<double, double> partInside(const QPointF& a, const QPointF& b)
 {
     double first = 0.0;
@@ -64,8 +66,8 @@ std::pair<double, double> partInside(const QPointF& a, const QPointF& b)
     return {first, second};
 }
 
-/// Where the line runs up and down within a pixel, each pair begins with the value nearer to where the line is: the same
-/// ink with half the length to draw. Nothing moves by more than half a pixel.
+/// Where the line runs up and down within a pixel, each pair begins with the value nearer to where the line is: the
+/// same ink with half the length to draw. Nothing moves by more than half a pixel.
 void shortenFolds(std::vector<QPointF>& path, double pixel)
 {
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {

@@ -44,15 +44,9 @@ PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highli
 
 } // namespace
 
-PlotTheme lightPlotTheme()
-{
-    return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0"));
-}
+PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
 
-PlotTheme darkPlotTheme()
-{
-    return themeFrom(QColor("#1d2024"), QColor("#eef1f4"), QColor("#5aa7ee"));
-}
+PlotTheme darkPlotTheme() { return themeFrom(QColor("#1d2024"), QColor("#eef1f4"), QColor("#5aa7ee")); }
 
 PlotTheme plotTheme(const QPalette& palette)
 {

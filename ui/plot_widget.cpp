@@ -85,7 +85,8 @@ void PlotWidget::setXNumbersVisible(bool visible)
 
 void PlotWidget::addCurve(const PlotCurve& curve)
 {
-    const auto same = std::find_if(curves_.begin(), curves_.end(), [&](const PlotCurve& c) { return c.id == curve.id; });
+    const auto same =
+        std::find_if(curves_.begin(), curves_.end(), [&](const PlotCurve& c) { return c.id == curve.id; });
     if (same != curves_.end())
         *same = curve;
     else
@@ -130,10 +131,7 @@ void PlotWidget::setPointMarks(std::vector<PointMark> marks)
     canvas_->repaintAll();
 }
 
-void PlotWidget::dataChanged()
-{
-    scheduleRefresh();
-}
+void PlotWidget::dataChanged() { scheduleRefresh(); }
 
 void PlotWidget::scheduleRefresh()
 {
@@ -207,7 +205,8 @@ std::optional<PlotRange> PlotWidget::dataRangeY() const
     std::optional<PlotRange> range;
     for (const PlotCurve& curve : curves_) {
         if (!curve.visible || curve.data == nullptr) continue;
-        const PlotRange within = curve.xData == nullptr ? x_.range() : timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL});
+        const PlotRange within =
+            curve.xData == nullptr ? x_.range() : timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL});
         auto seen = curve.data->extremes(within.low, within.high);
         if (curve.xData == nullptr) // where the line enters and leaves, and what shows between two samples
             for (const double edge : {within.low, within.high})
@@ -289,15 +288,9 @@ void PlotWidget::userPin(bool pinned)
     emit cursorPinnedChanged(pinned);
 }
 
-void PlotWidget::showSelection(std::optional<QRectF> box)
-{
-    canvas_->setSelection(box);
-}
+void PlotWidget::showSelection(std::optional<QRectF> box) { canvas_->setSelection(box); }
 
-QRectF PlotWidget::plotArea() const
-{
-    return PlotPainter::plotArea(size(), font(), xNumbersVisible_);
-}
+QRectF PlotWidget::plotArea() const { return PlotPainter::plotArea(size(), font(), xNumbersVisible_); }
 
 QPointF PlotWidget::toPixel(double x, double y) const
 {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A plot of curves over time (or frequency, or another quantity), drawn by Qt Charts, which no other class of ours sees.
+// A plot of curves over time (or frequency, or another quantity), drawn by Qt Charts, which no other class of ours
+// sees.
 //
-// Call dataChanged() after the pyramids have grown: the picture follows at most 60 times a second, less often when a refresh takes
-// long, and not at all while the plot is hidden. The plot area depends on size and font only: plots of equal width
-// under each other have equal time axes.
+// Call dataChanged() after the pyramids have grown: the picture follows at most 60 times a second, less often when a
+// refresh takes long, and not at all while the plot is hidden. The plot area depends on size and font only: plots of
+// equal width under each other have equal time axes.
 //
-// Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both; a phase portrait
-// always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right drag moves. Double click fits.
-// Cursor 1 follows the pointer until a click pins it; Shift + click sets cursor 2; Escape takes both away. Right click: menu.
-// Keys: arrows move, + and - zoom x, Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right walk
-// through the zoom history, Shift + Left and Shift + Right move cursor 1 by a pixel, L switches y between linear and logarithmic.
+// Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both;
+// a phase portrait always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right
+// drag moves. Double click fits. Cursor 1 follows the pointer until a click pins it; Shift + click sets cursor 2;
+// Escape takes both away. Right click: menu.
+// Keys: arrows move, + and - zoom x, Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right
+// walk through the zoom history, Shift + Left and Shift + Right move cursor 1 by a pixel, L switches y between linear
+// and logarithmic.
 //
 // A plot does not keep the zoom history: the PlotGroup does (a lone plot gets a group of its own).
 #pragma once
@@ -93,7 +96,8 @@ public:
     QRectF plotArea() const;
     QPointF toPixel(double x, double y) const;
 
-    /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors. The proportions of the screen stay.
+    /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors. The proportions
+    /// of the screen stay.
     void paintPlot(QPainter& painter, const QRectF& target, const PlotTheme& theme);
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;

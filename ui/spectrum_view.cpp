@@ -2,6 +2,7 @@
 #include "ui/spectrum_view.h"
 
 #include "core/simulation/units.h"
+#include "ui/quantity_format.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,15 @@ void choose(QComboBox* box, const QVariant& data)
 } // namespace
 
 SpectrumView::SpectrumView(QWidget* parent)
-    : QWidget(parent), plot_(new PlotWidget(this)), group_(new PlotGroup(this)), quantity_(new QComboBox(this)),
-      window_(new QComboBox(this)), segment_(new QComboBox(this)), overlap_(new QSpinBox(this)),
-      scaling_(new QComboBox(this)), logFrequency_(new QCheckBox(tr("Log &frequency"), this))
+    : QWidget(parent),
+      plot_(new PlotWidget(this)),
+      group_(new PlotGroup(this)),
+      quantity_(new QComboBox(this)),
+      window_(new QComboBox(this)),
+      segment_(new QComboBox(this)),
+      overlap_(new QSpinBox(this)),
+      scaling_(new QComboBox(this)),
+      logFrequency_(new QCheckBox(tr("Log &frequency"), this))
 {
     window_->addItem(tr("Hann"), static_cast<int>(SpectrumWindow::Hann));
     window_->addItem(tr("Hamming"), static_cast<int>(SpectrumWindow::Hamming));
@@ -108,10 +115,7 @@ void SpectrumView::setQuantities(const std::vector<Quantity>& quantities)
     updateAxes();
 }
 
-QString SpectrumView::quantity() const
-{
-    return quantity_->currentData().toString();
-}
+QString SpectrumView::quantity() const { return quantity_->currentData().toString(); }
 
 void SpectrumView::setQuantity(const QString& name)
 {
@@ -161,7 +165,7 @@ void SpectrumView::updateAxes()
     if (quantity_->currentIndex() >= 0) {
         const Quantity& q = quantities_[static_cast<std::size_t>(quantity_->currentIndex())];
         const double factor = q.displayUnit.empty() ? 1.0 : unitFactor(q.displayUnit);
-        label.unit = squared(typesetUnit(QString::fromStdString(q.displayUnit)));
+        label.unit = squared(unitText(q.displayUnit));
         label.factor = factor * factor;
         plot_->setTitle(tr("Spectrum: %1").arg(QString::fromStdString(q.longName)));
     }
@@ -172,8 +176,8 @@ void SpectrumView::updateAxes()
     plot_->setYLabel(label);
 }
 
-void SpectrumView::setSpectrum(const QString& id, const QString& name, const CurveStyle& style, const Spectrum& spectrum,
-                               const std::vector<Peak>& peaks)
+void SpectrumView::setSpectrum(const QString& id, const QString& name, const CurveStyle& style,
+                               const Spectrum& spectrum, const std::vector<Peak>& peaks)
 {
     auto samples = std::make_unique<MinMaxPyramid>();
     std::vector<double> frequency;

@@ -2,8 +2,8 @@
 //
 // Power spectra of one quantity of several runs, with the choices of Welch's method above them.
 //
-// The view computes nothing: connect `requested`, compute (on any thread), and hand the result to setSpectrum(). Power that is zero, negative or not
-// finite is left out.
+// The view computes nothing: connect `requested`, compute (on any thread), and hand the result to setSpectrum().
+// Power that is zero, negative or not finite is left out.
 #pragma once
 
 #include "core/numerics/spectrum.h"
@@ -33,7 +33,8 @@ public:
     WelchOptions options() const;
     void setOptions(const WelchOptions& options); // emits nothing
 
-    /// A curve with the same id is replaced. Frequencies in Hz, power in SI of the chosen quantity; the peaks are labelled in kHz.
+    /// A curve with the same id is replaced. Frequencies in Hz, power in SI of the chosen quantity; the peaks are
+    /// labelled in kHz.
     void setSpectrum(const QString& id, const QString& name, const CurveStyle& style, const Spectrum& spectrum,
                      const std::vector<Peak>& peaks = {});
     void removeSpectrum(const QString& id);
