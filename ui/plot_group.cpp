@@ -63,8 +63,11 @@ void PlotGroup::followData()
         range = range ? PlotRange{std::min(range->low, data->low), std::max(range->high, data->high)} : *data;
     }
     if (!range || !(range->width() > 0.0)) {
-        for (PlotWidget* plot : plots_)
-            if (!plot->isPhasePortrait()) plot->setView({std::nullopt, plot->view().y});
+        for (PlotWidget* plot : plots_) {
+            if (plot->isPhasePortrait()) continue;
+            plot->setView({std::nullopt, plot->view().y});
+            xRange_ = plot->xAxis().range(); // what an empty plot shows, in case it is frozen now
+        }
         return;
     }
     if (follow_ == Follow::LastWindow) {

@@ -31,6 +31,7 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), theme_(plotTheme(pale
     setXLabel({tr("Time"), QStringLiteral("s"), 1.0, AxisScale::Linear});
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setAccessibleDescription(tr("Arrow keys move, plus and minus zoom, Home shows everything, Backspace goes back."));
     refreshTimer_.setSingleShot(true);
     refreshTimer_.setTimerType(Qt::PreciseTimer);
     connect(&refreshTimer_, &QTimer::timeout, this, &PlotWidget::refreshNow);
