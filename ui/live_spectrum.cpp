@@ -13,6 +13,7 @@ namespace touchdown {
 namespace {
 
 constexpr int gentleInterval = 250; // [ms]
+constexpr double mostLiveSamples = 131072.0;
 constexpr int costShare = 20;       // rest this many times as long as the last computation took
 
 QString idOf(int number)
@@ -102,7 +103,10 @@ void LiveSpectrum::compute(const RunRecord& run)
 {
     const std::string quantity = view_->quantity().toStdString();
     const WelchOptions options = view_->options();
-    const Spectrum spectrum = spectrumOf(run, quantity, options, run.value.spectrum.start);
+    // While a long run goes, its newest part is enough to watch; all of it counts at the end.
+    const double recent = run.lastTime() - mostLiveSamples * run.value.run.sampleInterval;
+    const double start = run.finished() ? run.value.spectrum.start : std::max(run.value.spectrum.start, recent);
+    const Spectrum spectrum = spectrumOf(run, quantity, options, start);
     if (spectrum.empty()) return;
     const bool newest = runs_.record(runs_.count() - 1).number == run.number;
     view_->setSpectrum(idOf(run.number), tr("Run %1").arg(run.number), RunsModel::style(run), spectrum,

@@ -30,7 +30,12 @@ double powerOfTwo(double value)
 
 } // namespace
 
-MinMaxPyramid::MinMaxPyramid(std::size_t capacity) : capacity_(std::clamp<std::size_t>(capacity, 64, UINT32_MAX)) {}
+MinMaxPyramid::MinMaxPyramid(std::size_t capacity, std::size_t expected)
+    : capacity_(std::clamp<std::size_t>(capacity, 64, UINT32_MAX))
+{
+    times_.reserve(std::min(expected, capacity_));
+    values_.reserve(std::min(expected, capacity_));
+}
 
 std::size_t MinMaxPyramid::append(std::span<const double> times, std::span<const double> values)
 {

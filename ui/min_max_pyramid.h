@@ -37,7 +37,8 @@ class MinMaxPyramid {
 public:
     static constexpr std::size_t defaultCapacity = std::size_t(1) << 22; // 16.5 bytes each: at most 70 MB
 
-    explicit MinMaxPyramid(std::size_t capacity = defaultCapacity);
+    /// `expected` samples find room without moving those before them.
+    explicit MinMaxPyramid(std::size_t capacity = defaultCapacity, std::size_t expected = 0);
 
     /// Takes samples in the order of time, evenly spaced or not. A sample that is not finite or lies before the last
     /// one taken is refused: it leaves a gap that the line bridges. Returns how many were taken.

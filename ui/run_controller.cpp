@@ -11,7 +11,6 @@ namespace touchdown {
 namespace {
 
 constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
-constexpr int longestInterval = 100; // [ms]
 
 } // namespace
 
@@ -100,8 +99,8 @@ void RunController::deliver()
     mail.delivery.run = run_;
     if (!mail.recordingProblem.empty()) emit recordingFailed(run_, QString::fromStdString(mail.recordingProblem));
     emit delivered(mail.delivery);
-    // A picture that takes long to draw is drawn less often, so that the window goes on answering.
-    interval_ = std::clamp(2 * static_cast<int>(sinceDelivery_.elapsed()), shortestInterval, longestInterval);
+    // A solver that waits for room is relieved at once: the plots draw at a pace of their own.
+    interval_ = mail.wasFull ? 0 : shortestInterval;
 
     if (!mail.summary) return;
     worker_.reset();

@@ -4,8 +4,9 @@
 //
 // The solver's batches cross the thread border by value and lose nothing: the worker appends them to
 // a mailbox under a mutex, and asks for one queued call if none is pending; the window swaps the
-// mailbox empty at most 60 times a second. Every delivery carries the number of its run, so that one
-// that comes late is dropped.
+// mailbox empty at most 60 times a second, or as often as it can while a fast solver waits for room in
+// it. The mailbox is bounded, so that a delivery is short and the window goes on answering. Every
+// delivery carries the number of its run, so that one that comes late is dropped.
 //
 // Slow motion and pause hold back samples, not the solver's arithmetic: the worker hands out a batch
 // slice by slice, and waits on a condition variable in between.

@@ -42,7 +42,10 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
     : number(runNumber), name(QString::fromStdString(c.title)), value(c), caseText(std::move(text)),
       quantities(std::move(recorded))
 {
-    for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity);
+    const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
+    // Making room takes a pyramid some milliseconds: each does it at a time of its own. The first is the smallest, see
+    // complete().
+    for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
 }
 
 void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents)

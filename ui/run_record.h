@@ -23,8 +23,9 @@
 namespace touchdown {
 
 struct RunRecord {
-    /// Samples held of each quantity.
+    /// Samples held of each quantity, at least.
     static constexpr std::size_t capacity = std::size_t(1) << 20;
+    static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
 
     /// A run that is to start.
     RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities);

@@ -14,6 +14,8 @@ namespace {
 constexpr double pictureRate = 60.0;                    // [1/s]
 constexpr double stepsPerRun = 200.0;                   // of a paused run at full speed
 constexpr auto shortestWait = std::chrono::milliseconds(8);
+// What one delivery may hold: the window takes it in within a few milliseconds, however fast the solver is.
+constexpr std::size_t mostSamplesInMail = 16384;
 
 void appendSlice(SampleBatch& target, const SampleBatch& source, std::size_t begin, std::size_t end)
 {
@@ -64,6 +66,7 @@ RunController::Worker::Mail RunController::Worker::take()
     // The time reached holds until there is news of it.
     mail_.delivery.time = mail.delivery.time;
     mail_.delivery.duration = mail.delivery.duration;
+    emptied_.notify_all();
     return mail;
 }
 
@@ -90,10 +93,11 @@ void RunController::Worker::step()
 void RunController::Worker::stop()
 {
     {
-        const std::lock_guard lock(orders_);
+        const std::scoped_lock lock(orders_, mailbox_);
         stopped_ = true;
     }
     ordered_.notify_all();
+    emptied_.notify_all();
 }
 
 void RunController::Worker::setPace(double pace)
@@ -225,6 +229,18 @@ bool RunController::Worker::waitWhilePaused()
     return !stopped_;
 }
 
+/// Holds a solver back that is faster than the window, so that neither memory nor a delivery grows without bound.
+void RunController::Worker::waitForRoom(std::size_t samples)
+{
+    std::unique_lock lock(mailbox_);
+    emptied_.wait(lock, [&] {
+        const std::size_t held = mail_.delivery.samples.size();
+        const bool room = held == 0 || held + samples <= mostSamplesInMail;
+        mail_.wasFull = mail_.wasFull || !room;
+        return room || stopped_;
+    });
+}
+
 void RunController::Worker::post(const RunUpdate& update, std::size_t begin, std::size_t end,
                                  std::span<const RunEvent> events)
 {
@@ -242,6 +258,7 @@ void RunController::Worker::post(const RunUpdate& update, std::size_t begin, std
             }
         }
     }
+    waitForRoom(end - begin);
     {
         const std::lock_guard lock(mailbox_);
         RunDelivery& delivery = mail_.delivery;

@@ -28,6 +28,7 @@ public:
         RunDelivery delivery;
         std::optional<Summary> summary;
         std::string recordingProblem;
+        bool wasFull = false; // the worker had to wait for room
     };
     /// All that has come since the last call.
     Mail take();
@@ -47,6 +48,7 @@ private:
     std::optional<std::size_t> waitForSlice(const SampleBatch& batch, std::size_t begin, double duration);
     bool waitWhilePaused();
     bool stopRequested();
+    void waitForRoom(std::size_t samples);
     void post(const RunUpdate& update, std::size_t begin, std::size_t end, std::span<const RunEvent> events);
     void record(const SampleBatch& slice);
     void ring();
@@ -59,7 +61,7 @@ private:
     // Told by the window.
     std::mutex orders_;
     std::condition_variable ordered_;
-    bool stopped_ = false;
+    std::atomic<bool> stopped_ = false;
     bool paused_ = false;
     int steps_ = 0;
     double pace_;              // [s/s]
@@ -77,6 +79,7 @@ private:
 
     // Told to the window.
     std::mutex mailbox_;
+    std::condition_variable emptied_;
     Mail mail_;
     std::atomic<bool> pending_ = false;
 
