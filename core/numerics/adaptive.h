@@ -19,9 +19,8 @@
 namespace touchdown {
 
 struct AdaptiveOptions {
-    double tolerance = 1e-8;     // local error of a step, in units of System::scale [-]
+    double tolerance = 1e-8;     // local error of a step, in units of System::scale; not below round-off of the state [-]
     double firstStep = 1e-9;     // [s]
-    double period = 1e-6;        // shortest time scale of the system [s]
     double energyBalance = 0.01; // error of the energy in a step across a wall, of the energy there [-]
 };
 
@@ -43,13 +42,13 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
 {
     using State = typename System::State;
     constexpr const auto& tableau = dopri5Tableau;
-    constexpr double hopeless = 100.0; // round-off of the state, in units of the error allowed to a step
+    constexpr double roundOff = 4.0 * std::numeric_limits<double>::epsilon();
 
     State y = start.y;
     auto mode = start.mode;
     const State inverseScale = system.scale().cwiseInverse() / options.tolerance;
     GuardWatch<System> watch(system, mode);
-    ChatterWatch chatter(options.period);
+    ChatterWatch chatter;
     IntegrationResult result;
 
     std::array<State, 7> k;
@@ -75,19 +74,25 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     k[0] = derivative(y);
     ++result.evaluations;
     bool rejected = false;
+    // Of the squares in the error; less where the round-off of a large state is more than the error wanted.
+    const auto weightAt = [&](const State& at) {
+        const double noise = roundOff * roundOff * at.cwiseProduct(inverseScale).squaredNorm();
+        return 1.0 / (double(State::RowsAtCompileTime) * std::max(1.0, noise));
+    };
+    double weight = weightAt(y);
 
     while (t < until) {
         const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
         h = std::min(h, until - t);
         State y1 = stages(h);
-        const double errorSquared = combine<tableau.e, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() / double(State::RowsAtCompileTime);
+        const double errorSquared = combine<tableau.e, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() * weight;
 
         if (!(errorSquared <= 1.0)) { // also when it is no number
             ++result.rejectedSteps;
             rejected = true;
             h *= std::isfinite(errorSquared) ? std::max(0.1, 0.9 * std::pow(errorSquared, -0.1)) : 0.1;
             if (h < smallest) {
-                result.end = y.allFinite() && k[0].allFinite() ? IntegrationEnd::StepUnderflow : IntegrationEnd::Diverged;
+                result.end = std::isfinite(errorSquared) ? IntegrationEnd::StepUnderflow : IntegrationEnd::Diverged;
                 break;
             }
             continue;
@@ -124,7 +129,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             h = length;
         }
 
-        const double t1 = crossing || h < fullLength ? t + h : (until - t <= h ? until : t + h);
+        const double t1 = h < until - t ? t + h : until;
         if (h > 0.0) {
             ++result.steps;
             if (!recorder.step(t1, y1, mode, [&](double s) { return segment.at(s); })) {
@@ -141,7 +146,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             mode = system.beyond(mode, crossing->guard, crossing->upper);
             watch.enter(mode);
             recorder.event(t, crossing->guard, crossing->upper, before, mode);
-            if (chatter.tooMany(t)) {
+            if (chatter.tooMany(t, system.period(y, mode))) {
                 result.end = IntegrationEnd::Chattering;
                 break;
             }
@@ -153,7 +158,8 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             continue;
         }
         k[0] = k[6];
-        if (y.cwiseProduct(inverseScale).norm() * std::numeric_limits<double>::epsilon() > hopeless) {
+        weight = weightAt(y);
+        if (weight == 0.0) {
             result.end = IntegrationEnd::Diverged;
             break;
         }

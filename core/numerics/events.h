@@ -28,25 +28,22 @@ struct Crossing {
     bool upper = false; // through the upper end
 };
 
-/// Counts switches; a run of many within a short time is chattering, not motion.
+/// Counts switches; many within one period of the motion is chattering, not motion.
 class ChatterWatch {
 public:
-    /// `period`: the shortest time scale of the system's own motion [s].
-    explicit ChatterWatch(double period) : window_(period) {}
-    /// True when this switch makes too many.
-    bool tooMany(double time)
+    /// True when this switch is the 65th within `period`, the shortest time scale of the motion where it happens [s].
+    bool tooMany(double time, double period)
     {
         const double oldest = times_[next_];
         times_[next_] = time;
         next_ = (next_ + 1) % times_.size();
-        return time - oldest < window_;
+        return time - oldest < period;
     }
 
 private:
     static constexpr std::size_t most = 64; // switches within one period
     std::array<double, most> times_ = [] { std::array<double, most> a; a.fill(-std::numeric_limits<double>::infinity()); return a; }();
     std::size_t next_ = 0;
-    double window_; // [s]
 };
 
 /// The intervals of the present mode, and how far round-off may carry a guard beyond them.

@@ -16,7 +16,6 @@ namespace touchdown {
 
 struct FixedStepOptions {
     double step = 1e-8;   // [s]
-    double period = 1e-6; // shortest time scale of the system [s]
     double tunnelled = 0.5; // energy made in a step across a wall, of the energy before it, that ends the run [-]
 };
 
@@ -123,7 +122,7 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
     State y = start.y;
     auto mode = start.mode;
     GuardWatch<System> watch(system, mode);
-    ChatterWatch chatter(options.period);
+    ChatterWatch chatter;
     IntegrationResult result;
     const long long count = stepCount(until, options.step);
 
@@ -183,7 +182,7 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
                     mode = system.beyond(mode, crossing->guard, crossing->upper);
                     watch.enter(mode);
                     recorder.event(t, crossing->guard, crossing->upper, before, mode);
-                    if (chatter.tooMany(t)) return IntegrationEnd::Chattering;
+                    if (chatter.tooMany(t, system.period(y, mode))) return IntegrationEnd::Chattering;
                 }
             }
             ++result.steps;

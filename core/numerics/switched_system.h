@@ -38,6 +38,8 @@ concept SwitchedSystem = requires(const S& system, const typename S::State& y, t
     { system.scale() } -> std::same_as<typename S::State>;
     /// True when crossing the guard means to climb a potential wall, which an inaccurate step may jump.
     { system.isWall(guard) } -> std::same_as<bool>;
+    /// Shortest time scale of the motion near y [s].
+    { system.period(y, mode) } -> std::same_as<double>;
     /// Energy [J], and the power that is not its own [W]: dE/dt = power.
     { system.energy(y) } -> std::same_as<double>;
     { system.power(y, mode) } -> std::same_as<double>;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/spring_model.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,9 +11,11 @@ namespace touchdown {
 
 namespace {
 
+/// A spring without stiffness never carries, wherever the slider is: it is not there.
 AirSpring airSpring(const SpringsCase& springs, double stiffness, double staticSpacing)
 {
-    return {.stiffness = stiffness, .staticSpacing = staticSpacing, .cutoff = springs.cutoff};
+    const double cutoff = stiffness > 0.0 ? springs.cutoff : std::numeric_limits<double>::infinity();
+    return {.stiffness = stiffness, .staticSpacing = staticSpacing, .cutoff = cutoff};
 }
 
 double square(double x) { return x * x; }
@@ -80,12 +84,14 @@ SpringModel::SpringModel(const Case& c)
     period_ = fastest > 0.0 ? 2.0 * std::numbers::pi / fastest : c.run.duration;
 
     const double spacing = std::max({std::abs(s.flyingHeight), 1e-3 * std::abs(c.initial.flyingHeight - s.flyingHeight), 1e-10}); // [m]
-    const double arm = std::max({frontDistance_, rearDistance_, padDistance_, 1e-6});                                             // [m]
+    const double arm = std::max({frontDistance_, rearDistance_, std::abs(padDistance_), 1e-6});                                   // [m]
     const double rate = omega > 0.0 ? omega : 1.0 / period_;                                                                      // [1/s]
     scale_ << spacing, spacing / arm, spacing * rate, spacing / arm * rate;
 
-    const double stored = frontStrength + rearStrength + contactStiffness * square(spacing) + suspension.stiffness * square(static_[0]);
-    energyBound_ = 1e4 * (energy(initial_) + stored);
+    double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) + suspension.pitchStiffness * square(static_[1]);
+    if (hasContact_) stored += contactEnergyBound();
+    const double bound = 1e4 * (energy(initial_) + stored);
+    energyBound_ = bound > 0.0 ? bound : std::numeric_limits<double>::infinity();
 }
 
 SpringModel::Mode SpringModel::initialMode() const
@@ -124,7 +130,6 @@ Interval SpringModel::interval(int guard, Mode mode) const
 {
     if (guard == Pad) return hasContact_ ? contact_.interval(mode.contact) : Interval{};
     const AirSpring& spring = guard == Front ? front_ : rear_;
-    if (spring.stiffness == 0.0) return {};
     const bool carries = guard == Front ? mode.frontSpring : mode.rearSpring;
     return carries ? Interval{.lower = spring.cutoff} : Interval{.upper = spring.cutoff};
 }
@@ -134,6 +139,26 @@ SpringModel::Mode SpringModel::beyond(Mode mode, int guard, bool upper) const
     if (guard == Pad) mode.contact = contact_.beyond(mode.contact, upper);
     else (guard == Front ? mode.frontSpring : mode.rearSpring) = upper;
     return mode;
+}
+
+double SpringModel::period(const State& y, Mode mode) const
+{
+    // The larger of the eigenvalues of a 2 x 2 matrix is at most (|trace| + sqrt|trace^2 - 4 determinant|)/2.
+    const Eigen::Matrix2d stiffness = jacobian(y, mode).leftCols<2>(); // [1/s^2] on the diagonal
+    const double trace = std::abs(stiffness.trace());
+    const double largest = 0.5 * (trace + std::sqrt(std::abs(square(trace) - 4.0 * stiffness.determinant())));
+    return largest > 0.0 ? std::min(period_, 2.0 * std::numbers::pi / std::sqrt(largest)) : period_;
+}
+
+double SpringModel::contactEnergyBound() const
+{
+    const OnoYamane& p = case_.onoYamane;
+    const double force = p.initialContactForce + p.meniscusForce;
+    const double start = contact_.storedEnergy(initialMode().contact, separation(initial_));
+    const double pressed = p.contactStiffness > 0.0 ? square(force) / p.contactStiffness : 0.0;
+    // With nothing to push back, the meniscus pulls as long as the run lasts.
+    const double fall = p.contactStiffness > 0.0 ? 0.0 : square(force * case_.run.duration) * (inverseMass_ + square(padDistance_) * inverseInertia_);
+    return start + pressed + fall + force * (p.takeOff - p.touchDown);
 }
 
 double SpringModel::kineticEnergy(const State& y) const
@@ -178,10 +203,10 @@ Eigen::Matrix<double, 2, 4> SpringModel::jacobian(const State& y, Mode mode) con
     return j;
 }
 
-std::string SpringModel::eventName(Mode before, Mode after) const
+std::string SpringModel::eventName(int guard, Mode before, Mode after) const
 {
-    if (before.frontSpring != after.frontSpring) return after.frontSpring ? "front spring caught" : "front spring lost";
-    if (before.rearSpring != after.rearSpring) return after.rearSpring ? "rear spring caught" : "rear spring lost";
+    if (guard == Front) return after.frontSpring ? "front spring caught" : "front spring lost";
+    if (guard == Rear) return after.rearSpring ? "rear spring caught" : "rear spring lost";
     switch (after.contact) {
     case ContactRegion::Apart: return "take-off";
     case ContactRegion::Pressed: return before.contact == ContactRegion::Apart ? "touch-down" : "pressed again";

@@ -81,12 +81,14 @@ public:
     Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const;
 
     /// Shortest time scale of the motion about the static state and in contact [s].
-    double period() const { return period_; }
-    /// An energy that a sane run stays far below [J]; zero if nothing stores energy.
+    double shortestPeriod() const { return period_; }
+    /// That of the motion near y, where an air spring may be much stiffer [s].
+    double period(const State& y, Mode mode) const;
+    /// An energy that a sane run stays far below [J].
     double energyBound() const { return energyBound_; }
 
-    /// "touch-down", "rear spring lost", ...: the switch from one mode to another.
-    std::string eventName(Mode before, Mode after) const;
+    /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
+    std::string eventName(int guard, Mode before, Mode after) const;
 
     static std::vector<Quantity> quantities(const Case& c);
     /// All quantities of one state, in the order of quantities(); `values` has their size.
@@ -118,6 +120,8 @@ private:
     double separation(const State& y) const { return y[0] - padDistance_ * y[1]; }
     double frontSpacing(const State& y) const { return y[0] + frontDistance_ * y[1]; }
     double rearSpacing(const State& y) const { return y[0] - rearDistance_ * y[1]; }
+    /// An energy of the order of the largest that the contact law stores or gives, or more [J].
+    double contactEnergyBound() const;
     double suspensionEnergy(const State& y) const;
     double kineticEnergy(const State& y) const;
     double airSpringEnergy(const State& y) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/numerics/adaptive.h"
 #include "core/numerics/cvode.h"
@@ -29,7 +30,7 @@ SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const st
       callback_(callback),
       points_(samplesInBatch),
       interval_(c.run.sampleInterval),
-      slack_(1e-9 * c.run.sampleInterval),
+      slack_(std::max(1e-9 * c.run.sampleInterval, 4.0 * std::numeric_limits<double>::epsilon() * c.run.duration)),
       duration_(c.run.duration),
       values_(quantities.size()),
       energyColumn_(static_cast<std::size_t>(findQuantity(quantities, "energy"))),
@@ -46,14 +47,12 @@ void SpringRecorder::begin(const State& y, Mode mode)
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
-    for (const int guard : {SpringModel::Front, SpringModel::Rear})
-        if (!(guard == SpringModel::Front ? mode.frontSpring : mode.rearSpring)) lostSince_[guard == SpringModel::Front ? 0 : 1] = 0.0;
 }
 
 void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
 {
     if (guard != SpringModel::Pad) lostSince_[guard == SpringModel::Front ? 0 : 1] = upper ? -1.0 : time;
-    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, model_.eventName(before, after)});
+    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, model_.eventName(guard, before, after)});
 }
 
 void SpringRecorder::lookAtClock()
@@ -87,15 +86,18 @@ void SpringRecorder::flush()
     for (std::size_t i = 0; i < filled_ && verdict_.status == RunStatus::Completed; ++i) {
         const Point& point = points_[i];
         model_.observe(point.y, point.mode, values_.data());
-        if (!judge(point, values_.data())) {
-            last_ = lastGood_;
-            break;
-        }
+        if (!judge(point, values_.data())) break;
         lastGood_ = point;
         batch_.time.push_back(point.time);
         for (std::size_t k = 0; k < values_.size(); ++k) batch_.columns[k].push_back(values_[k]);
     }
     filled_ = 0;
+    // The newest step ends beyond the newest sample, unless it is not yet told to its end.
+    if (verdict_.status == RunStatus::Completed && last_.time > lastGood_.time) {
+        model_.observe(last_.y, last_.mode, values_.data());
+        if (judge(last_, values_.data())) lastGood_ = last_;
+    }
+    last_ = lastGood_;
     if (batchSeen) batchSeen(batch_);
     if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_}) && verdict_.status == RunStatus::Completed) {
         verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
@@ -111,8 +113,8 @@ IntegrationResult integrateSprings(const SpringModel& model, const Case& c, doub
 {
     const Start<SpringModel> start{model.initialState(), model.initialMode()};
     const double until = c.run.duration;
-    const FixedStepOptions fixed{.step = step, .period = model.period()};
-    const AdaptiveOptions adaptive{.tolerance = c.run.tolerance, .firstStep = 1e-3 * model.period(), .period = model.period()};
+    const FixedStepOptions fixed{.step = step};
+    const AdaptiveOptions adaptive{.tolerance = c.run.tolerance, .firstStep = 1e-3 * model.shortestPeriod()};
     recorder.begin(start.y, start.mode);
     switch (c.run.integrator) {
     case IntegratorKind::Rk4: return integrateNaively(model, start, until, fixed, recorder);

@@ -39,9 +39,11 @@ public:
         while (nextTime_ <= t1 + slack_) {
             points_[filled_++] = {nextTime_, nextTime_ >= t1 - slack_ ? y1 : at(nextTime_), mode};
             nextTime_ = double(++index_) * interval_;
-            if (filled_ == points_.size()) flush();
+            if (filled_ == points_.size()) {
+                flush();
+                if (!goOn_) return false;
+            }
         }
-        if (!goOn_) return false;
         last_ = {t1, y1, mode};
         if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
         return goOn_;
@@ -78,7 +80,7 @@ private:
     int stepsSinceLook_ = 0;
     bool goOn_ = true;
     Point last_;
-    Point lastGood_; // the newest sample that was sane
+    Point lastGood_; // the newest that was looked at and sane
     Verdict verdict_;
     SampleBatch batch_;
     std::vector<double> values_;

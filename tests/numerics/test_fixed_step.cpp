@@ -24,7 +24,7 @@ template <class Recorder>
 IntegrationResult integrate(Method method, const System& system, System::State y, double until, double step, Recorder& log)
 {
     const Start<System> start{y, system.naiveMode(y, Mode::Upper)};
-    const FixedStepOptions options{.step = step, .period = 1.0};
+    const FixedStepOptions options{.step = step};
     switch (method) {
     case Naive: return integrateNaively(system, start, until, options, log);
     case Rk4Located: return integrateFixed(system, Rk4Stepper<System>(system), start, until, options, log);

@@ -2,6 +2,7 @@
 #include "core/simulation/spring_model.h"
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <QTest>
@@ -158,7 +159,7 @@ private slots:
         const SpringModel model(c);
         Ledger ledger{.model = model, .work = 0.0, .begin = 0.0, .last = model.initialState(), .events = 0};
         const auto result = integrateAdaptive(model, Start<SpringModel>{model.initialState(), model.initialMode()}, 0.5e-3,
-                                              {.tolerance = 1e-10, .firstStep = 1e-9, .period = model.period()}, ledger);
+                                              {.tolerance = 1e-10, .firstStep = 1e-9}, ledger);
         QCOMPARE(result.end, IntegrationEnd::Reached);
         QVERIFY(ledger.events > 20);
         const double start = model.energy(model.initialState());
@@ -175,9 +176,49 @@ private slots:
         QCOMPARE(model.beyond(free, SpringModel::Rear, false), (Mode{true, false, ContactRegion::Apart}));
         QCOMPARE(model.interval(SpringModel::Rear, free).lower, 0.3e-9);
         QCOMPARE(model.interval(SpringModel::Rear, Mode{true, false, ContactRegion::Apart}).upper, 0.3e-9);
-        QCOMPARE(model.eventName(free, Mode{true, true, ContactRegion::Pressed}), std::string("touch-down"));
-        QCOMPARE(model.eventName(free, Mode{true, false, ContactRegion::Apart}), std::string("rear spring lost"));
-        QCOMPARE(model.eventName(Mode{true, true, ContactRegion::Bridged}, free), std::string("take-off"));
+        QCOMPARE(model.eventName(SpringModel::Pad, free, Mode{true, true, ContactRegion::Pressed}), std::string("touch-down"));
+        QCOMPARE(model.eventName(SpringModel::Rear, free, Mode{true, false, ContactRegion::Apart}), std::string("rear spring lost"));
+        QCOMPARE(model.eventName(SpringModel::Pad, Mode{true, true, ContactRegion::Bridged}, free), std::string("take-off"));
+    }
+
+    /// Several guards may go in one step of the naive method: each has its own name.
+    void eachGuardNamesItsOwnSwitch()
+    {
+        const SpringModel model{Case{}};
+        const Mode after{false, false, ContactRegion::Pressed};
+        QCOMPARE(model.eventName(SpringModel::Pad, Mode{}, after), std::string("touch-down"));
+        QCOMPARE(model.eventName(SpringModel::Front, Mode{}, after), std::string("front spring lost"));
+        QCOMPARE(model.eventName(SpringModel::Rear, Mode{}, after), std::string("rear spring lost"));
+    }
+
+    /// The size of a pitch is that of its effect at the farthest place, on whichever side that is.
+    void scaleKnowsAPadInFront()
+    {
+        Case c;
+        c.onoYamane.padDistance = 0.8e-3;
+        const double behind = SpringModel(c).scale()[1];
+        c.onoYamane.padDistance = -0.8e-3;
+        QCOMPARE(SpringModel(c).scale()[1], behind);
+        QVERIFY(std::abs(behind - 7e-9 / 0.8e-3) < 1e-18);
+    }
+
+    /// Near the wall an air spring is far stiffer than at rest: -dF/dz = k_0 z_0^2 (2 z_0 - z)/z^3.
+    void periodNearTheWall()
+    {
+        Case c;
+        c.contact = ContactKind::None;
+        c.springs.frontStiffness = 0.0;
+        c.springs.rearDistance = c.onoYamane.padDistance = 0.0;
+        c.springs.flyingHeight = 100e-9;
+        c.suspension.stiffness = c.suspension.pitchStiffness = 0.0;
+        const SpringModel model(c);
+        const double k = 1.35e6;
+        const double atRest = 2.0 * std::numbers::pi * std::sqrt(1.6e-6 / k);
+        QVERIFY(std::abs(model.shortestPeriod() / atRest - 1.0) < 1e-12);
+        const State near{1e-9, c.springs.pitch, 0.0, 0.0};
+        const double stiffness = k * 100e-9 * 100e-9 * 199e-9 / 1e-27;
+        QVERIFY(std::abs(model.period(near, model.initialMode()) / (2.0 * std::numbers::pi * std::sqrt(1.6e-6 / stiffness)) - 1.0) < 1e-12);
+        QVERIFY(std::abs(model.period(State{1e-6, c.springs.pitch, 0.0, 0.0}, model.initialMode()) / atRest - 1.0) < 1e-12);
     }
 
     void initialBranchIsTheUsersChoice()

@@ -48,6 +48,7 @@ struct PiecewiseOscillator {
     Mode beyond(Mode, int, bool throughUpper) const { return throughUpper ? Mode::Upper : Mode::Lower; }
     State scale() const { return {1.0, 1.0}; }
     bool isWall(int) const { return wall; }
+    double period(const State&, Mode) const { return 1.0; }
     double energy(const State& y) const
     {
         const Law& at = naiveMode(y, Mode::Upper) == Mode::Upper ? upper : lower;
