@@ -65,7 +65,7 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
     WelchOptions options;
     options.window = spectrum.window;
     options.scaling = spectrum.scaling;
-    options.segment = std::max<std::size_t>(8, static_cast<std::size_t>(std::llround(spectrum.segment / interval)));
+    options.segment = std::max<std::size_t>(8, static_cast<std::size_t>(std::llround(std::min(spectrum.segment / interval, 1e15))));
     options.overlap = spectrum.overlap;
     return options;
 }

@@ -94,6 +94,8 @@ private slots:
         QCOMPARE(welchOptions(spectrum, 1e-7).segment, std::size_t{2000});
         spectrum.segment = 1e-9;
         QCOMPARE(welchOptions(spectrum, 1e-7).segment, std::size_t{8});
+        spectrum.segment = 100.0;
+        QCOMPARE(welchOptions(spectrum, 1e-300).segment, std::size_t{1'000'000'000'000'000}); // all there is
     }
 };
 
