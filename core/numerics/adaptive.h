@@ -100,12 +100,12 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
 
         const double fullLength = h;
         Segment<State> segment = segmentOf(t, h, y1);
-        std::optional<Crossing> crossing = watch.first(segment.c);
+        std::optional<Crossing> crossing = watch.first(segment.c, t);
         if (crossing) {
             double length = crossing->at * h;
             if (t + length > t) {
                 bool crossed = true;
-                y1 = endOnCrossing(watch, *crossing, fullLength, length, crossed, stages);
+                y1 = endOnCrossing(watch, *crossing, t, fullLength, length, crossed, stages);
                 segment = segmentOf(t, length, y1);
                 if (system.isWall(crossing->guard)) {
                     const double before = system.energy(y);

@@ -84,8 +84,15 @@ public:
         return few * size;
     }
 
-    /// The first crossing of a step whose Bernstein coefficients are c.
-    std::optional<Crossing> first(const std::array<State, 5>& c) const
+    /// How near to the boundary a state can be placed at this time [s]: to its own round-off, and that of the time [unit of q].
+    double resolution(const State& y, int guard, double time) const
+    {
+        constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
+        return roundOff(y, guard) + few * time * std::abs(system_.guards(y.template tail<half>())[guard]);
+    }
+
+    /// The first crossing of a step from this time [s] whose Bernstein coefficients are c.
+    std::optional<Crossing> first(const std::array<State, 5>& c, double time) const
     {
         using Guards = Eigen::Matrix<double, System::guardCount, 1>;
         std::array<Guards, 5> g;
@@ -103,8 +110,8 @@ public:
                 if (upper ? highest <= interval.upper : lowest >= interval.lower) continue;
                 std::array<double, 5> inside;
                 for (std::size_t k = 0; k < 5; ++k) inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
-                // On the boundary to round-off, as after a switch: in unless it moves out.
-                if (std::abs(inside[0]) <= roundOff(c[0], i)) inside[0] = inside[1] < 0.0 ? inside[0] - std::abs(inside[0]) : 0.0;
+                // On the boundary, as after a switch: in unless it moves out.
+                if (std::abs(inside[0]) <= resolution(c[0], i, time)) inside[0] = inside[1] < 0.0 ? inside[0] - std::abs(inside[0]) : 0.0;
                 const std::optional<double> at = firstDescent(inside);
                 if (at && (!found || *at < found->at)) found = Crossing{*at, i, upper};
             }
@@ -117,13 +124,13 @@ private:
     std::array<Interval, System::guardCount> intervals_;
 };
 
-/// Shortens a step until it ends on a crossing to round-off.
+/// Shortens a step that begins at `time` [s] until it ends on a crossing to round-off.
 ///
 /// `take(h)` repeats the step with length h and returns its end state; `h` starts at the crossing of the dense
 /// output. Newton's iteration on the length, kept within a bracket. Returns the end state, and false in
 /// `crossed` when the step, taken anew, only grazes the boundary from inside.
 template <SwitchedSystem System, class Take>
-typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double fullLength, double& h, bool& crossed, Take&& take)
+typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double time, double fullLength, double& h, bool& crossed, Take&& take)
 {
     double inner = 0.0;        // longest length known to end inside
     double outer = fullLength; // shortest length taken to end outside
@@ -139,7 +146,7 @@ typename System::State endOnCrossing(const GuardWatch<System>& watch, const Cros
         h = next;
         y = take(h);
     }
-    crossed = watch.inside(y, crossing.guard, crossing.upper) <= watch.roundOff(y, crossing.guard);
+    crossed = watch.inside(y, crossing.guard, crossing.upper) <= watch.resolution(y, crossing.guard, time + h);
     return y;
 }
 

@@ -143,14 +143,14 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
                     rate1.template head<half>() = end.template tail<half>();
                     return hermite(y, rate0, end, rate1, length);
                 };
-                std::optional<Crossing> crossing = watch.first(path(y1, h));
+                std::optional<Crossing> crossing = watch.first(path(y1, h), t);
                 double t1 = gridTime;
                 if (crossing) {
                     double length = crossing->at * h;
                     if (t + length > t) {
                         bool crossed = true;
                         bool solved = true;
-                        y1 = endOnCrossing(watch, *crossing, h, length, crossed, [&](double shorter) {
+                        y1 = endOnCrossing(watch, *crossing, t, h, length, crossed, [&](double shorter) {
                             State end;
                             solved = stepper.step(y, mode, shorter, end) && solved;
                             return end;

@@ -108,7 +108,7 @@ private slots:
         const auto take = [](double h) { return PiecewiseOscillator::State(1.0 - h * h, -2.0 * h); };
         double length = 0.97; // as from an inaccurate dense output
         bool crossed = false;
-        const auto y = endOnCrossing(watch, Crossing{0.97 / 1.5, 0, false}, 1.5, length, crossed, take);
+        const auto y = endOnCrossing(watch, Crossing{0.97 / 1.5, 0, false}, 0.0, 1.5, length, crossed, take);
         QVERIFY(crossed);
         QVERIFY(std::abs(length - 1.0) < 1e-15);
         QVERIFY(std::abs(y[0]) < 1e-14);
@@ -122,7 +122,7 @@ private slots:
         const auto take = [](double h) { return PiecewiseOscillator::State(1e-6 + (h - 0.5) * (h - 0.5), 2.0 * (h - 0.5)); };
         double length = 0.49;
         bool crossed = true;
-        const auto y = endOnCrossing(watch, Crossing{0.49, 0, false}, 1.0, length, crossed, take);
+        const auto y = endOnCrossing(watch, Crossing{0.49, 0, false}, 0.0, 1.0, length, crossed, take);
         QVERIFY(!crossed);
         QVERIFY(y[0] > 0.0);
         QVERIFY(length > 0.0 && length <= 1.0);
@@ -135,10 +135,10 @@ private slots:
         std::array<PiecewiseOscillator::State, 5> down;
         const Coefficients c = quadratic(0.5, -1.0, 0.0);
         for (std::size_t k = 0; k < 5; ++k) down[k] = {c[k], -1.0};
-        const std::optional<Crossing> lower = watch.first(down);
+        const std::optional<Crossing> lower = watch.first(down, 0.0);
         QVERIFY(lower && !lower->upper && std::abs(lower->at - 0.5) < 1e-15);
         watch.enter(PiecewiseOscillator::Mode::Lower); // now q must stay below 0: the step starts outside
-        const std::optional<Crossing> upper = watch.first(down);
+        const std::optional<Crossing> upper = watch.first(down, 0.0);
         QVERIFY(upper && upper->upper && upper->at == 0.0);
     }
 };

@@ -183,6 +183,20 @@ private slots:
         QVERIFY(log.last().allFinite());
     }
 
+    /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q = 0:
+    /// still one switch, whichever side of the boundary the step ends on.
+    void aFastCrossingIsOneSwitch()
+    {
+        const PiecewiseOscillator flight = switchedOscillator({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+        for (int i = 0; i < 100; ++i) {
+            Log log;
+            const double height = 1e6 * (1.0 + 0.0037 * i);
+            QCOMPARE(integrate(Rk4Located, flight, {height, -1e6}, 2.0, 0.7, log).end, IntegrationEnd::Reached);
+            QCOMPARE(log.events.size(), std::size_t{1});
+            QVERIFY(std::abs(log.events[0].time - height / 1e6) < 1e-14);
+        }
+    }
+
     void chatteringEnds()
     {
         const PiecewiseOscillator sliding = switchedOscillator({-1.0, 0.0, 2.0}, {1.0, 0.0, 2.0});
