@@ -90,6 +90,13 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     refresh();
 }
 
+CasePanel::~CasePanel()
+{
+    // An editor that loses the focus as it goes ends its edit, when there is nobody left to take it.
+    for (const Group& group : groups_)
+        for (FieldEditor* editor : group.editors) editor->disconnect(this);
+}
+
 void CasePanel::buildPresets()
 {
     preset_->setAccessibleName(tr("Sample case"));

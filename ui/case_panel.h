@@ -26,6 +26,7 @@ class CasePanel : public QWidget {
 public:
     /// `edits` must outlive the panel.
     explicit CasePanel(CaseEdits& edits, QWidget* parent = nullptr);
+    ~CasePanel() override;
 
     /// The sample case that was opened, or an empty name for another one; edits turn it to "Custom".
     void setPreset(const QString& sampleName);

@@ -156,6 +156,7 @@ void LivePlots::removeRun(int number)
 
 void LivePlots::rebuild()
 {
+    noteHiddenCurves();
     for (int row = 0; row < runs_.count(); ++row) addCurves(runs_.record(row));
     drawn_.clear();
     for (int row = 0; row < runs_.count(); ++row)
@@ -188,20 +189,21 @@ void LivePlots::addCurves(const RunRecord& run)
             curve.style = RunsModel::style(run);
             if (!single) curve.style.colour = static_cast<int>(i) == 4 ? 6 : static_cast<int>(i);
             curve.data = samples;
-            curve.visible = run.shown && curveWanted(*plot, wanted.quantity, wanted.visible);
+            curve.visible = run.shown && wanted_.try_emplace(wanted.quantity, wanted.visible).first->second;
             plot->addCurve(curve);
         }
     }
 }
 
-/// What the user chose in the plot's menu holds for the runs that come.
-bool LivePlots::curveWanted(const PlotWidget& plot, const std::string& quantity, bool otherwise) const
+/// What the user chose in the plots' menus holds for the runs that come.
+void LivePlots::noteHiddenCurves()
 {
-    const QString suffix = QLatin1Char('/') + QString::fromStdString(quantity);
-    for (const int number : drawn_)
-        for (const PlotCurve& curve : plot.curves())
-            if (curve.id == QStringLiteral("run %1").arg(number) + suffix) return curve.visible;
-    return otherwise;
+    for (const int number : drawn_) {
+        const QString prefix = QStringLiteral("run %1/").arg(number);
+        for (const Entry& entry : entries_)
+            for (const PlotCurve& curve : entry.plot->curves())
+                if (curve.id.startsWith(prefix)) wanted_[curve.id.mid(prefix.size()).toStdString()] = curve.visible;
+    }
 }
 
 /// The pyramid to draw: the run's own, or its difference to the baseline; nullptr for nothing.

@@ -55,7 +55,7 @@ private:
     void removeRun(int number);
     void rebuild();
     void addCurves(const RunRecord& run);
-    bool curveWanted(const PlotWidget& plot, const std::string& quantity, bool otherwise) const;
+    void noteHiddenCurves();
     const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
     void updateMarks();
     void updateVisibility();
@@ -65,7 +65,8 @@ private:
     PlotGroup* group_;
     std::vector<Entry> entries_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
-    std::set<int> drawn_; // numbers of the runs that were shown when curves were last made
+    std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
+    std::map<std::string, bool> wanted_; // by quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;
 };
 

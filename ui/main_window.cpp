@@ -60,7 +60,15 @@ MainWindow::MainWindow(QWidget* parent)
     updateTitle();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // What shows the runs and the case goes before them: they are members, and those go before child widgets.
+    edits_.undoStack().disconnect(this);
+    runs_.disconnect(this);
+    controller_.disconnect(this);
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+    delete takeCentralWidget();
+}
 
 void MainWindow::buildCentre()
 {
