@@ -37,6 +37,7 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     : QWidget(parent), group_(group), times_(new QLabel(this)), table_(new QTableWidget(0, columnCount, this))
 {
     times_->setContentsMargins(6, 4, 6, 4);
+    times_->setWordWrap(true);
     times_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     times_->setAccessibleName(tr("Times of the cursors"));
     table_->setAccessibleName(tr("Values at the cursors"));
@@ -44,8 +45,6 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setMinimumSectionSize(
-        fontMetrics().horizontalAdvance(QStringLiteral("\u22120000.0000")));
     for (int column = 0; column < columnCount; ++column) {
         const bool text = column == nameColumn || column == unitColumn;
         table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) |
@@ -105,19 +104,23 @@ void CursorTable::fill()
         put(row, unitColumn, y.label.unit);
     }
 
+    // The second cursor's columns come with it: without them the names have room.
+    const bool second = group_->cursor(1).has_value();
+    table_->setColumnHidden(secondColumn, !second);
+    table_->setColumnHidden(differenceColumn, !second);
+
     QStringList parts;
     const PlotAxis* x = readings.empty() ? nullptr : &readings.front().plot->xAxis();
-    const auto first = group_->cursor(0);
-    const auto second = group_->cursor(1);
+    const auto t1 = group_->cursor(0);
+    const auto t2 = group_->cursor(1);
     const auto time = [&](const QString& symbol, double value) {
         parts += QStringLiteral("%1 = %2 %3").arg(symbol, x->number(value), x->label.unit);
     };
-    if (x != nullptr && first) time(QStringLiteral("t\u2081"), *first);
-    if (x != nullptr && second) time(QStringLiteral("t\u2082"), *second);
-    if (x != nullptr && first && second) {
-        time(QStringLiteral("\u0394t"), *second - *first);
-        if (*first != *second)
-            parts += QStringLiteral("1/\u0394t = ") + frequencyText(1.0 / std::abs(*second - *first));
+    if (x != nullptr && t1) time(QStringLiteral("t\u2081"), *t1);
+    if (x != nullptr && t2) time(QStringLiteral("t\u2082"), *t2);
+    if (x != nullptr && t1 && t2) {
+        time(QStringLiteral("\u0394t"), *t2 - *t1);
+        if (*t1 != *t2) parts += QStringLiteral("1/\u0394t = ") + frequencyText(1.0 / std::abs(*t2 - *t1));
     }
     times_->setText(parts.isEmpty() ? tr("Move over a plot; click sets cursor 1, Shift + click cursor 2.")
                                     : parts.join(QStringLiteral("    ")));

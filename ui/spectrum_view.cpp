@@ -41,20 +41,24 @@ SpectrumView::SpectrumView(QWidget* parent)
       segment_(new QComboBox(this)),
       overlap_(new QSpinBox(this)),
       scaling_(new QComboBox(this)),
-      logFrequency_(new QCheckBox(tr("Log &frequency"), this))
+      logFrequency_(new QCheckBox(tr("&Log"), this))
 {
     window_->addItem(tr("Hann"), static_cast<int>(SpectrumWindow::Hann));
     window_->addItem(tr("Hamming"), static_cast<int>(SpectrumWindow::Hamming));
     window_->addItem(tr("Blackman"), static_cast<int>(SpectrumWindow::Blackman));
     window_->addItem(tr("Flat top"), static_cast<int>(SpectrumWindow::FlatTop));
     window_->addItem(tr("Rectangular"), static_cast<int>(SpectrumWindow::Rectangular));
-    for (int samples = 256; samples <= 65536; samples *= 2) segment_->addItem(QString::number(samples), samples);
+    for (int samples = 256; samples <= 65536; samples *= 2) segment_->addItem(tr("%1 pts").arg(samples), samples);
     overlap_->setRange(0, 95);
     overlap_->setSingleStep(5);
-    overlap_->setSuffix(QStringLiteral(" %"));
+    overlap_->setSuffix(tr(" % overlap"));
     overlap_->setKeyboardTracking(false);
     scaling_->addItem(tr("Density"), static_cast<int>(SpectrumScaling::Density));
     scaling_->addItem(tr("Amplitude"), static_cast<int>(SpectrumScaling::Amplitude));
+    quantity_->setToolTip(tr("Quantity whose spectrum is shown"));
+    logFrequency_->setToolTip(tr("Logarithmic frequency axis"));
+    logFrequency_->setAccessibleName(tr("Logarithmic frequency axis"));
+    window_->setToolTip(tr("Window that each segment is multiplied with"));
     segment_->setToolTip(tr("Samples in each segment: more resolve finer, fewer average more"));
     overlap_->setToolTip(tr("Of neighbouring segments"));
     scaling_->setToolTip(tr("Density: its integral over frequency is the mean square. "
@@ -65,21 +69,18 @@ SpectrumView::SpectrumView(QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     row->setContentsMargins(6, 4, 6, 4);
-    const auto addField = [&](const QString& text, QWidget* field) {
-        auto* label = new QLabel(text, this);
-        label->setBuddy(field);
-        field->setAccessibleName(QString(text).remove(u'&'));
-        row->addWidget(label);
-        row->addWidget(field);
-        row->addSpacing(8);
+    // What each box holds says what it is for: labels would make the window too wide for a small screen.
+    const auto addField = [&](const QString& name, QWidget* field, int stretch) {
+        field->setAccessibleName(name);
+        row->addWidget(field, stretch);
     };
-    addField(tr("&Quantity"), quantity_);
-    addField(tr("&Window"), window_);
-    addField(tr("Se&gment"), segment_);
-    addField(tr("Over&lap"), overlap_);
-    addField(tr("S&caling"), scaling_);
+    addField(tr("Quantity"), quantity_, 3);
+    addField(tr("Window"), window_, 1);
+    addField(tr("Segment"), segment_, 1);
+    addField(tr("Overlap"), overlap_, 1);
+    addField(tr("Scaling"), scaling_, 1);
+    row->addSpacing(6);
     row->addWidget(logFrequency_);
-    row->addStretch();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -91,7 +92,8 @@ SpectrumView::SpectrumView(QWidget* parent)
     plot_->setXLabel({tr("Frequency"), QStringLiteral("kHz"), kilohertz, AxisScale::Linear});
     updateAxes();
     for (QComboBox* box : {quantity_, window_, segment_, scaling_}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(box == quantity_ ? 12 : 6);
         connect(box, &QComboBox::currentIndexChanged, this, &SpectrumView::request);
     }
     connect(overlap_, &QSpinBox::valueChanged, this, &SpectrumView::request);
@@ -139,7 +141,7 @@ void SpectrumView::setOptions(const WelchOptions& options)
     const int samples = static_cast<int>(options.segment);
     if (segment_->findData(samples) < 0) {
         const QSignalBlocker quiet(segment_);
-        segment_->addItem(QString::number(samples), samples);
+        segment_->addItem(tr("%1 pts").arg(samples), samples);
     }
     choose(segment_, samples);
     choose(window_, static_cast<int>(options.window));
@@ -170,7 +172,7 @@ void SpectrumView::updateAxes()
         plot_->setTitle(tr("Spectrum: %1").arg(QString::fromStdString(q.longName)));
     }
     if (options().scaling == SpectrumScaling::Density) {
-        label.title = tr("Power density");
+        label.title = tr("Density");
         label.unit += QStringLiteral("/Hz");
     }
     plot_->setYLabel(label);

@@ -455,10 +455,10 @@ void TestMainWindow::changesThemeAndFont()
     QCOMPARE(QApplication::font().pointSize(), before + 5);
     for (QAction* action : f.window.actions().theme->actions())
         if (action->data() == QStringLiteral("dark")) action->trigger();
-    QVERIFY(isDark(f.window.palette()));
-    QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
+    QTRY_VERIFY(isDark(f.window.palette()));
+    QTRY_VERIFY(f.window.plots().plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
     applyTheme(Theme::Light);
-    QVERIFY(!isDark(f.window.palette()));
+    QTRY_VERIFY(!isDark(f.window.palette()));
 }
 
 void TestMainWindow::exportsThePage()

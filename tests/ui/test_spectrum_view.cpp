@@ -141,7 +141,7 @@ void TestSpectrumView::peaksAreLabelledInKilohertz()
 
 void TestSpectrumView::unitsFollowQuantityAndScaling()
 {
-    QCOMPARE(view_->plot()->yAxis().text(), QStringLiteral("Power density [nm\u00b2/Hz]"));
+    QCOMPARE(view_->plot()->yAxis().text(), QStringLiteral("Density [nm\u00b2/Hz]"));
     QVERIFY(std::abs(view_->plot()->yAxis().label.factor - 1e-18) < 1e-30);
     WelchOptions options;
     options.scaling = SpectrumScaling::Amplitude;
