@@ -90,8 +90,7 @@ SpringModel::SpringModel(const Case& c)
 
     double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) + suspension.pitchStiffness * square(static_[1]);
     if (hasContact_) stored += contactEnergyBound();
-    const double bound = 1e4 * (energy(initial_) + stored);
-    energyBound_ = bound > 0.0 ? bound : std::numeric_limits<double>::infinity();
+    energyBound_ = 1e4 * (energy(initial_) + stored);
 }
 
 SpringModel::Mode SpringModel::initialMode() const

@@ -34,6 +34,15 @@ private slots:
         QVERIFY(std::abs(y1[0] - ((1.0 - x) * 0.7 - 0.8 * 0.2) / (1.0 + x)) < 1e-15);
         QVERIFY(std::abs(y1[1] - ((1.0 - x) * -0.2 - 0.8 * 0.7) / (1.0 + x)) < 1e-15);
     }
+    /// Newton's iteration with the right derivatives solves a linear step at once: a0, the residual, and the look that it is zero.
+    void aLinearStepTakesOneIteration()
+    {
+        const PiecewiseOscillator oscillator = smoothOscillator({0.3, 1.0, 2.0});
+        NewmarkStepper<PiecewiseOscillator> stepper(oscillator, {});
+        PiecewiseOscillator::State y1;
+        QVERIFY(stepper.step({0.7, -0.2}, PiecewiseOscillator::Mode::Upper, 0.8, y1));
+        QCOMPARE(stepper.evaluations, 3LL);
+    }
     /// A nonlinear step satisfies Newmark's equations and the equation of motion at its end.
     void oneNonlinearStep()
     {

@@ -114,6 +114,10 @@ private slots:
         QVERIFY(near(law.storedEnergy(Lifting, 3.5e-9), 0.5 * 2.5e-3 * 0.5e-9, 1e-25));
         QCOMPARE(law.storedEnergy(Bridged, 4.5e-9), 0.0);
         QCOMPARE(law.storedEnergy(Apart, 2.0e-9), 0.0);
+        // Let go at d_e = 3.5 nm with 2.5 mN left: (10 + 2.5)/2 mN over 1.5 nm.
+        OnoYamane early;
+        early.takeOff = 3.5e-9;
+        QVERIFY(near(OnoYamaneLaw(early).storedEnergy(Pressed, 2e-9), 9.375e-12, 1e-25));
     }
 
     void regionsOfNoWidthAreSteppedOver_data()
