@@ -111,7 +111,8 @@ public:
                 std::array<double, 5> inside;
                 for (std::size_t k = 0; k < 5; ++k) inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
                 // On the boundary, as after a switch: in unless it moves out.
-                if (std::abs(inside[0]) <= resolution(c[0], i, time)) inside[0] = inside[1] < 0.0 ? inside[0] - std::abs(inside[0]) : 0.0;
+                if (const double start = inside[0]; std::abs(start) <= resolution(c[0], i, time))
+                    for (double& distance : inside) distance -= start;
                 const std::optional<double> at = firstDescent(inside);
                 if (at && (!found || *at < found->at)) found = Crossing{*at, i, upper};
             }

@@ -133,6 +133,21 @@ private slots:
         QVERIFY(log.last().allFinite());
     }
 
+    /// At rest on the boundary but for round-off, on either side, and pushed up by both laws: at most the one switch that is due.
+    void aStartOnTheBoundaryIsNoChatter()
+    {
+        const PiecewiseOscillator pushed = switchedOscillator({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+        for (const double q : {-3e-15, -1e-16, -1e-30, 0.0, 1e-30, 1e-16, 3e-15}) {
+            for (const Mode mode : {Mode::Upper, Mode::Lower}) {
+                Log log;
+                const auto result = integrateAdaptive(pushed, Start<PiecewiseOscillator>{{q, 0.0}, mode}, 2.0, {.tolerance = 1e-8, .firstStep = 1e-3}, log);
+                QCOMPARE(result.end, IntegrationEnd::Reached);
+                QCOMPARE(log.events.size(), std::size_t{mode == Mode::Lower});
+                QVERIFY(std::abs(log.last()[0] - 2.0) < 1e-13);
+            }
+        }
+    }
+
     /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q = 0:
     /// still one switch, whichever side of the boundary the step ends on.
     void aFastCrossingIsOneSwitch()
