@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/case_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <QFileDialog>
@@ -28,6 +29,7 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
         for (const SampleCase& sample : sampleCases())
             if (sample.name == document.name) sample_ = QString::fromStdString(sample.name);
     text_ = document.text;
+    saved_ = document.value;
     edits_.open(document.value);
     if (!file.isEmpty()) remember(file);
     emit opened();
@@ -120,7 +122,11 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
 
 bool CaseFiles::modified() const
 {
-    return !edits_.undoStack().isClean();
+    if (edits_.undoStack().isClean()) return false;
+    // Values that were changed and changed back leave nothing to save.
+    return std::ranges::any_of(fields(), [this](const Field& field) {
+        return edits_.badEntry(field) != nullptr || field.get(edits_.value()) != field.get(saved_);
+    });
 }
 
 QString CaseFiles::shortName() const
@@ -150,6 +156,7 @@ bool CaseFiles::write(const QString& file)
     file_ = QFileInfo(file).absoluteFilePath();
     sample_.clear();
     text_ = text;
+    saved_ = edits_.value();
     edits_.undoStack().setClean();
     remember(file_);
     emit saved();

@@ -62,7 +62,8 @@ private:
     QWidget& window_;
     QString file_;
     QString sample_;
-    std::string text_; // as opened
+    std::string text_; // as opened or saved
+    Case saved_;       // the values in it
     std::function<void()> afterSave_;
 };
 

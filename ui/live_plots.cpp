@@ -99,6 +99,9 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(
     connect(&runs_, &RunsModel::shownChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
         differences_.clear();
+        const int baseline = runs_.baseline();
+        for (const Entry& entry : entries_)
+            entry.plot->setTitle(baseline < 0 ? entry.title : tr("%1 minus run %2").arg(entry.title).arg(baseline));
         rebuild();
         group_->fit();
     });

@@ -148,6 +148,7 @@ void MainWindow::connectFiles()
     connect(runFiles_, &RunFiles::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
     connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
 }
 

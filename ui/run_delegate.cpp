@@ -83,8 +83,7 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->drawText(top, Qt::AlignRight | Qt::AlignVCenter, result);
     painter->setFont(item.font);
     painter->setPen(ink);
-    QString name = index.data(Qt::DisplayRole).toString();
-    if (index.data(RunsModel::BaselineRole).toBool()) name += tr("  (baseline)");
+    const QString name = index.data(Qt::DisplayRole).toString();
     painter->drawText(top.adjusted(0, 0, -resultWidth - 8, 0), Qt::AlignLeft | Qt::AlignVCenter,
                       item.fontMetrics.elidedText(name, Qt::ElideRight, top.width() - resultWidth - 8));
 
@@ -93,8 +92,10 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->setFont(small);
     painter->setPen(meaning.muted);
     QRect line(left, inner.top() + height + 1, top.width(), metrics.height());
+    QString changes = index.data(RunsModel::ChangesRole).toString();
+    if (index.data(RunsModel::BaselineRole).toBool()) changes = tr("baseline \u00b7 %1").arg(changes);
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                      metrics.elidedText(index.data(RunsModel::ChangesRole).toString(), Qt::ElideRight, line.width()));
+                      metrics.elidedText(changes, Qt::ElideRight, line.width()));
     const QString note = index.data(RunsModel::NoteRole).toString();
     if (!note.isEmpty()) {
         line.translate(0, metrics.height());

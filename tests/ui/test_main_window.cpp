@@ -70,6 +70,7 @@ private slots:
     void keepsCommentsWhenSaving();
     void asksAboutUnsavedChanges_data();
     void asksAboutUnsavedChanges();
+    void changedBackIsUnchanged();
     void closesOnlyWhenSettled();
     void showsProblemsOfABadFile();
     void takesDroppedFiles();
@@ -279,7 +280,9 @@ void TestMainWindow::subtractsABaseline()
     QVERIFY(extremes);
     QCOMPARE(extremes->low, 0.0);
     QCOMPARE(extremes->high, 0.0);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch minus run 1"));
     f.window.runs().setBaseline(-1);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
     QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->curves().size(), std::size_t(2));
 }
 
@@ -377,6 +380,23 @@ void TestMainWindow::asksAboutUnsavedChanges()
     box->button(static_cast<QMessageBox::StandardButton>(answer))->click();
     QCOMPARE(f.window.files().sample(), opened ? QStringLiteral("fig11a") : QStringLiteral("fig10a"));
     QCOMPARE(f.window.files().modified(), !opened);
+}
+
+void TestMainWindow::changedBackIsUnchanged()
+{
+    Fixture f;
+    const QString before = QString::fromStdString(f.window.files().text());
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    QVERIFY(f.window.isWindowModified());
+    f.edit("springs.flying_height", QStringLiteral("much"));
+    QVERIFY(f.window.isWindowModified());
+    f.edit("springs.flying_height", QStringLiteral("7"));
+    QVERIFY(!f.window.files().modified());
+    QVERIFY(!f.window.isWindowModified());
+    QCOMPARE(QString::fromStdString(f.window.files().text()), before);
+    f.window.files().open(QStringLiteral("fig11a")); // without a question
+    QVERIFY(!f.box("unsavedChanges"));
+    QCOMPARE(f.window.files().sample(), QStringLiteral("fig11a"));
 }
 
 void TestMainWindow::closesOnlyWhenSettled()
