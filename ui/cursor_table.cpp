@@ -41,7 +41,7 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     times_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     times_->setAccessibleName(tr("Times of the cursors"));
     table_->setAccessibleName(tr("Values at the cursors"));
-    table_->setHorizontalHeaderLabels({tr("Quantity"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference"), tr("Unit")});
+    table_->setHorizontalHeaderLabels({tr("Quantity"), tr("At 1"), tr("At 2"), tr("2 \u2212 1"), tr("Unit")});
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     table_->horizontalHeader()->setHighlightSections(false);
@@ -95,9 +95,11 @@ void CursorTable::fill()
     for (int row = 0; row < table_->rowCount(); ++row) {
         const CursorReading& reading = readings[static_cast<std::size_t>(row)];
         const PlotAxis& y = reading.plot->yAxis();
-        const auto number = [&](std::optional<double> value) { return value ? y.number(*value) : QString(); };
+        const auto number = [&](std::optional<double> value) { return value ? y.reading(*value) : QString(); };
         const bool both = reading.first && reading.second;
-        put(row, nameColumn, reading.name)->setIcon(lineSample(reading.style, theme));
+        QTableWidgetItem* name = put(row, nameColumn, reading.name);
+        name->setIcon(lineSample(reading.style, theme));
+        name->setToolTip(reading.name);
         put(row, firstColumn, number(reading.first));
         put(row, secondColumn, number(reading.second));
         put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());
@@ -114,13 +116,13 @@ void CursorTable::fill()
     const auto t1 = group_->cursor(0);
     const auto t2 = group_->cursor(1);
     const auto time = [&](const QString& symbol, double value) {
-        parts += QStringLiteral("%1 = %2 %3").arg(symbol, x->number(value), x->label.unit);
+        parts += QStringLiteral("%1\u00a0=\u00a0%2\u00a0%3").arg(symbol, x->number(value), x->label.unit);
     };
     if (x != nullptr && t1) time(QStringLiteral("t\u2081"), *t1);
     if (x != nullptr && t2) time(QStringLiteral("t\u2082"), *t2);
     if (x != nullptr && t1 && t2) {
         time(QStringLiteral("\u0394t"), *t2 - *t1);
-        if (*t1 != *t2) parts += QStringLiteral("1/\u0394t = ") + frequencyText(1.0 / std::abs(*t2 - *t1));
+        if (*t1 != *t2) parts += QStringLiteral("1/\u2060\u0394t\u00a0=\u00a0") + frequencyText(1.0 / std::abs(*t2 - *t1));
     }
     times_->setText(parts.isEmpty() ? tr("Move over a plot; click sets cursor 1, Shift + click cursor 2.")
                                     : parts.join(QStringLiteral("    ")));

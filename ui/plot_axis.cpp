@@ -15,6 +15,18 @@ constexpr double mostDecades = 14.0;
 
 int decimalsFor(double step) { return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12); }
 
+/// A unit with an SI prefix times a power of 1000 as the next unit: "ms", -3 gives "\u00b5s"; empty where there is none.
+QString withPrefix(const QString& unit, int exponent)
+{
+    static const QString prefixes = QStringLiteral("fpn\u00b5m kMG"); // the blank: the unit itself
+    static const QStringList bases{"m", "s", "N", "J", "Hz", "rad", "Pa"};
+    const QString base = unit.mid(1);
+    const qsizetype place = unit.isEmpty() || !bases.contains(base) ? -1 : prefixes.indexOf(unit[0]);
+    const qsizetype wanted = place + exponent / 3;
+    if (place < 0 || wanted < 0 || wanted >= prefixes.size()) return {};
+    return prefixes[wanted] == u' ' ? base : prefixes[wanted] + base;
+}
+
 double magnitude(const PlotRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
 } // namespace
@@ -158,7 +170,9 @@ QString PlotAxis::text() const
             const QChar sign(how.offset < 0.0 ? u'+' : u'\u2212');
             text += QStringLiteral(" %1 %2").arg(sign).arg(typeset(std::abs(how.offset), how.offsetDecimals));
         }
-        if (how.exponent != 0)
+        if (const QString prefixed = withPrefix(unit, how.exponent); !prefixed.isEmpty())
+            unit = prefixed;
+        else if (how.exponent != 0)
             unit = unit.isEmpty() ? powerOfTen(how.exponent) : powerOfTen(how.exponent) + u' ' + unit;
     }
     if (unit.isEmpty()) return text;
@@ -176,6 +190,16 @@ QString PlotAxis::number(double value) const
     }
     const double resolution = range_.width() / label.factor / 1000.0;
     return typeset(shown, resolution > 0.0 && resolution < 1.0 ? decimalsFor(resolution) : 0);
+}
+
+QString PlotAxis::reading(double value) const
+{
+    const double shown = value / label.factor;
+    const double coarse = range_.width() / label.factor / 1000.0;
+    if (logarithmic() || !(coarse > 0.0) || magnitude(range_) / label.factor >= 1e6 || std::abs(shown) < 1e-3 * coarse)
+        return number(value);
+    const int decimals = coarse < 1.0 ? decimalsFor(coarse) : 0;
+    return typeset(shown, std::clamp(decimalsFor(std::abs(shown) / 1000.0), decimals, decimals + 3));
 }
 
 PlotRange autoscaled(const PlotRange& data, const PlotRange& current, AxisScale scale, double unit)

@@ -50,6 +50,8 @@ public:
 
     /// A number of this axis in its display unit with digits that resolve a thousandth of the range: "7.013".
     QString number(double value) const;
+    /// The same with four digits of a value that is small beside the range, as long as it is above a millionth of it.
+    QString reading(double value) const;
 
 private:
     /// What keeps the numbers short: shown = value / (factor 10^exponent) - offset.

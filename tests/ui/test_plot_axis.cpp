@@ -31,6 +31,7 @@ private slots:
     void ticksAreRoundNumbers();
     void farZoomKeepsNumbersShort();
     void titleHoldsUnitAndPower();
+    void readingKeepsFourDigits();
     void decimalComma();
     void logarithmicPositions();
     void rangesThatCannotBeDrawn();
@@ -86,6 +87,19 @@ void TestPlotAxis::farZoomKeepsNumbersShort()
     QCOMPARE(axis.text(), QStringLiteral("Time %1 1.250000 [ms]").arg(minus));
 }
 
+// A range of 300 nm resolves 0.3 nm with one decimal; a rest of 3.837 nm on it is read with four digits, a rounding error
+// as zero.
+void TestPlotAxis::readingKeepsFourDigits()
+{
+    PlotAxis axis;
+    axis.label = {"Minimum spacing", "nm", 1e-9, AxisScale::Linear};
+    axis.setRange({-50e-9, 250e-9});
+    QCOMPARE(axis.reading(3.8369e-9), QStringLiteral("3.837"));
+    QCOMPARE(axis.reading(123.456e-9), QStringLiteral("123.5"));
+    QCOMPARE(axis.reading(0.012345e-9), QStringLiteral("0.0123"));
+    QCOMPARE(axis.reading(1e-20).toDouble(), 0.0);
+}
+
 void TestPlotAxis::titleHoldsUnitAndPower()
 {
     PlotAxis axis;
@@ -96,6 +110,13 @@ void TestPlotAxis::titleHoldsUnitAndPower()
     axis.label.factor = 1e-9;
     axis.label.unit = "nJ";
     QCOMPARE(axis.text(), QStringLiteral("Energy [nJ]"));
+    axis.label = {"Time", "ms", 1e-3, AxisScale::Linear};
+    axis.setRange({0.0, 8e-6}); // 8 us: no power before a unit that has a prefix
+    QCOMPARE(axis.text(), QStringLiteral("Time [\u00b5s]"));
+    QCOMPARE(texts(axis, 6).last(), QStringLiteral("8"));
+    axis.label = {"Density", "ms\u00b2/Hz", 1e-6, AxisScale::Linear};
+    axis.setRange({0.0, 8e-9}); // 0.008 of a unit whose prefix stands under a square
+    QCOMPARE(axis.text(), QStringLiteral("Density [10\u207b\u00b3 ms\u00b2/Hz]"));
     axis.label = {"", "", 1.0, AxisScale::Linear};
     axis.setRange({0.0, 1.0});
     QCOMPARE(axis.text(), QString());

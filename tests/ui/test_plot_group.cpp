@@ -244,7 +244,7 @@ void TestPlotGroup::tableShowsDifferences()
     group_->setCursor(1, 7e-4);
     // 1 / 0.5 ms = 2 kHz, with a space that does not break.
     QTRY_VERIFY2(table.timeText().simplified().contains("= 2.000 kHz"), qPrintable(table.timeText()));
-    QVERIFY(table.timeText().contains("= 0.500 ms"));
+    QVERIFY(table.timeText().simplified().contains("= 0.500 ms"));
     QCOMPARE(table.table()->rowCount(), 2);
     QCOMPARE(table.table()->item(0, 0)->text(), QStringLiteral("Spacing"));
     QCOMPARE(table.table()->item(0, 1)->text().toDouble(), 10.2);
