@@ -52,6 +52,7 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     }
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    table_->setTextElideMode(Qt::ElideLeft); // "…Air springs, run 2" tells more than "Energy: …"
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -156,6 +157,7 @@ void CursorTable::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) scheduleUpdate();
+    if (event->type() == QEvent::FontChange) table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
 }
 
 } // namespace touchdown

@@ -56,8 +56,9 @@ QPalette lightPalette()
 
 QPalette darkPalette()
 {
-    return paletteOf({"#22262b", "#1a1d21", "#262b31", "#30363d", "#e4e8ec", "#8a939d", "#2f7fc4", "#ffffff", "#6db3ee",
-                      "#2f353c", "#454c55"});
+    // Fusion draws no lighter frame round a field or a check box: the panel must be clearly lighter than the base in them.
+    return paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1", "#2f7fc4", "#ffffff", "#6db3ee",
+                      "#2f353c", "#545c66"});
 }
 
 } // namespace

@@ -476,6 +476,9 @@ void TestMainWindow::changesThemeAndFont()
     for (QAction* action : f.window.actions().theme->actions())
         if (action->data() == QStringLiteral("dark")) action->trigger();
     QTRY_VERIFY(isDark(f.window.palette()));
+    // Fields and check boxes have only the base to stand out by; 16 of 255 is what an eye still sees on a projector.
+    const QPalette dark = f.window.palette();
+    QVERIFY(dark.color(QPalette::Window).lightness() - dark.color(QPalette::Base).lightness() >= 16);
     QTRY_VERIFY(f.window.plots().plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
     applyTheme(Theme::Light);
     QTRY_VERIFY(!isDark(f.window.palette()));

@@ -251,6 +251,10 @@ void TestPlotGroup::tableShowsDifferences()
     QCOMPARE(table.table()->item(0, 3)->text().toDouble(), 0.5);
     QCOMPARE(table.table()->item(0, 4)->text(), QStringLiteral("nm"));
     QVERIFY(table.table()->item(1, 3)->text().startsWith(QChar(0x2212))); // pitch falls by 5 urad
+    QFont large = table.font();
+    large.setPointSize(2 * large.pointSize());
+    table.setFont(large);
+    QTRY_VERIFY(table.table()->rowHeight(0) >= QFontMetrics(large).height());
     const QStringList lines = table.asText().split('\n');
     QCOMPARE(lines.size(), 5); // times, header, two rows, the end
     QCOMPARE(lines[3].split('\t')[3].toDouble(), -5.0);
