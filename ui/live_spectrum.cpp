@@ -34,7 +34,9 @@ LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent) : QWidget(parent), 
     connect(&timer_, &QTimer::timeout, this, &LiveSpectrum::computeStale);
     connect(view_, &SpectrumView::requested, this, &LiveSpectrum::recomputeAll);
     connect(&runs_, &RunsModel::added, this, [this](int number) {
-        const std::vector<Quantity>& quantities = runs_.find(number)->quantities;
+        const RunRecord& run = *runs_.find(number);
+        if (run.finished()) dataArrived(number); // read from a file: nothing more will arrive
+        const std::vector<Quantity>& quantities = run.quantities;
         const auto names = [](const std::vector<Quantity>& list) {
             std::vector<std::string> made;
             for (const Quantity& quantity : list) made.push_back(quantity.name);
