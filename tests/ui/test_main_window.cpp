@@ -441,6 +441,7 @@ void TestMainWindow::takesDroppedFiles()
     QApplication::sendEvent(&f.window, &drop);
     QCOMPARE(f.window.runs().count(), 2);
     QCOMPARE(f.window.runs().record(1).sampleCount(), std::size_t(20'001));
+    QTRY_COMPARE(f.window.spectrum().view()->plot()->curves().size(), std::size_t(2)); // its spectrum too
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 5e-9);
 }
 
