@@ -22,6 +22,8 @@ class FieldEditor : public QWidget {
 public:
     /// `field` must outlive the editor, as those of `fields()` do.
     explicit FieldEditor(const Field& field, QWidget* parent = nullptr);
+    /// An input that loses the focus while it is destroyed has nobody to tell any more.
+    ~FieldEditor() override { input()->disconnect(this); }
 
     const Field& field() const { return field_; }
     /// Shows what the case holds for this field.
