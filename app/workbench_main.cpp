@@ -12,6 +12,7 @@
 
 #include "app/workbench_pictures.h"
 #include "core/simulation/case_file.h"
+#include "core/simulation/results_file.h"
 #include "ui/main_window.h"
 #include "ui/theme.h"
 
@@ -96,6 +97,19 @@ touchdown::CaseDocument readCase(const QString& fileOrSample)
     return document;
 }
 
+/// Ends the program when a saved run cannot be opened, or is no case to run for pictures.
+void checkRun(const QString& file, bool pictures)
+{
+    std::string problem;
+    if (pictures)
+        problem = file.toStdString() + ": is a saved run; pictures are taken of a case";
+    else
+        problem = touchdown::readResults(file.toStdString()).problem;
+    if (problem.empty()) return;
+    std::cerr << problem << '\n';
+    std::exit(badInput);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -109,6 +123,7 @@ int main(int argc, char** argv)
     }();
     const bool isRun = CaseFiles::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
+    if (isRun) checkRun(arguments.file, pictures);
     CaseDocument document;
     if (!arguments.file.isEmpty() && !isRun)
         document = readCase(arguments.file);

@@ -64,6 +64,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     connect(resetAll_, &QToolButton::clicked, &edits_, &CaseEdits::resetAll);
 
     legend_->setText(tr("≈ assumed, because the paper's value is lost"));
+    legend_->setWordWrap(true);
     legend_->setToolTip(tr("The tables of the paper that list these values are lost. The stand-ins were found by matching "
                            "the steady states that the paper states."));
 

@@ -46,12 +46,16 @@ RunsPanel::RunsPanel(RunsModel& model, QWidget* parent)
 
     auto* tools = new QHBoxLayout;
     tools->setSpacing(2);
-    for (QToolButton* made : {baseline_, note_, save_, remove_, open}) tools->addWidget(made);
+    for (QToolButton* made : {baseline_, note_, save_, remove_}) tools->addWidget(made);
     tools->addStretch(1);
+    auto* top = new QHBoxLayout;
+    top->addWidget(overlay_);
+    top->addStretch(1);
+    top->addWidget(open);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 4);
     layout->setSpacing(4);
-    layout->addWidget(overlay_);
+    layout->addLayout(top);
     layout->addWidget(list_, 1);
     layout->addLayout(tools);
 
