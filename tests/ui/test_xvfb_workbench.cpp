@@ -201,6 +201,7 @@ void TestXvfbWorkbench::growsForAProjector()
         if (action->data().toInt() == 9) action->trigger();
     QCOMPARE(QApplication::font().pointSize(), systemPointSize() + 9);
     QTRY_VERIFY(window_->casePanel().editor("slider.mass")->height() > before);
+    QTRY_VERIFY2(window_->minimumSizeHint().width() <= 1920, qPrintable(QString::number(window_->minimumSizeHint().width())));
     applyTheme(Theme::Light);
 }
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program `touchdown-workbench` as scripts meet it: without a screen.
+#include <QSize>
+#include <QtEndian>
+#include <QtTest>
+
+namespace {
+
+struct Outcome {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+/// `platform` is Qt's; none at all when empty, as on a machine without a display.
+Outcome workbench(const QStringList& arguments, const QString& platform)
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("DISPLAY"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), platform);
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(TOUCHDOWN_WORKBENCH), arguments);
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit) return {};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// From the header of a PNG file (ISO/IEC 15948: signature, then IHDR with width and height); invalid for anything else.
+QSize pngSize(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QByteArray head = file.read(24);
+    if (head.size() < 24 || !head.startsWith("\x89PNG\r\n\x1a\n") || head.mid(12, 4) != "IHDR") return {};
+    return {qFromBigEndian<qint32>(head.constData() + 16), qFromBigEndian<qint32>(head.constData() + 20)};
+}
+
+} // namespace
+
+class TestWorkbench : public QObject {
+    Q_OBJECT
+
+private slots:
+    void answersWithoutADisplay_data();
+    void answersWithoutADisplay();
+    void refusesBadInput_data();
+    void refusesBadInput();
+    void exportsPlots();
+    void exportsWhatThereIsOfAFailedRun();
+    void takesAPictureOfTheWindow();
+    void saysWhatCannotBeWritten();
+
+private:
+    QTemporaryDir folder_;
+};
+
+void TestWorkbench::answersWithoutADisplay_data()
+{
+    QTest::addColumn<QString>("argument");
+    QTest::addColumn<QByteArray>("part");
+    QTest::newRow("help") << "--help" << QByteArray("--export");
+    QTest::newRow("version") << "--version" << QByteArray("touchdown-workbench " TOUCHDOWN_VERSION);
+}
+
+void TestWorkbench::answersWithoutADisplay()
+{
+    QFETCH(const QString, argument);
+    QFETCH(const QByteArray, part);
+    const Outcome o = workbench({argument}, QStringLiteral("xcb"));
+    QCOMPARE(o.code, 0);
+    QVERIFY2(o.out.contains(part), o.out.constData());
+    QCOMPARE(o.err, QByteArray());
+}
+
+void TestWorkbench::refusesBadInput_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QByteArray>("part");
+    QTest::newRow("no such case") << QStringList{"nonsuch"} << QByteArray("nonsuch");
+    QTest::newRow("unknown key") << QStringList{folder_.filePath("bad.toml")} << QByteArray("slider.mas");
+    QTest::newRow("no such run") << QStringList{folder_.filePath("missing.h5")} << QByteArray("missing.h5");
+    QTest::newRow("pictures of a saved run") << QStringList{"run.h5", "--export", "pictures"} << QByteArray("saved run");
+    QTest::newRow("two cases") << QStringList{"fig10a", "fig10b"} << QByteArray("more than one case");
+    QTest::newRow("unknown option") << QStringList{"--fast"} << QByteArray("fast");
+    QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << QByteArray("pink");
+}
+
+void TestWorkbench::refusesBadInput()
+{
+    QFETCH(const QStringList, arguments);
+    QFETCH(const QByteArray, part);
+    QFile bad(folder_.filePath("bad.toml"));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write("[slider]\nmas = \"1 mg\"\n");
+    bad.close();
+    // Before anything that needs a display.
+    const Outcome o = workbench(arguments, QStringLiteral("xcb"));
+    QCOMPARE(o.code, 2);
+    QCOMPARE(o.out, QByteArray());
+    QVERIFY2(o.err.contains(part), o.err.constData());
+}
+
+void TestWorkbench::exportsPlots()
+{
+    const QString target = folder_.filePath("fig10a");
+    const Outcome o = workbench({"fig10a", "--export", target}, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 0);
+    const QList<QByteArray> paths = o.out.trimmed().split('\n');
+    QCOMPARE(paths.size(), 6); // the page, four plots over time (no roll), the spectrum
+    for (const QByteArray& path : paths) {
+        const QSize size = pngSize(QString::fromLocal8Bit(path));
+        QVERIFY2(size.width() > 400 && size.height() > 150, path.constData());
+    }
+}
+
+void TestWorkbench::exportsWhatThereIsOfAFailedRun()
+{
+    const QString target = folder_.filePath("fig12b");
+    const Outcome o = workbench({"fig12b", "--export", target}, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 1);
+    QVERIFY2(o.err.contains("rear air spring is lost"), o.err.constData());
+    QVERIFY(QFile::exists(target + "/spacing.png"));
+}
+
+void TestWorkbench::takesAPictureOfTheWindow()
+{
+    const QString file = folder_.filePath("window.png");
+    const Outcome o = workbench({"fig10a", "--screenshot", file, "--size", "1300x820"}, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 0);
+    QCOMPARE(o.out.trimmed(), file.toLocal8Bit());
+    QCOMPARE(pngSize(file), QSize(1300, 820));
+}
+
+void TestWorkbench::saysWhatCannotBeWritten()
+{
+    const QString file = folder_.filePath("missing/window.png");
+    const Outcome o = workbench({"fig10a", "--screenshot", file}, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 2);
+    QCOMPARE(o.out, QByteArray());
+    QVERIFY2(o.err.contains(file.toLocal8Bit()), o.err.constData());
+}
+
+QTEST_GUILESS_MAIN(TestWorkbench)
+#include "test_workbench.moc"
