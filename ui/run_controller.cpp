@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <QCoreApplication>
+#include <QEvent>
+
 #include "ui/run_worker.h"
 
 namespace touchdown {
@@ -11,6 +14,7 @@ namespace touchdown {
 namespace {
 
 constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
+constexpr auto mailEvent = QEvent::User;
 
 } // namespace
 
@@ -40,14 +44,13 @@ int RunController::start(RunRequest request)
 {
     stopAndWait();
     ++run_;
-    const int run = run_;
     setState(State::Running);
-    emit started(run);
+    emit started(run_);
     sinceDelivery_.invalidate();
-    worker_ = std::make_unique<Worker>(solver_, std::move(request), pace_, [this, run] {
-        QMetaObject::invokeMethod(this, [this, run] { schedule(run); }, Qt::QueuedConnection);
-    });
-    return run;
+    // Only the news that there is mail goes through Qt's queue; the mail itself, under the worker's mutex.
+    worker_ = std::make_unique<Worker>(solver_, std::move(request), pace_,
+                                       [this] { QCoreApplication::postEvent(this, new QEvent(mailEvent)); });
+    return run_;
 }
 
 void RunController::pause()
@@ -82,9 +85,10 @@ void RunController::setPace(double simulatedPerWallSecond)
     if (worker_) worker_->setPace(pace_);
 }
 
-void RunController::schedule(int run)
+void RunController::customEvent(QEvent* event)
 {
-    if (run != run_ || !worker_ || timer_.isActive()) return;
+    // News of a run before this one is harmless: a delivery takes what there is of this one.
+    if (event->type() != mailEvent || !worker_ || timer_.isActive()) return;
     const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : interval_;
     timer_.start(static_cast<int>(std::max<qint64>(0, interval_ - passed)));
 }

@@ -88,10 +88,12 @@ signals:
     /// The results file could not be written; the run goes on without it.
     void recordingFailed(int run, const QString& problem);
 
+protected:
+    void customEvent(QEvent* event) override;
+
 private:
     class Worker;
 
-    void schedule(int run);
     void deliver();
     void setState(State state);
 
