@@ -7,6 +7,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -75,6 +76,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setFocusPolicy(Qt::NoFocus);
+    page->installEventFilter(this);
 
     auto* tools = new QHBoxLayout;
     tools->addWidget(search_, 1);
@@ -243,6 +245,14 @@ void CasePanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) alignUnits();
     if (event->type() == QEvent::PaletteChange) colour();
+}
+
+bool CasePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    // Rows scroll up and down only, so that the panel must be as wide as they need, whatever the font.
+    if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest)
+        scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
+    return QWidget::eventFilter(watched, event);
 }
 
 void CasePanel::colour()

@@ -201,6 +201,9 @@ void TestXvfbWorkbench::growsForAProjector()
         if (action->data().toInt() == 9) action->trigger();
     QCOMPARE(QApplication::font().pointSize(), systemPointSize() + 9);
     QTRY_VERIFY(window_->casePanel().editor("slider.mass")->height() > before);
+    // No row of the parameters is cut off at the right.
+    const auto* rows = window_->casePanel().findChild<QScrollArea*>();
+    QTRY_VERIFY(rows->viewport()->width() >= rows->widget()->minimumSizeHint().width());
     QTRY_VERIFY2(window_->minimumSizeHint().width() <= 1920, qPrintable(QString::number(window_->minimumSizeHint().width())));
     applyTheme(Theme::Light);
 }
