@@ -4,17 +4,27 @@
 // members are described once, in core/simulation/fields.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/numerics/spectrum.h"
+#include "core/physics/air.h"
+#include "core/physics/air_bearing_surface.h"
 #include "core/physics/air_spring.h"
+#include "core/physics/disk_velocity.h"
 #include "core/physics/ono_yamane.h"
+#include "core/physics/slip.h"
 
 namespace touchdown {
 
-enum class ModelKind : std::uint8_t { Springs };
+enum class ModelKind : std::uint8_t { Springs, Film };
 enum class ContactKind : std::uint8_t { None, OnoYamane };
+enum class AirSource : std::uint8_t { Given, Atmosphere, EstablishedStandard };
+enum class ConvectionScheme : std::uint8_t { Upwind, Hybrid, PowerLaw, Exponential, Limited };
+enum class FilmSolver : std::uint8_t { Newton, LineMultigrid };
+enum class GridKind : std::uint8_t { Uniform, Graded, Adapted };
 enum class IntegratorKind : std::uint8_t { Rk4, Rk4Events, Newmark, Dopri5, Cvode };
 
 /// What a sample case says about itself.
@@ -27,6 +37,9 @@ struct About {
 struct SliderCase {
     double mass = 1.6e-6;           // M [kg]
     double pitchInertia = 2.2e-13;  // J [kg m^2]
+    double rollInertia = 1.45e-13;  // [kg m^2]
+    double length = 1.25e-3;        // L [m], along x
+    double width = 1.00e-3;         // W [m], along y
     double thickness = 0.3e-3;      // b [m]
 };
 
@@ -47,8 +60,53 @@ struct SpringsCase {
 struct SuspensionCase {
     double stiffness = 6.0;             // k [N/m]
     double pitchStiffness = 1.5e-4;     // k_theta [N m/rad]
-    double dampingRatio = 0.01;         // xi [-]
-    double pitchDampingRatio = 0.01;    // xi_theta [-]
+    double rollStiffness = 1.745e-5;    // k_phi [N m/rad]
+    double dampingRatio = 0.01;         // springs: xi [-]
+    double pitchDampingRatio = 0.01;    // springs: xi_theta [-]
+    double damping = 1e-10;             // film: c_z [N s/m]
+    double pitchDamping = 1e-17;        // film: c_theta [N m s/rad]
+    double rollDamping = 1e-17;         // film: c_phi [N m s/rad]
+    double preload = 1.5e-3 * 9.80665;  // film: f0 [N], presses the slider onto the disk
+    double offsetX = 0.0;               // film: of the load from the slider's centre, towards the trailing edge [m]
+    double offsetY = 0.0;               // film: towards the outer edge [m]
+    double pitchTorque = 0.0;           // film: static, nose up [N m]
+    double rollTorque = 0.0;            // film: static, inner edge up [N m]
+    bool holdsAttitude = false;         // film: torques come from the stiffness and the static attitude below
+    double staticPitch = 0.0;           // film: of the unloaded suspension [rad]
+    double staticRoll = 0.0;            // film [rad]
+};
+
+struct AirCase {
+    AirSource source = AirSource::Given;
+    Air given;                     // p0 [Pa], mu [Pa s], lambda0 [m]
+    double altitude = 0.0;         // [m]
+    double temperature = 298.15;   // [K]
+    Slip slip;
+};
+
+/// The film's discretisation and its solution.
+struct FilmCase {
+    std::array<int, 2> nodes{193, 193}; // grid lines along x and y, 16 k + 1
+    GridKind grid = GridKind::Adapted;
+    ConvectionScheme scheme = ConvectionScheme::Limited;
+    FilmSolver solver = FilmSolver::Newton;
+    double tolerance = 1e-7;   // residual: net mass flow of the cells, summed, against the flow through the film [-]
+    int maximumIterations = 60;
+};
+
+/// What `steady` computes and with which conventions.
+struct SteadyCase {
+    bool fixedAttitude = false;    // solve the film at the initial attitude only
+    bool stiffness = true;         // stiffness matrix
+    bool sensitivities = false;    // of the attitude to the parameters
+    bool allEquilibria = false;    // look for more than one
+    double loadTolerance = 1e-6;   // |dF| + |dTx|/L + |dTy|/L against the preload [-]
+    double shearArm = 0.5;         // arm of the air's shear about the pivot, in slider thicknesses [-]; established program: 1
+    double torqueSign = 1.0;       // sign of the shear's pitch torque [-]; 1: it presses the nose down
+    std::vector<double> radii;     // series; empty: disk.radius [m]
+    std::vector<double> skews;     // one per radius; empty: disk.skew [rad]
+    std::vector<double> speeds;    // empty: disk.speed [rad/s]
+    std::vector<double> altitudes; // empty: the air as it is [m]
 };
 
 struct InitialCase {
@@ -57,6 +115,8 @@ struct InitialCase {
     double verticalVelocity = 0.0; // of the mass centre [m/s]
     double pitchVelocity = 0.0;    // [rad/s]
     ContactBranch branch = ContactBranch::TouchDown; // used between d_s and d_e
+    double nominalTrailingEdgeHeight = 20e-9; // film: of the trailing edge's centre, recess 0 [m]; may be negative
+    double roll = 0.0;             // film [rad]
 };
 
 struct RunCase {
@@ -89,6 +149,11 @@ struct Case {
     SpringsCase springs;
     SuspensionCase suspension;
     OnoYamane onoYamane;
+    AirBearingSurface surface; // [abs]
+    AirCase air;
+    DiskMotion disk;
+    FilmCase film;
+    SteadyCase steady;
     InitialCase initial;
     RunCase run;
     SpectrumCase spectrum;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The air around the slider: given, or from altitude and temperature.
+//
+//   mu = 1.458e-6 T^1.5 / (T + 110.4)                       Sutherland
+//   lambda = R T / (sqrt(2) pi d^2 N_A p), d = 3.65e-10 m   hard spheres, R per mole
+//   p = 101325 (1 - 0.0065 z / 288.16)^5.256                standard atmosphere, z in metres
+#pragma once
+
+namespace touchdown {
+
+struct Air {
+    double pressure = 101325.0;     // p0 [Pa]
+    double viscosity = 1.806e-5;    // mu [Pa s]
+    double meanFreePath = 63.5e-9;  // lambda at p0 [m]
+};
+
+/// What the established static program calls standard air (25 C), whatever its input file says.
+inline constexpr Air establishedStandardAir{101325.0, 1.8372e-5, 68.6e-9};
+
+/// Altitude [m], -1000 to 20000; temperature [K], above 0.
+Air airAt(double altitude, double temperature);
+
+} // namespace touchdown

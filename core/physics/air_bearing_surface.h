@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The air bearing surface (ABS) as it is designed: rails with a recess or a ramp, wall profiles on their edges, base
+// recess, form and taper. x runs from the leading to the trailing edge, y from the inner to the outer edge; a recess is
+// positive away from the disk, from the zero plane.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace touchdown {
+
+struct SurfacePoint {
+    double x = 0.0; // from the leading edge [m]
+    double y = 0.0; // from the inner edge [m]
+    bool operator==(const SurfacePoint&) const = default;
+};
+
+/// A corner of a rail, and what stands on the edge from here to the next corner (the last closes to the first).
+struct RailPoint {
+    double x = 0.0; // from the leading edge [m]
+    double y = 0.0; // from the inner edge [m]
+    int wall = 0;   // 0: a vertical edge; n: the profile walls[n - 1]
+    bool operator==(const RailPoint&) const = default;
+};
+
+enum class RailKind : std::uint8_t { Step, Ramp };
+
+/// A polygon, clockwise or not. A step has one recess; a ramp is the plane through the recesses at its first three points.
+struct Rail {
+    RailKind kind = RailKind::Step;
+    std::vector<RailPoint> points;          // three or more
+    std::array<double, 3> recess{};         // [m]; a step uses the first, which may be negative
+    bool operator==(const Rail&) const = default;
+};
+
+/// Recess against the distance normal to an edge (negative: inside the polygon), linear between the points.
+struct WallProfile {
+    std::vector<double> distance; // [m], ascending
+    std::vector<double> recess;   // from the zero plane, not from the rail [m]; as many as distances
+    bool operator==(const WallProfile&) const = default;
+};
+
+struct AirBearingSurface {
+    std::vector<Rail> rails; // where tops overlap, the one that comes last holds
+    std::vector<WallProfile> walls;
+    double baseRecess = 2e-6;  // where no rail is [m]
+    double crown = 0.0;        // [m], along the length
+    double camber = 0.0;       // [m], across the width
+    double twist = 0.0;        // [m]
+    double taperLength = 0.0;  // [m]
+    double taperAngle = 0.0;   // [rad]
+    std::vector<SurfacePoint> pointsOfInterest; // where the spacing is reported
+    bool operator==(const AirBearingSurface&) const = default;
+};
+
+} // namespace touchdown

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Velocity of the disk under the slider. With X = L/2 - x, Y = W/2 - y, a = R - Y cos phi - X sin phi, b = X cos phi - Y sin phi:
+// size omega sqrt(a^2 + b^2), local skew psi = phi - atan(b/a), (U, V) = size (cos psi, -sin psi).
+#pragma once
+
+#include <cstdint>
+
+namespace touchdown {
+
+enum class VelocityField : std::uint8_t {
+    Rotating, // as above: varies over the slider by a few per cent and about two degrees
+    Uniform,  // the value at the slider's centre everywhere
+};
+
+struct Velocity {
+    double x = 0.0; // towards the trailing edge [m/s]
+    double y = 0.0; // towards the outer edge [m/s]
+};
+
+struct DiskMotion {
+    double speed = 565.4866776461628; // omega [rad/s]: 5400 rpm
+    double radius = 23e-3;            // R, of the slider's centre [m]
+    double skew = 0.0;                // phi [rad]; positive: air flows from the outer leading to the inner trailing edge
+    VelocityField field = VelocityField::Rotating;
+};
+
+/// The disk's velocity under the point (x, y) of a slider of this length and width [m].
+Velocity diskVelocity(const DiskMotion& disk, double length, double width, double x, double y);
+
+} // namespace touchdown
