@@ -10,37 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "core/numerics/cell_grid.h"
+#include "core/physics/attitude.h"
+#include "core/physics/film_forces.h"
 #include "core/simulation/case.h"
 
 namespace touchdown {
-
-struct Attitude {
-    double height = 0.0; // nominal trailing edge height [m]
-    double pitch = 0.0;  // [rad]
-    double roll = 0.0;   // [rad]
-};
-
-/// A field on the cells of a grid: x lines, y lines (cell borders), values row by row, y outer.
-struct CellGrid {
-    std::vector<double> x; // nx + 1 lines [m]
-    std::vector<double> y; // ny + 1 lines [m]
-    int nx() const { return static_cast<int>(x.size()) - 1; }
-    int ny() const { return static_cast<int>(y.size()) - 1; }
-};
-
-/// Forces of the film on the slider, positive away from the disk and towards the trailing and the outer edge.
-struct FilmForces {
-    double net = 0.0;                       // [N]
-    double positive = 0.0, negative = 0.0;  // parts above and below ambient; negative <= 0 [N]
-    SurfacePoint centreOfPositive, centreOfNegative; // [m]
-    double pitchTorque = 0.0;               // of the pressure about the slider's centre, nose up [N m]
-    double rollTorque = 0.0;                // inner edge up [N m]
-    double shearX = 0.0, shearY = 0.0;      // [N]
-    double shearPitchTorque = 0.0, shearRollTorque = 0.0; // [N m]
-    double maximumPressure = 0.0, minimumPressure = 0.0;  // absolute [Pa]
-    SurfacePoint maximumAt, minimumAt;      // [m]
-    double massFlow = 0.0;                  // into the film through the outline, p h U/(2 p0)-type flow times p0 [Pa m^3/s]
-};
 
 enum class SteadyStatus : std::uint8_t { Converged, NotConverged, Cancelled, Failed };
 std::string_view name(SteadyStatus status);
@@ -75,6 +50,8 @@ struct SteadyResult {
     double minimumSpacing = 0.0; // [m]
     SurfacePoint minimumAt;      // [m]
     FilmForces forces;
+    double shearPitchTorque = 0.0; // of the air's shear, with the arm of SteadyCase [N m]
+    double shearRollTorque = 0.0;  // [N m]
     /// Rows: force [N], pitch torque, roll torque [N m]; columns: d/dheight [1/m], d/dpitch, d/droll [1/rad]. Of the film,
     /// about the slider's centre, with the trailing edge height as the first coordinate; positive: restoring.
     std::optional<std::array<std::array<double, 3>, 3>> stiffness;
