@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numerics/convection.h"
 #include "core/numerics/spectrum.h"
 #include "core/physics/air.h"
 #include "core/physics/air_bearing_surface.h"
@@ -22,7 +23,6 @@ namespace touchdown {
 enum class ModelKind : std::uint8_t { Springs, Film };
 enum class ContactKind : std::uint8_t { None, OnoYamane };
 enum class AirSource : std::uint8_t { Given, Atmosphere, EstablishedStandard };
-enum class ConvectionScheme : std::uint8_t { Upwind, Hybrid, PowerLaw, Exponential, Limited };
 enum class FilmSolver : std::uint8_t { Newton, LineMultigrid };
 enum class GridKind : std::uint8_t { Uniform, Graded, Adapted };
 enum class IntegratorKind : std::uint8_t { Rk4, Rk4Events, Newmark, Dopri5, Cvode };
