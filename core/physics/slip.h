@@ -15,9 +15,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
-#include "core/physics/air.h"
+#include <span>
+#include <string_view>
 
 namespace touchdown {
 
@@ -33,6 +32,9 @@ enum class SlipModel : std::uint8_t {
     Combination,
 };
 
+/// Their names in case files, in the order of the enumerators.
+std::span<const std::string_view> slipModelNames();
+
 struct Slip {
     SlipModel model = SlipModel::FukuiKaneko;
     double accommodation = 1.0;    // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
@@ -40,26 +42,17 @@ struct Slip {
     double blendWidth = 0.0;       // combination: width of the blend about the switch [m]; 0: the paper's hard switch
 };
 
-/// Poiseuille flow rate Q_P(D) from the kinetic (BGK) values, alpha = 1, smooth and with a monotone 6 Q_P/D. D > 0.
-double kineticFlowRate(double inverseKnudsen);
-/// The published three-part fit of it.
-double fittedFlowRate(double inverseKnudsen);
-/// Q(Kn) of a model other than the combination.
+/// Q = 1 + first Kn + second Kn^2.
+struct SlipExpansion {
+    double first = 0.0, second = 0.0; // [-]
+};
+/// Of a model that is one: not Fukui-Kaneko, its fit, nor the combination.
+SlipExpansion slipExpansion(SlipModel model, double accommodation);
+
+/// Q(Kn) of a model other than the combination; Kn > 0.
 double flowFactor(const Slip& slip, double knudsen);
 
-/// The mobility G(w) = w Q(Kn), w = p h [Pa m], Kn = lambda0 p0/w: the film's conductance is h^2 G/(12 mu). Tabulated on the bits
-/// of w (eight cubic pieces an octave), so that no logarithm is taken; relative error of G below 1e-7.
-class FlowTable {
-public:
-    FlowTable() = default;
-    FlowTable(const Slip& slip, const Air& air);
-
-    struct Value {
-        double mobility;   // G [Pa m]
-        double derivative; // dG/dw [-]
-    };
-    /// w > 0 [Pa m]; the gap selects the branch of the combination.
-    Value at(double w, double gap) const;
-};
+/// D = (sqrt(pi)/2)/Kn
+double inverseKnudsen(double knudsen);
 
 } // namespace touchdown

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The mobility G(w) = w Q(Kn) of a film, w = p h [Pa m], Kn = lambda0 p0/w: its conductance is h^2 G/(12 mu). Tabulated on the bits
+// of w, 32 cubic pieces an octave, so that no logarithm is taken; relative error of G below 1e-7. The fit of Fukui & Kaneko is
+// evaluated directly, with its jumps.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/physics/air.h"
+#include "core/physics/slip.h"
+
+namespace touchdown {
+
+/// One slip model's mobility at any w. w <= 0 counts as the smallest entry of the table, NaN stays NaN.
+class Mobility {
+public:
+    struct Value {
+        double mobility;   // G [Pa m]
+        double derivative; // dG/dw, exactly that of `mobility` [-]
+    };
+
+    Mobility() = default; // the continuum's
+    /// Not the combination.
+    Mobility(SlipModel model, double accommodation, const Air& air);
+
+    Value at(double w) const
+    {
+        const std::uint64_t index = (std::bit_cast<std::uint64_t>(w) >> pieceShift) - firstPiece_;
+        if (index >= pieces_.size()) [[unlikely]] return direct(w);
+        const double knot = std::bit_cast<double>((index + firstPiece_) << pieceShift);
+        const Piece& c = pieces_[index];
+        const double d = w - knot;
+        return {c.c0 + d * (c.c1 + d * (c.c2 + d * c.c3)), c.c1 + d * (2.0 * c.c2 + d * (3.0 * c.c3))};
+    }
+
+    /// The formula that the table holds.
+    Value direct(double w) const;
+
+private:
+    /// The exponent and the first five bits of the fraction number the pieces.
+    static constexpr int pieceShift = 52 - 5;
+
+    struct alignas(32) Piece {
+        double c0, c1, c2, c3; // of (w - knot)^k
+    };
+
+    SlipModel model_ = SlipModel::Continuum;
+    SlipExpansion expansion_;
+    double unit_ = 1.0;            // p0 lambda0 [Pa m]: w where Kn = 1
+    double smallest_ = 0.0;        // [Pa m]
+    std::uint64_t firstPiece_ = 0;
+    std::vector<Piece> pieces_;
+};
+
+/// The mobility of any slip model; the gap selects the branch of the combination.
+class FlowTable {
+public:
+    using Value = Mobility::Value;
+
+    FlowTable() = default;
+    FlowTable(const Slip& slip, const Air& air);
+
+    /// w = p h [Pa m], the gap [m]; the derivative by w holds the gap.
+    Value at(double w, double gap) const { return gap > blendEnd_ ? wide_.at(w) : narrow(w, gap); }
+
+    /// dG/dgap at constant w [Pa]: zero but within the combination's blend.
+    double gapDerivative(double w, double gap) const
+    {
+        return gap > blendStart_ && gap < blendEnd_ ? blendDerivative(w, gap) : 0.0;
+    }
+
+private:
+    Value narrow(double w, double gap) const;
+    double blendDerivative(double w, double gap) const;
+
+    static constexpr double noGap = -std::numeric_limits<double>::infinity(); // without a combination
+
+    Mobility wide_;   // Fukui-Kaneko in the combination, else the only one
+    Mobility narrow_; // new second order in the combination
+    double blendStart_ = noGap, blendEnd_ = noGap; // [m]
+};
+
+} // namespace touchdown
