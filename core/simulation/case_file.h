@@ -29,6 +29,7 @@ struct CaseDocument {
     std::string text;                   // the input as it stands, with its comments
     std::string name;                   // of the file or the sample case
     std::vector<InputProblem> problems; // all of them
+    std::vector<InputProblem> warnings; // what the input says and is not modelled; the case is valid all the same
     bool valid() const { return problems.empty(); }
 };
 
