@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Multigrid for linear convection and diffusion on cells, with alternating-direction line sweeps (Brandt 1977; Wesseling
+// 1992): the preconditioner of the film's linear systems. Two cells along each axis make one of the next coarser level.
+// A coarse face's conductance is that of the fine paths it stands for, in series along and side by side across; its
+// convection is the fine faces' sum, and the exponential scheme joins the two anew. So coarse levels stay monotone whatever
+// the Peclet number, and jumps of the conductance are averaged as nature does.
+//
+// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/numerics/padded_grid.h"
+
+namespace touchdown {
+
+/// What a face does: F = c (v1 + v2)/2 - E (v2 - v1); padded arrays by face [any one unit].
+struct FaceOperator {
+    std::span<const double> diffusion;  // K: what remains of E without convection, >= 0
+    std::span<const double> effective;  // E >= |c|/2
+    std::span<const double> convection; // c
+};
+
+template <typename T>
+class Multigrid {
+public:
+    /// Allocates for grids of this size.
+    explicit Multigrid(const PaddedGrid& pad);
+
+    /// The operator: flows through faces, plus `diagonal` per cell (padded; may be empty for none).
+    void setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal);
+
+    /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
+    void precondition(std::span<const T> b, std::span<T> v);
+
+private:
+    struct Level {
+        PaddedGrid pad;
+        std::array<std::vector<double>, 2> diffusion, convection;   // by face
+        std::vector<double> west, east, south, north;               // of the stencil, <= 0
+        std::vector<T> centre;
+        std::vector<T> mass;                                        // extra diagonal
+        std::array<std::vector<T>, 2> pivot;                        // 1/pivot of the lines along x, along y
+        std::vector<T> v, b, r;
+    };
+
+    void factor(Level& level);
+    void coarsen(const Level& fine, Level& coarse);
+    void stencil(Level& level, const std::array<std::span<const double>, 2>& effective);
+    void sweepX(Level& level, int colour);
+    void sweepY(Level& level, int colour);
+    void sweep(Level& level, int axis);
+    void residual(Level& level);
+    void cycle(std::size_t l);
+
+    std::vector<Level> levels_;
+    std::array<std::vector<double>, 2> effective_;
+};
+
+} // namespace touchdown
