@@ -53,7 +53,7 @@ RailOutline::RailOutline(const std::vector<RailPoint>& points, int strips, doubl
 
 int RailOutline::strip(double y) const
 {
-    return static_cast<int>(std::clamp(y * stripsPerMetre_, 0.0, static_cast<double>(strips_ - 1)));
+    return static_cast<int>(std::min(std::max(0.0, y * stripsPerMetre_), strips_ - 1.0));
 }
 
 std::span<const OutlineEdge> RailOutline::edges(int strip) const

@@ -39,8 +39,8 @@ WallSpread wallSpread(const SurfacePoint& own, const SurfacePoint& next, double 
 class RailWall {
 public:
     /// From corner `a` to corner `b`; `turn` as above. Keeps a reference to the shape.
-    RailWall(const RailPoint& a, const RailPoint& b, double turn, const WallShape& shape, WallSpread start, WallSpread end,
-             int rail);
+    RailWall(const RailPoint& a, const RailPoint& b, double turn, const WallShape& shape, WallSpread start,
+             WallSpread end, int rail);
 
     int rail() const { return rail_; }
     const WallShape& shape() const { return *shape_; }

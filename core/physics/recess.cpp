@@ -83,11 +83,20 @@ struct Recess::Prepared {
     bool smooth(std::size_t bin, const SurfaceBox& box, int row) const;
     void breaks(std::size_t bin, const ScanLine& line, int row, std::vector<double>& out) const;
     double form(double x, double y) const;
+
+    // To the nearest point of the slider. A number that is none stays so.
+    double onSliderX(double x) const { return std::min(std::max(x, 0.0), parts.length); }
+    double onSliderY(double y) const { return std::min(std::max(y, 0.0), parts.width); }
 };
 
 Recess::Prepared::Prepared(const AirBearingSurface& s, double length, double width)
-    : parts(partsOf(s, length, width)), bins(parts), crown(s.crown), camber(s.camber), twist(s.twist),
-      taperLength(s.taperLength), taperAngle(s.taperAngle)
+    : parts(partsOf(s, length, width)),
+      bins(parts),
+      crown(s.crown),
+      camber(s.camber),
+      twist(s.twist),
+      taperLength(s.taperLength),
+      taperAngle(s.taperAngle)
 {
     if (taperLength <= 0.0 || taperAngle == 0.0) return;
     // angle (length - x) = recess
@@ -129,6 +138,7 @@ double Recess::Prepared::raised(std::size_t bin, double x, double y) const
             }
             continue;
         }
+        if (part.lowest >= recess) break; // nor do the parts that follow
         if (wall.rail() == rail) continue;
         const double outside = wall.recessOutside(x, y);
         if (outside >= recess) continue;
@@ -165,8 +175,7 @@ bool Recess::Prepared::smooth(std::size_t bin, const SurfaceBox& box, int row) c
 
 Recess::Recess(const AirBearingSurface& surface, double length, double width)
     : prepared_(std::make_shared<const Prepared>(surface, length, width))
-{
-}
+{}
 
 double Recess::length() const { return prepared_->parts.length; }
 double Recess::width() const { return prepared_->parts.width; }
@@ -174,6 +183,8 @@ double Recess::width() const { return prepared_->parts.width; }
 double Recess::at(double x, double y) const
 {
     const Prepared& p = *prepared_;
+    x = p.onSliderX(x);
+    y = p.onSliderY(y);
     double recess = p.raised(SurfaceBins::index(p.bins.column(x), p.bins.row(y)), x, y);
     if (x < p.taperLength) recess = std::max(recess, p.taperAngle * (p.taperLength - x));
     return recess - p.form(x, y);
@@ -183,6 +194,7 @@ void Recess::breaksAlongX(double y, double x0, double x1, std::vector<double>& o
 {
     const Prepared& p = *prepared_;
     const auto before = static_cast<std::ptrdiff_t>(out.size());
+    y = p.onSliderY(y);
     const int row = p.bins.row(y);
     const int last = p.bins.column(x1);
     for (int column = p.bins.column(x0); column <= last; ++column) {
@@ -201,6 +213,7 @@ void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& o
 {
     const Prepared& p = *prepared_;
     const auto before = static_cast<std::ptrdiff_t>(out.size());
+    x = p.onSliderX(x);
     const int column = p.bins.column(x);
     const int last = p.bins.row(y1);
     for (int row = p.bins.row(y0); row <= last; ++row) {
@@ -215,7 +228,8 @@ void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& o
 bool Recess::isSmooth(double x0, double x1, double y0, double y1) const
 {
     const Prepared& p = *prepared_;
-    const SurfaceBox box{x0 - slack, x1 + slack, y0 - slack, y1 + slack};
+    const SurfaceBox box{p.onSliderX(x0) - slack, p.onSliderX(x1) + slack, p.onSliderY(y0) - slack,
+                         p.onSliderY(y1) + slack};
     const auto end = std::lower_bound(p.taperEnds.begin(), p.taperEnds.end(), box.x0);
     if (end != p.taperEnds.end() && *end <= box.x1) return false;
     const int lastRow = p.bins.row(box.y1);

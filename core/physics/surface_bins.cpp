@@ -2,7 +2,7 @@
 #include "core/physics/surface_bins.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace touchdown {
 
@@ -19,7 +19,10 @@ double greatest(const RailTop& top, const SurfaceBox& box)
 } // namespace
 
 SurfaceBins::SurfaceBins(const SurfaceParts& parts)
-    : length_(parts.length), width_(parts.width), perX_(columns / parts.length), perY_(rows / parts.width),
+    : length_(parts.length),
+      width_(parts.width),
+      perX_(columns / parts.length),
+      perY_(rows / parts.width),
       bins_(static_cast<std::size_t>(columns * rows) + 1)
 {
     std::vector<Place> places(bins_.size() - 1);
@@ -38,13 +41,10 @@ SurfaceBins::SurfaceBins(const SurfaceParts& parts)
 
 int SurfaceBins::column(double x) const
 {
-    return static_cast<int>(std::clamp(x * perX_, 0.0, static_cast<double>(columns - 1)));
+    return static_cast<int>(std::min(std::max(0.0, x * perX_), columns - 1.0)); // 0 for a number that is none
 }
 
-int SurfaceBins::row(double y) const
-{
-    return static_cast<int>(std::clamp(y * perY_, 0.0, static_cast<double>(rows - 1)));
-}
+int SurfaceBins::row(double y) const { return static_cast<int>(std::min(std::max(0.0, y * perY_), rows - 1.0)); }
 
 SurfaceBox SurfaceBins::box(int column, int row) const
 {
@@ -118,9 +118,9 @@ void SurfaceBins::sortWall(const SurfaceParts& parts, std::uint32_t wall, const 
             const SurfaceBox b = box(c, r);
             const bool certain = place != Place::Crossed;
             if (place != Place::Inside && w.has(WallSide::Outside) && w.meets(b, WallSide::Outside))
-                entries.push_back({bin, {wall, WallSide::Outside, certain}});
+                entries.push_back({bin, {wall, WallSide::Outside, certain, w.lowestOutside(b)}});
             if (place != Place::Outside && w.has(WallSide::Inside) && w.meets(b, WallSide::Inside))
-                entries.push_back({bin, {wall, WallSide::Inside, certain}});
+                entries.push_back({bin, {wall, WallSide::Inside, certain, w.shape().minimumFrom(w.shape().inner())}});
         }
     }
 }
@@ -146,30 +146,29 @@ void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEn
         if (part.side == WallSide::Inside) deepen(bin, parts.walls[part.wall].shape().maximum());
     }
     std::erase_if(walls, [&](const WallEntry& entry) {
-        const RailWall& wall = parts.walls[entry.part.wall];
-        if (entry.part.side == WallSide::Inside) return wall.rail() < bins_[entry.bin].cover;
-        const SurfaceBox b = box(static_cast<int>(entry.bin) % columns, static_cast<int>(entry.bin) / columns);
-        return wall.lowestOutside(b) >= deepest[entry.bin];
+        if (entry.part.side == WallSide::Outside) return entry.part.lowest >= deepest[entry.bin];
+        return parts.walls[entry.part.wall].rail() < bins_[entry.bin].cover;
     });
 }
 
 void SurfaceBins::fill(const SurfaceParts& parts, const std::vector<RailEntry>& rails,
                        const std::vector<WallEntry>& walls)
 {
-    // Rails hidden below the cover matter only to tell where their walls are outside them.
-    std::vector<std::uint32_t> wallsOf(bins_.size(), 0);
-    for (const auto& [bin, part] : walls) ++wallsOf[bin];
-    std::vector<std::uint32_t> firstWall(bins_.size(), 0);
-    for (std::size_t bin = 0; bin + 1 < bins_.size(); ++bin) firstWall[bin + 1] = firstWall[bin] + wallsOf[bin];
+    std::vector<std::uint32_t> next(bins_.size(), 0);
+    for (const auto& [bin, part] : walls) ++next[bin + 1];
+    for (std::size_t bin = 0; bin + 1 < bins_.size(); ++bin) next[bin + 1] += next[bin];
+    for (std::size_t bin = 0; bin < bins_.size(); ++bin) bins_[bin].walls = next[bin];
     walls_.resize(walls.size());
-    std::vector<std::uint32_t> next = firstWall;
-    for (const WallSide side : {WallSide::Inside, WallSide::Outside}) {
-        for (const auto& [bin, part] : walls) {
-            if (part.side == side) walls_[next[bin]++] = part;
-        }
+    for (const auto& [bin, part] : walls) walls_[next[bin]++] = part;
+    for (std::size_t bin = 0; bin + 1 < bins_.size(); ++bin) {
+        std::sort(walls_.begin() + bins_[bin].walls, walls_.begin() + bins_[bin + 1].walls,
+                  [](const WallPart& a, const WallPart& b) {
+                      return std::tuple(a.side == WallSide::Outside, a.lowest, a.wall) <
+                             std::tuple(b.side == WallSide::Outside, b.lowest, b.wall);
+                  });
     }
-    for (std::size_t bin = 0; bin < bins_.size(); ++bin) bins_[bin].walls = firstWall[bin];
 
+    // A rail hidden below the cover matters only to tell where its walls are outside it.
     const auto shows = [&](const RailEntry& entry) {
         if (entry.rail > bins_[entry.bin].cover) return true;
         const auto of = this->walls(entry.bin);

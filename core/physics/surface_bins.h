@@ -39,7 +39,8 @@ public:
     struct WallPart {
         std::uint32_t wall;
         WallSide side;
-        bool certain; // all of the bin is outside (inside) the polygon of the wall
+        bool certain;  // all of the bin is outside (inside) the polygon of the wall
+        double lowest; // no point of the bin shows less of this wall; outside alone [m]
     };
     struct Bin {
         int cover = -1; // the last rail that covers all of the bin; -1: none
@@ -56,7 +57,7 @@ public:
     int cover(std::size_t bin) const { return bins_[bin].cover; }
     /// The rails whose outlines meet the bin, but for those hidden below the cover that show no wall; the last rail first.
     std::span<const int> rails(std::size_t bin) const;
-    /// Parts inside their polygon come first.
+    /// Parts inside their polygon come first, then those outside, the lowest first.
     std::span<const WallPart> walls(std::size_t bin) const;
 
 private:
@@ -74,7 +75,8 @@ private:
     void sortRail(const std::vector<Place>& places, int rail, std::vector<RailEntry>& entries);
     void sortWall(const SurfaceParts& parts, std::uint32_t wall, const std::vector<Place>& places,
                   std::vector<WallEntry>& entries) const;
-    void dropHidden(const SurfaceParts& parts, const std::vector<RailEntry>& rails, std::vector<WallEntry>& walls) const;
+    void dropHidden(const SurfaceParts& parts, const std::vector<RailEntry>& rails,
+                    std::vector<WallEntry>& walls) const;
     void fill(const SurfaceParts& parts, const std::vector<RailEntry>& rails, const std::vector<WallEntry>& walls);
 
     double length_, width_; // [m]

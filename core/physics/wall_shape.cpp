@@ -12,21 +12,28 @@ WallShape::WallShape(const WallProfile& profile)
     maximum_ = *std::max_element(recess_.begin(), recess_.end());
 }
 
+std::size_t WallShape::after(double distance) const
+{
+    return static_cast<std::size_t>(std::upper_bound(distance_.begin(), distance_.end(), distance) - distance_.begin());
+}
+
+double WallShape::between(std::size_t next, double distance) const
+{
+    const double part = (distance - distance_[next - 1]) / (distance_[next] - distance_[next - 1]);
+    return recess_[next - 1] + part * (recess_[next] - recess_[next - 1]);
+}
+
 double WallShape::at(double distance) const
 {
-    std::size_t i = 1; // the first point beyond
-    while (i < distance_.size() && distance_[i] <= distance) ++i;
-    if (i == distance_.size()) return recess_.back();
-    const double part = (distance - distance_[i - 1]) / (distance_[i] - distance_[i - 1]);
-    return recess_[i - 1] + part * (recess_[i] - recess_[i - 1]);
+    const std::size_t next = after(distance);
+    return next == distance_.size() ? recess_.back() : between(next, distance);
 }
 
 double WallShape::minimumFrom(double distance) const
 {
     if (distance <= inner()) return lowest_.front();
-    if (distance >= outer()) return lowest_.back();
-    const auto beyond = std::upper_bound(distance_.begin(), distance_.end(), distance) - distance_.begin();
-    return std::min(at(distance), lowest_[static_cast<std::size_t>(beyond)]);
+    const std::size_t next = after(distance);
+    return next == distance_.size() ? lowest_.back() : std::min(between(next, distance), lowest_[next]);
 }
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 // Where two points have the same distance the profile is vertical, and the farther one holds at that distance.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/physics/air_bearing_surface.h"
@@ -25,6 +26,9 @@ public:
     double maximum() const { return maximum_; } // [m]
 
 private:
+    std::size_t after(double distance) const; // the index of the first point beyond
+    double between(std::size_t next, double distance) const;
+
     std::vector<double> distance_; // [m]
     std::vector<double> recess_;   // [m]
     std::vector<double> lowest_;   // the smallest recess from this point on [m]
