@@ -130,6 +130,23 @@ QString readout(double value, const Quantity& quantity, const QLocale& locale)
     return readout(value, quantity.displayUnit, quantity.unit == "rad" ? 2 : 3, locale);
 }
 
+QString lengthText(double metres, int digits, const QLocale& locale)
+{
+    const bool micrometres = std::abs(metres) >= 0.9999995e-6;
+    const double shown = metres / (micrometres ? 1e-6 : 1e-9);
+    // Of a value near zero as many decimals as of one nanometre: what is finer is no length any more.
+    const double size = std::max(std::abs(shown), micrometres ? 0.0 : 1.0);
+    const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
+    QString number = locale.toString(shown, 'f', decimals);
+    if (decimals > 0 && digits > 3) {
+        while (number.endsWith(QLatin1Char('0'))) number.chop(1);
+        if (number.endsWith(locale.decimalPoint())) number.chop(locale.decimalPoint().size());
+    }
+    if (number == QLatin1String("-0")) number = QStringLiteral("0");
+    if (number.startsWith(QLatin1Char('-'))) number.replace(0, 1, QChar(0x2212)); // a true minus sign
+    return number + QChar(0x00A0) + (micrometres ? QStringLiteral("µm") : QStringLiteral("nm"));
+}
+
 QString timeText(double seconds, const QLocale& locale)
 {
     return withPrefix(seconds, QStringLiteral("s"), locale);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Colours for the values of a field: a map from 0..1 to colours, and a monotone scale from values to 0..1.
+//
+// Sequential maps are viridis (van der Walt & Smith 2015) and the upper part of mako (Waskom 2020), which rise evenly in
+// lightness and which the colour-blind read as others do. The diverging map is blue and orange of equal
+// lightness on either side of a neutral centre, made in Oklab (Ottosson 2020); its centre is the paper's colour, so
+// that it has a light and a dark form.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <QColor>
+#include <QString>
+
+namespace touchdown {
+
+enum class ColourMap { Viridis, Mako, DivergingOnLight, DivergingOnDark };
+
+/// The colour at 0 to 1; beyond, that of the nearer end.
+QColor mapColour(ColourMap map, double position);
+
+/// A number beside a colour bar.
+struct ScaleTick {
+    double position = 0.0; // 0 to 1
+    QString text;
+};
+
+/// From value to colour: piecewise linear through knots, in the value or in its logarithm.
+class ColourScale {
+public:
+    /// Evenly from 0 to 1.
+    ColourScale() : ColourScale(Kind::Linear, ColourMap::Viridis, {0.0, 1.0}) {}
+
+    /// Evenly from `low` to `high`.
+    static ColourScale linear(ColourMap map, double low, double high);
+    /// Evenly in the logarithm; both above zero.
+    static ColourScale logarithmic(ColourMap map, double low, double high);
+    /// Zero in the middle; each side is stretched to its own end, so that a weak side is seen beside a strong one.
+    static ColourScale aboutZero(ColourMap map, double low, double high);
+    /// Equal steps of colour between the levels, however far they are apart; ascending, one or more.
+    static ColourScale throughLevels(ColourMap map, std::vector<double> levels);
+
+    /// The same values with the colours the other way round.
+    ColourScale reversed() const;
+
+    double low() const { return knots_.front(); }
+    double high() const { return knots_.back(); }
+    /// The values at equal distances on the bar.
+    const std::vector<double>& knots() const { return knots_; }
+    bool isLogarithmic() const { return kind_ == Kind::Logarithmic; }
+
+    /// Where the value lies on the bar, 0 to 1.
+    double position(double value) const;
+    QRgb colour(double value) const { return colourAt(position(value)); }
+    QRgb colourAt(double position) const;
+
+    /// Numbers in units of `factor` for a bar that has room for `most`.
+    std::vector<ScaleTick> ticks(double factor, int most) const;
+
+private:
+    enum class Kind { Linear, Logarithmic, AboutZero, Levels };
+    ColourScale(Kind kind, ColourMap map, std::vector<double> knots);
+
+    Kind kind_;
+    std::vector<double> knots_; // ascending
+    std::array<QRgb, 512> colours_{};
+};
+
+} // namespace touchdown

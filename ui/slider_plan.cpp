@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slider_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/plot_painter.h"
+#include "ui/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double gap = 6.0;        // between things that belong together [px]
+constexpr double tickLength = 4.0; // [px]
+constexpr double arrowLength = 38.0; // [px]
+constexpr double wheelStep = 1.25; // for one notch
+constexpr double keyMove = 40.0;   // [px]
+constexpr double farthest = 0.3;   // of the fitted scale
+constexpr double nearest = 2e9;    // [px/m]: 2 px a nanometre
+
+PlotAxis millimetres(const QString& name, double low, double high)
+{
+    PlotAxis axis;
+    axis.label = {name, QStringLiteral("mm"), 1e-3, AxisScale::Linear};
+    axis.setRange({low, high});
+    return axis;
+}
+
+} // namespace
+
+SliderPlan::SliderPlan(QWidget* parent) : QWidget(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleDescription(tr("Arrow keys move, plus and minus zoom, Home shows everything."));
+}
+
+void SliderPlan::setSlider(double length, double width)
+{
+    if (length == length_ && width == width_) return;
+    length_ = length;
+    width_ = width;
+    fit();
+}
+
+void SliderPlan::setSkew(double skew)
+{
+    skew_ = skew;
+    update();
+}
+
+void SliderPlan::setTitle(const QString& title)
+{
+    title_ = title;
+    setAccessibleName(title);
+    update();
+}
+
+void SliderPlan::setReading(const QString& text)
+{
+    if (text == reading_) return;
+    reading_ = text;
+    update(0, 0, width(), static_cast<int>(planArea().top()));
+}
+
+void SliderPlan::fit()
+{
+    fitted_ = true;
+    applyFit();
+}
+
+void SliderPlan::applyFit()
+{
+    const QRectF area = planArea();
+    const double text = QFontMetricsF(plotNumberFont(font())).height();
+    // Room for the names of the edges, and at the left for the air flow.
+    const double left = arrowLength + 3.0 * gap + text;
+    const double right = text + 3.0 * gap;
+    const double ends = 2.0 * (text + 2.0 * gap);
+    scale_ = std::max(1.0, std::min((area.width() - left - right) / length_, (area.height() - ends) / width_));
+    centre_ = {0.5 * length_ + 0.5 * (right - left) / scale_, 0.5 * width_};
+    update();
+    emit viewChanged();
+}
+
+QRectF SliderPlan::view() const
+{
+    const QRectF area = planArea();
+    const SurfacePoint corner = toSlider(area.bottomLeft());
+    return {corner.x, corner.y, area.width() / scale_, area.height() / scale_};
+}
+
+void SliderPlan::zoom(double factor, const QPointF& aboutPixel)
+{
+    const SurfacePoint still = toSlider(aboutPixel);
+    const QRectF area = planArea();
+    const double whole = std::min(area.width() / length_, area.height() / width_);
+    const double scale = std::clamp(scale_ * factor, farthest * whole, nearest);
+    if (scale == scale_) return;
+    fitted_ = false;
+    scale_ = scale;
+    const QPointF away = aboutPixel - area.center();
+    centre_ = {still.x - away.x() / scale_, still.y + away.y() / scale_};
+    update();
+    emit viewChanged();
+}
+
+void SliderPlan::pan(const QPointF& byPixels)
+{
+    // Some part of the slider stays in sight.
+    fitted_ = false;
+    centre_.x = std::clamp(centre_.x - byPixels.x() / scale_, 0.0, length_);
+    centre_.y = std::clamp(centre_.y + byPixels.y() / scale_, 0.0, width_);
+    update();
+    emit viewChanged();
+}
+
+QRectF SliderPlan::planArea() const
+{
+    const QFontMetricsF text(plotTextFont(font()));
+    const QFontMetricsF numbers(plotNumberFont(font()));
+    const double left = gap + text.height() + gap + numbers.horizontalAdvance(QStringLiteral("0.0000")) + tickLength;
+    const double top = std::ceil(text.height() + 2.0 * gap);
+    const double bottom = tickLength + numbers.height() + text.height() + gap + 4.0;
+    const double right = keyWidth() + gap;
+    return {std::ceil(left), top, std::max(20.0, std::floor(width() - left - right)),
+            std::max(20.0, std::floor(height() - top - bottom))};
+}
+
+QPointF SliderPlan::toPixel(const SurfacePoint& point) const
+{
+    const QPointF middle = planArea().center();
+    return {middle.x() + (point.x - centre_.x) * scale_, middle.y() - (point.y - centre_.y) * scale_};
+}
+
+SurfacePoint SliderPlan::toSlider(const QPointF& pixel) const
+{
+    const QPointF away = pixel - planArea().center();
+    return {centre_.x + away.x() / scale_, centre_.y - away.y() / scale_};
+}
+
+bool SliderPlan::onSlider(const SurfacePoint& point) const
+{
+    return point.x >= 0.0 && point.x <= length_ && point.y >= 0.0 && point.y <= width_;
+}
+
+void SliderPlan::paintPlan(QPainter& painter, const QRectF& target, const PlotTheme& theme)
+{
+    painter.save();
+    painter.translate(target.topLeft());
+    painter.scale(target.width() / width(), target.height() / height());
+    paint(painter, theme);
+    painter.restore();
+}
+
+void SliderPlan::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    paint(painter, plotTheme(palette()));
+}
+
+void SliderPlan::paint(QPainter& painter, const PlotTheme& theme)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), theme.background);
+    painter.save();
+    painter.setClipRect(planArea(), Qt::IntersectClip);
+    paintContent(painter, theme);
+    paintSurroundings(painter, theme);
+    painter.restore();
+    paintScales(painter, theme);
+    paintHeader(painter, theme);
+    const QRectF area = planArea();
+    paintKey(painter, QRectF(area.right() + gap, area.top(), keyWidth(), area.height()), theme);
+}
+
+void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) const
+{
+    const QRectF outline = QRectF(toPixel({0.0, width_}), toPixel({length_, 0.0}));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.text, 1.2));
+    painter.drawRect(outline);
+
+    const QFont font = plotNumberFont(this->font());
+    const double text = QFontMetricsF(font).height();
+    painter.setFont(font);
+    painter.setPen(theme.mutedText);
+    painter.drawText(QRectF(outline.left(), outline.bottom() + gap, outline.width(), text), Qt::AlignCenter, tr("inner edge"));
+    painter.drawText(QRectF(outline.left(), outline.top() - gap - text, outline.width(), text), Qt::AlignCenter,
+                     tr("outer edge"));
+    const auto drawUpright = [&](double x, double turn, const QString& name) {
+        painter.save();
+        painter.translate(x, outline.center().y());
+        painter.rotate(turn);
+        painter.drawText(QRectF(-outline.height() / 2.0, -text / 2.0, outline.height(), text), Qt::AlignCenter, name);
+        painter.restore();
+    };
+    drawUpright(outline.left() - gap - text / 2.0, -90.0, tr("leading edge"));
+    drawUpright(outline.right() + gap + text / 2.0, 90.0, tr("trailing edge"));
+    paintAirFlow(painter, theme);
+}
+
+void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
+{
+    const QFont font = plotNumberFont(this->font());
+    const QFontMetricsF metrics(font);
+    const QPointF tip = toPixel({0.0, 0.5 * width_}) - QPointF(2.0 * gap + metrics.height(), 0.0);
+    // On the screen y points down, and positive skew turns the flow towards the inner edge, which is below.
+    const QPointF along(std::cos(skew_), std::sin(skew_));
+    const QPointF across(-along.y(), along.x());
+    const QPointF tail = tip - arrowLength * along;
+    painter.setPen(QPen(theme.mutedText, 2.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(tail, tip - 6.0 * along);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.mutedText);
+    painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.5 * across, tip - 9.0 * along - 4.5 * across}));
+    painter.setBrush(Qt::NoBrush);
+
+    painter.setFont(font);
+    painter.setPen(theme.mutedText);
+    const QRectF box(tip.x() - arrowLength - 2.0 * gap, 0.0, arrowLength + 3.0 * gap, metrics.height());
+    const double half = 0.5 * arrowLength * std::abs(along.y()) + 8.0;
+    const double middle = 0.5 * (tip.y() + tail.y());
+    painter.drawText(box.translated(0.0, middle - half - metrics.height()), Qt::AlignCenter | Qt::TextDontClip, tr("air"));
+    if (skew_ != 0.0)
+        painter.drawText(box.translated(0.0, middle + half), Qt::AlignCenter | Qt::TextDontClip,
+                         typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°"));
+}
+
+void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
+{
+    const QRectF area = planArea();
+    const QRectF seen = view();
+    const PlotAxis x = millimetres(QStringLiteral("x"), seen.left(), seen.right());
+    const PlotAxis y = millimetres(QStringLiteral("y"), seen.top(), seen.bottom());
+    const QFont numberFont = plotNumberFont(font());
+    const QFontMetricsF numbers(numberFont);
+    painter.setPen(QPen(theme.axis, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(std::floor(area.left()) + 0.5, std::floor(area.top()) + 0.5, area.width() - 1.0, area.height() - 1.0));
+
+    painter.setFont(numberFont);
+    const int mostX = static_cast<int>(area.width() / numbers.horizontalAdvance(QStringLiteral("00000.000")));
+    for (const AxisTick& tick : x.ticks(std::min(12, mostX))) {
+        if (tick.value < -1e-9 || tick.value > length_ + 1e-9) continue; // there is no slider
+        const double at = toPixel({tick.value, 0.0}).x();
+        painter.setPen(QPen(theme.axis, 1.0));
+        painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + tickLength));
+        painter.setPen(theme.mutedText);
+        painter.drawText(QRectF(at - 50.0, area.bottom() + tickLength, 100.0, numbers.height()), Qt::AlignCenter, tick.text);
+    }
+    for (const AxisTick& tick : y.ticks(std::min(12, static_cast<int>(area.height() / (2.0 * numbers.height()))))) {
+        if (tick.value < -1e-9 || tick.value > width_ + 1e-9) continue;
+        const double at = toPixel({0.0, tick.value}).y();
+        painter.setPen(QPen(theme.axis, 1.0));
+        painter.drawLine(QPointF(area.left() - tickLength, at), QPointF(area.left(), at));
+        painter.setPen(theme.mutedText);
+        painter.drawText(QRectF(0.0, at - numbers.height() / 2.0, area.left() - tickLength - 3.0, numbers.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, tick.text);
+    }
+
+    const QFont textFont = plotTextFont(font());
+    const double text = QFontMetricsF(textFont).height();
+    painter.setFont(textFont);
+    painter.setPen(theme.text);
+    painter.drawText(QRectF(area.left(), area.bottom() + tickLength + numbers.height() + 2.0, area.width(), text + 2.0),
+                     Qt::AlignCenter, x.text());
+    painter.save();
+    painter.translate(gap, area.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QRectF(-area.height() / 2.0, 0.0, area.height(), text), Qt::AlignCenter, y.text());
+    painter.restore();
+}
+
+void SliderPlan::paintHeader(QPainter& painter, const PlotTheme& theme) const
+{
+    const QRectF area = planArea();
+    QFont font = plotTextFont(this->font());
+    const QFontMetricsF metrics(font);
+    const QRectF row(area.left(), gap, width() - area.left() - gap, metrics.height());
+    QFont heavy = font;
+    heavy.setWeight(QFont::DemiBold);
+    const QFontMetricsF heavyMetrics(heavy);
+    const double read = std::min(metrics.horizontalAdvance(reading_), row.width());
+    const QString title = heavyMetrics.elidedText(title_, Qt::ElideRight, row.width() - read - 2.0 * gap);
+    painter.setFont(heavy);
+    painter.setPen(theme.text);
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, title);
+    painter.setFont(font);
+    painter.setPen(theme.mutedText);
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(reading_, Qt::ElideRight, row.width()));
+}
+
+void SliderPlan::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange && fitted_) applyFit();
+    if (event->type() == QEvent::PaletteChange) update();
+}
+
+void SliderPlan::resizeEvent(QResizeEvent*)
+{
+    if (fitted_) applyFit();
+    else emit viewChanged();
+}
+
+void SliderPlan::wheelEvent(QWheelEvent* event)
+{
+    const int turned = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+    if (turned != 0) zoom(std::pow(wheelStep, turned / 120.0), event->position());
+    event->accept();
+}
+
+void SliderPlan::mousePressEvent(QMouseEvent* event)
+{
+    pressedAt_ = event->position();
+    draggedTo_ = event->position();
+    dragged_ = false;
+}
+
+void SliderPlan::mouseMoveEvent(QMouseEvent* event)
+{
+    if (pressedAt_) {
+        const QPointF way = event->position() - *pressedAt_;
+        if (!dragged_ && way.manhattanLength() < QApplication::startDragDistance()) return;
+        if (!dragged_) setCursor(Qt::ClosedHandCursor);
+        dragged_ = true;
+        pan(event->position() - draggedTo_);
+        draggedTo_ = event->position();
+        return;
+    }
+    const SurfacePoint point = toSlider(event->position());
+    const bool seen = planArea().contains(event->position()) && onSlider(point);
+    emit pointed(seen ? std::optional(point) : std::nullopt);
+}
+
+void SliderPlan::mouseReleaseEvent(QMouseEvent* event)
+{
+    const bool clicked = pressedAt_ && !dragged_ && event->button() == Qt::LeftButton;
+    pressedAt_.reset();
+    unsetCursor();
+    const SurfacePoint point = toSlider(event->position());
+    if (clicked && planArea().contains(event->position()) && onSlider(point)) emit chosen(point);
+}
+
+void SliderPlan::mouseDoubleClickEvent(QMouseEvent*)
+{
+    pressedAt_.reset();
+    fit();
+}
+
+void SliderPlan::leaveEvent(QEvent*) { emit pointed(std::nullopt); }
+
+void SliderPlan::keyPressEvent(QKeyEvent* event)
+{
+    // With Shift the arrows are left to what is drawn on the plan.
+    if (event->modifiers().testFlag(Qt::ShiftModifier) && event->key() != Qt::Key_Plus) {
+        event->ignore();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Left: pan({keyMove, 0.0}); break;
+    case Qt::Key_Right: pan({-keyMove, 0.0}); break;
+    case Qt::Key_Up: pan({0.0, keyMove}); break;
+    case Qt::Key_Down: pan({0.0, -keyMove}); break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoom(wheelStep, planArea().center()); break;
+    case Qt::Key_Minus: zoom(1.0 / wheelStep, planArea().center()); break;
+    case Qt::Key_Home: fit(); break;
+    default: QWidget::keyPressEvent(event);
+    }
+}
+
+} // namespace touchdown
