@@ -62,13 +62,33 @@ std::string withoutCarriageReturns(std::string text)
     return text;
 }
 
-TomlValue valueOf(const toml::node& node)
+TomlValue valueOf(const toml::node& node, int depth)
 {
     if (const auto* flag = node.as_boolean()) return flag->get();
     if (const auto* integer = node.as_integer()) return integer->get();
     if (const auto* number = node.as_floating_point()) return number->get();
     if (const auto* text = node.as_string()) return withoutCarriageReturns(text->get());
+    if (const auto* array = node.as_array(); array != nullptr && depth < deepest) {
+        TomlArray values;
+        values.elements.reserve(array->size());
+        for (const toml::node& element : *array)
+            values.elements.push_back({valueOf(element, depth + 1), static_cast<int>(element.source().begin.line)});
+        return values;
+    }
     return std::monostate{};
+}
+
+/// "abs.rail" of "abs.rail[3]".
+std::string withoutNumbers(std::string_view key)
+{
+    std::string name;
+    while (!key.empty()) {
+        const std::size_t open = std::min(key.find('['), key.size());
+        const std::size_t close = key.find(']', open);
+        name += key.substr(0, open);
+        key.remove_prefix(close == std::string_view::npos ? key.size() : close + 1);
+    }
+    return name;
 }
 
 class Flattener {
@@ -81,19 +101,28 @@ public:
     {
         for (const auto& [name, node] : table) {
             const std::string key = prefix + keyPart(name.str());
-            const std::size_t begin = places_.offset(node.source().begin);
-            const std::size_t end = places_.offset(node.source().end);
-            const int line = static_cast<int>(name.source().begin.line);
-            if (const toml::table* inner = node.as_table(); inner != nullptr && depth < deepest) {
-                document_.tables.push_back({key, kindOf(*inner, key, begin, end), line, begin, end});
-                add(*inner, key + '.', depth + 1);
-            } else {
-                document_.entries.push_back({key, valueOf(node), line, begin, end});
-            }
+            addNode(node, key, static_cast<int>(name.source().begin.line), depth);
         }
     }
 
 private:
+    void addNode(const toml::node& node, const std::string& key, int line, int depth)
+    {
+        const std::size_t begin = places_.offset(node.source().begin);
+        const std::size_t end = places_.offset(node.source().end);
+        if (const toml::table* table = node.as_table(); table != nullptr && depth < deepest) {
+            document_.tables.push_back({key, kindOf(*table, key, begin, end), line, begin, end});
+            add(*table, key + '.', depth + 1);
+        } else if (const toml::array* array = node.as_array(); array != nullptr && array->is_array_of_tables()) {
+            document_.tables.push_back({key, TomlTableKind::Array, line, begin, end});
+            for (std::size_t i = 0; i < array->size(); ++i)
+                addNode(*array->get(i), key + '[' + std::to_string(i + 1) + ']',
+                        static_cast<int>(array->get(i)->source().begin.line), depth);
+        } else {
+            document_.entries.push_back({key, valueOf(node, depth), line, begin, end});
+        }
+    }
+
     /// toml++ gives the table a of [a.b] the place of that header.
     TomlTableKind kindOf(const toml::table& table, const std::string& key, std::size_t begin, std::size_t end) const
     {
@@ -101,7 +130,10 @@ private:
         std::string header;
         for (const char c : text_.substr(begin, end - begin))
             if (c != ' ' && c != '\t') header += c;
-        return header == '[' + key + ']' ? TomlTableKind::Header : TomlTableKind::Dotted;
+        const std::string name = withoutNumbers(key);
+        if (header == '[' + name + ']' || (header == "[[" + name + "]]" && key.ends_with(']')))
+            return TomlTableKind::Header;
+        return header.starts_with('[') ? TomlTableKind::Implied : TomlTableKind::Dotted;
     }
 
     std::string_view text_;

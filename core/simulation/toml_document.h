@@ -12,24 +12,40 @@
 
 namespace touchdown {
 
-/// What a case file may hold; std::monostate for all else (arrays, dates).
-using TomlValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+struct TomlElement;
+struct TomlArray {
+    std::vector<TomlElement> elements;
+};
+
+/// What a case file may hold; std::monostate for all else (dates, tables among the values of an array).
+using TomlValue = std::variant<std::monostate, bool, std::int64_t, double, std::string, TomlArray>;
+
+struct TomlElement {
+    TomlValue value;
+    int line = 0;
+};
 
 struct TomlEntry {
-    std::string key; // "springs.cutoff"; a part that is no bare key stands in quotation marks
+    std::string key; // "springs.cutoff", "abs.rail[1].recess"; a part that is no bare key stands in quotation marks
     TomlValue value;
     int line = 0;
     std::size_t begin = 0; // of the value's text, quotation marks included [byte]
     std::size_t end = 0;   // one past it
 };
 
-enum class TomlTableKind : std::uint8_t { Header, Inline, Dotted }; // [a], a = {}, a.b = 1 (or the a of [a.b])
+enum class TomlTableKind : std::uint8_t {
+    Header,  // [a], or one table a[1] of [[a]]
+    Inline,  // a = {}
+    Dotted,  // a.b = 1
+    Implied, // the a of [a.b]
+    Array,   // all of [[a]], or a = [{}, {}]; the tables a[1], a[2] follow, counted from 1
+};
 
 struct TomlTable {
     std::string key;
     TomlTableKind kind = TomlTableKind::Dotted;
     int line = 0;
-    std::size_t begin = 0; // of the header or the inline table [byte]
+    std::size_t begin = 0; // of the header, the inline table or the array; of the first header of [[a]] [byte]
     std::size_t end = 0;
 };
 

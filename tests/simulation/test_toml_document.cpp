@@ -71,11 +71,69 @@ private slots:
                 if (table.key == key) return table.kind;
             return TomlTableKind::Dotted;
         };
-        QCOMPARE(kind("a"), TomlTableKind::Dotted);
+        QCOMPARE(kind("a"), TomlTableKind::Implied);
         QCOMPARE(kind("a.b"), TomlTableKind::Header);
         QCOMPARE(kind("run"), TomlTableKind::Header);
         QCOMPARE(kind("run.d"), TomlTableKind::Dotted);
         QCOMPARE(kind("run.in"), TomlTableKind::Inline);
+    }
+    /// Tables of one name are counted from 1, whether they have headers or stand in a line.
+    void arraysOfTables()
+    {
+        const std::string text = "[a]\nb = [{ x = 1 }, { x = 2 }]\n\n[[c.d]] # first\ny = 1\n\n[[ c.d ]]\n[c.d.e]\nz = 1\n";
+        const TomlDocument document = readToml(text);
+        QCOMPARE(document.problem, std::string());
+        QStringList tables;
+        for (const TomlTable& table : document.tables)
+            tables << QString("%1 %2 %3").arg(table.key.c_str()).arg(static_cast<int>(table.kind)).arg(table.line);
+        const auto row = [](const char* key, TomlTableKind kind, int line) {
+            return QString("%1 %2 %3").arg(key).arg(static_cast<int>(kind)).arg(line);
+        };
+        using enum TomlTableKind;
+        QCOMPARE(tables, (QStringList{row("a", Header, 1), row("a.b", Array, 2), row("a.b[1]", Inline, 2),
+                                      row("a.b[2]", Inline, 2), row("c", Implied, 4), row("c.d", Array, 4),
+                                      row("c.d[1]", Header, 4), row("c.d[2]", Header, 7), row("c.d[2].e", Header, 8)}));
+        QStringList keys;
+        for (const TomlEntry& entry : document.entries) keys << entry.key.c_str();
+        QCOMPARE(keys, (QStringList{"a.b[1].x", "a.b[2].x", "c.d[1].y", "c.d[2].e.z"}));
+        QCOMPARE(text.substr(document.tables[7].begin, document.tables[7].end - document.tables[7].begin),
+                 std::string("[[ c.d ]]"));
+    }
+    /// A quoted key may look like one of them.
+    void bracketsInKeysAreNoNumbers()
+    {
+        const TomlDocument document = readToml("[\"a[\"]\nx = 1\n[\"b[1]\"]\nx = 1\n");
+        QCOMPARE(document.problem, std::string());
+        QCOMPARE(document.tables.at(0).key, std::string("\"a[\""));
+        QCOMPARE(document.tables.at(1).key, std::string("\"b[1]\""));
+    }
+    void arraysKeepTheLinesOfTheirElements()
+    {
+        const TomlDocument document = readToml("a = [1,\n '2 m', [3.5,\n true], {}, 1970-01-01]\n");
+        const auto& elements = std::get<TomlArray>(document.entries.at(0).value).elements;
+        QCOMPARE(elements.size(), std::size_t{5});
+        QCOMPARE(std::get<std::int64_t>(elements[0].value), std::int64_t{1});
+        QCOMPARE(std::get<std::string>(elements[1].value), std::string("2 m"));
+        QCOMPARE(elements[1].line, 2);
+        const auto& inner = std::get<TomlArray>(elements[2].value).elements;
+        QCOMPARE(std::get<double>(inner.at(0).value), 3.5);
+        QVERIFY(std::get<bool>(inner.at(1).value));
+        QCOMPARE(inner.at(1).line, 3);
+        QVERIFY(std::holds_alternative<std::monostate>(elements[3].value));
+        QVERIFY(std::holds_alternative<std::monostate>(elements[4].value));
+    }
+    /// Arrays in arrays are looked into as deep as tables are.
+    void deepArraysAreRead()
+    {
+        const TomlDocument document = readToml("a = " + std::string(100, '[') + std::string(100, ']'));
+        QCOMPARE(document.problem, std::string());
+        const TomlValue* value = &document.entries.at(0).value;
+        int depth = 0;
+        while (const auto* array = std::get_if<TomlArray>(value)) {
+            ++depth;
+            value = &array->elements.at(0).value;
+        }
+        QCOMPARE(depth, 7);
     }
     void valuesHaveTheirType()
     {
