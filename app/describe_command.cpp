@@ -8,6 +8,7 @@
 #include "app/json_text.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/nearest_name.h"
+#include "core/simulation/surface_text.h"
 
 namespace touchdown {
 namespace {
@@ -22,6 +23,7 @@ std::string kindName(const Field& field)
     case FieldKind::Choice: return "choice";
     case FieldKind::Boolean: return "boolean";
     case FieldKind::Text: return "text";
+    case FieldKind::List: return "list";
     }
     return {};
 }
@@ -47,13 +49,20 @@ std::string nearest(const std::string& key)
 
 std::string defaultText(const Field& field)
 {
-    const std::string text = toText(Case{}, field);
-    return text.empty() ? "(empty)" : text;
+    const auto shown = [&](ModelKind model) {
+        const std::string text = toText(defaultsOf(model), field);
+        return text.empty() ? "(empty)" : text;
+    };
+    const std::string springs = shown(ModelKind::Springs);
+    const std::string film = shown(ModelKind::Film);
+    // The choice of the model itself is no default of a model.
+    return springs == film || field.key == "model" ? springs : springs + "; film: " + film;
 }
 
 std::string unitText(const Field& field)
 {
-    if (field.unit.empty()) return field.kind == FieldKind::Number ? "-" : "";
+    const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
+    if (field.unit.empty()) return numbers ? "-" : "";
     return field.unit == field.displayUnit ? field.unit : field.displayUnit + " (" + field.unit + ")";
 }
 
@@ -98,12 +107,15 @@ std::string table(const Selection& selection)
     std::string text =
         padded("KEY", keyWidth) + padded("UNIT", unitWidth) + padded("DEFAULT", defaultWidth) + "ALLOWED\n";
     std::string group;
-    for (const Field* field : selection) {
+    for (std::size_t i = 0; i < selection.size(); ++i) {
+        const Field* field = selection[i];
         if (field->group() != group) text += "\n[" + field->group() + "]\n";
         group = field->group();
         text += padded(field->key, keyWidth) + padded(unitText(*field), unitWidth) +
                 padded(defaultText(*field), defaultWidth) + allowedRange(*field) + "\n";
         text += wrapped(field->help + (field->source.empty() ? "" : " Source: " + field->source + "."), 6);
+        const bool last = i + 1 == selection.size() || selection[i + 1]->group() != group;
+        if (group == "abs" && last && selection.size() > 1) text += wrapped(std::string(surfaceHelp()), 6);
     }
     return text;
 }
@@ -122,11 +134,14 @@ Json json(const Field& field)
 {
     const auto value = [](const FieldValue& v) { return std::visit([](const auto& x) { return Json(x); }, v); };
     Json result{{"key", field.key}, {"label", field.label}, {"symbol", field.symbol}, {"kind", kindName(field)}};
-    if (field.kind == FieldKind::Number) {
+    const bool list = field.kind == FieldKind::List;
+    if (field.kind == FieldKind::Number || list) {
         result["unit"] = field.unit.empty() ? "1" : field.unit;
         result["display_unit"] = field.displayUnit;
     }
-    if (field.kind == FieldKind::Number || field.kind == FieldKind::Integer) {
+    if (list) result["minimum_count"] = field.minimumCount;
+    if (list) result["maximum_count"] = field.maximumCount;
+    if (field.kind == FieldKind::Number || field.kind == FieldKind::Integer || list) {
         result["minimum"] = jsonNumber(field.minimum);
         result["minimum_allowed"] = field.minimumAllowed;
         result["maximum"] = jsonNumber(field.maximum);
@@ -144,6 +159,11 @@ Json json(const Field& field)
 int describeCommand(const std::string& key, bool asJson)
 {
     const Selection selection = select(key);
+    if (isSurfaceKey(key) || key == railFileKey) {
+        print(asJson ? jsonText({{"fields", Json::array()}, {"surface", surfaceHelp()}})
+                     : wrapped(std::string(surfaceHelp()), 0));
+        return exitDone;
+    }
     if (selection.empty()) {
         complain(key + ": unknown key" + didYouMean(nearest(key)));
         return exitWrongInput;
@@ -151,7 +171,9 @@ int describeCommand(const std::string& key, bool asJson)
     if (asJson) {
         Json all = Json::array();
         for (const Field* field : selection) all.push_back(json(*field));
-        print(jsonText({{"fields", all}}));
+        Json result{{"fields", all}};
+        if (key.empty() || key == "abs") result["surface"] = surfaceHelp();
+        print(jsonText(result));
     } else {
         print(selection.size() == 1 && selection.front()->key == key ? details(*selection.front()) : table(selection));
     }

@@ -69,7 +69,9 @@ public:
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
         if (!arguments.out.empty()) {
-            problem_ = results_.emplace().open(arguments.out, document.value, document.text, quantities_);
+            // Without the files that the text may name, so that the results stand alone.
+            const std::string text = updateCaseText(document.text, document.value);
+            problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_);
             spectra_.emplace(document.value, quantities_);
         }
         if (problem_.empty() && !arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
@@ -113,6 +115,10 @@ int runCommand(const RunArguments& arguments)
     const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
     const bool good = targetsAreGood(arguments);
     if (!document.valid() || !good) return exitWrongInput;
+    if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
+        complain(document.name + ": " + reason);
+        return exitWrongInput;
+    }
 
     const StopSignal stop;
     RunOutput output(arguments, document);

@@ -119,6 +119,7 @@ void FieldEditor::buildInput()
         break;
     case FieldKind::Number:
     case FieldKind::Integer:
+    case FieldKind::List:
     case FieldKind::Text:
         line_ = new QLineEdit(this);
         if (field_.kind != FieldKind::Text) {

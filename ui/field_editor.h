@@ -55,7 +55,7 @@ private:
 
     const Field& field_;
     QLabel* label_;
-    QLineEdit* line_ = nullptr;    // Number, Integer, Text
+    QLineEdit* line_ = nullptr;    // Number, Integer, List, Text
     QComboBox* choice_ = nullptr;  // Choice
     QCheckBox* check_ = nullptr;   // Boolean
     QLabel* unit_;

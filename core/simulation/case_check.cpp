@@ -6,12 +6,15 @@
 #include "core/simulation/decimal.h"
 #include "core/simulation/units.h"
 
+#include <algorithm>
+
 namespace touchdown {
 
 namespace {
 
 constexpr double mostSamples = 1e8;
 constexpr double mostSteps = 1e11;
+constexpr std::size_t mostStates = 10000; // of a series
 
 /// To four digits, for a message.
 std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
@@ -63,11 +66,11 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
     if (c.spectrum.start >= run.duration) problems.push_back({"spectrum.start", "must be less than " + duration});
 }
 
-} // namespace
-
-std::vector<CaseProblem> checkCombinations(const Case& c)
+void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
 {
-    std::vector<CaseProblem> problems;
+    if (c.degreesOfFreedom != 2)
+        problems.push_back(
+            {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch alone"});
     if (c.contact == ContactKind::OnoYamane && c.onoYamane.takeOff < c.onoYamane.touchDown)
         problems.push_back({"ono_yamane.take_off", "d_e = " + inNanometres(c.onoYamane.takeOff) +
                                                        " must be at least ono_yamane.touch_down (d_s = " +
@@ -81,6 +84,52 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
         {"rear", "springs.rear_stiffness", "springs.rear_distance", c.springs.rearStiffness, -c.springs.rearDistance},
         problems);
     checkTimes(c, problems);
+}
+
+/// The kinetic values, and the second-order model, are those of diffuse reflection.
+bool knowsAccommodation(SlipModel model)
+{
+    using enum SlipModel;
+    return model == Continuum || model == FirstOrder || model == OnePointFiveOrder || model == NewFirstOrder ||
+           model == NewSecondOrder;
+}
+
+void checkSeries(const SteadyCase& steady, std::vector<CaseProblem>& problems)
+{
+    const auto counted = [](std::size_t count) { return std::to_string(count); };
+    if (!steady.skews.empty() && steady.skews.size() != steady.radii.size())
+        problems.push_back({"steady.skews", "has " + counted(steady.skews.size()) + " numbers; steady.radii has " +
+                                                counted(steady.radii.size()) + ", and each radius has one skew"});
+    const auto length = [](const std::vector<double>& list) { return std::max<std::size_t>(list.size(), 1); };
+    const std::size_t states = length(steady.radii) * length(steady.speeds) * length(steady.altitudes);
+    if (states > mostStates)
+        problems.push_back({"steady.radii", "makes " + counted(states) +
+                                                " static states with steady.speeds and steady.altitudes; at most " +
+                                                counted(mostStates) + " are possible"});
+}
+
+void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
+{
+    if (c.contact != ContactKind::None)
+        problems.push_back({"contact", "must be \"none\" with model \"film\", which cannot yet touch the disk"});
+    if (!knowsAccommodation(c.air.slip.model) && c.air.slip.accommodation != 1.0)
+        problems.push_back({"air.accommodation", "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) +
+                                                     "), which knows diffuse walls alone"});
+    if (c.surface.taperLength > c.slider.length)
+        problems.push_back(
+            {"abs.taper_length", "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")"});
+    checkSeries(c.steady, problems);
+}
+
+} // namespace
+
+std::vector<CaseProblem> checkCombinations(const Case& c)
+{
+    std::vector<CaseProblem> problems;
+    switch (c.model) {
+    case ModelKind::Springs: checkSprings(c, problems); break;
+    case ModelKind::Film: checkFilm(c, problems); break;
+    }
     return problems;
 }
 

@@ -28,6 +28,7 @@ struct CaseDocument {
     Case value;
     std::string text;                   // the input as it stands, with its comments
     std::string name;                   // of the file or the sample case
+    std::filesystem::path folder;       // of the files that the text names
     std::vector<InputProblem> problems; // all of them
     std::vector<InputProblem> warnings; // what the input says and is not modelled; the case is valid all the same
     bool valid() const { return problems.empty(); }
@@ -36,8 +37,9 @@ struct CaseDocument {
 /// Largest case file that is read [byte].
 inline constexpr std::uintmax_t maximumCaseFileSize = 1 << 20;
 
-/// Reads TOML text. `name` appears in the problems.
-CaseDocument parseCase(std::string text, std::string name);
+/// Reads TOML text. `name` appears in the problems. Files that the text names (abs.rails) are looked for in `folder`;
+/// without one they are a problem.
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder = {});
 /// Reads a file; a directory, an unreadable, empty, binary or oversized file is a problem by name.
 CaseDocument readCaseFile(const std::filesystem::path& file);
 /// A case file, or the name of a sample case.
@@ -48,8 +50,10 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
 
 /// The whole case as TOML, every used field written, with a comment per group.
 std::string formatCase(const Case& c);
-/// `text` with the values of `c` put in place: comments, order and spelling of what has not changed are kept.
-std::string updateCaseText(const std::string& text, const Case& c);
+/// `text` with the values of `c` put in place: comments, order and spelling of what has not changed are kept. A file of
+/// rails stays named if the text will stand in `folder` and the rails are still those of the file there; else the rails
+/// are written into the text.
+std::string updateCaseText(const std::string& text, const Case& c, const std::filesystem::path& folder = {});
 /// Writes through a temporary file and a rename, so that a failure leaves the old file as it was. Returns the problem, or "".
 std::string writeCaseFile(const std::filesystem::path& file, const std::string& text);
 

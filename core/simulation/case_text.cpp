@@ -4,8 +4,9 @@
 #include "core/simulation/case_file.h"
 
 #include "core/simulation/fields.h"
-#include "core/simulation/toml_document.h"
-#include "core/simulation/units.h"
+#include "core/simulation/surface_text.h"
+#include "core/simulation/toml_editor.h"
+#include "core/simulation/toml_quantity.h"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +18,17 @@ namespace {
 
 std::string_view groupComment(std::string_view group)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> comments{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> comments{{
         {"about", "What this case is about."},
         {"slider", "The slider as a rigid body."},
         {"springs", "The air bearing: two nonlinear springs with dashpots, given at the static state."},
         {"suspension", "The suspension, about the static state."},
         {"ono_yamane", "Contact and adhesion: the simplified characteristic of Ono and Yamane, and the pad."},
+        {"abs", "The air bearing surface."},
+        {"air", "The air and its slip at the walls."},
+        {"disk", "The disk's motion under the slider."},
+        {"film", "The discretisation of the film and its solution."},
+        {"steady", "The static state."},
         {"initial", "The start."},
         {"run", "The integration."},
         {"spectrum", "The power spectra."},
@@ -32,19 +38,26 @@ std::string_view groupComment(std::string_view group)
     return {};
 }
 
+std::string tomlList(const std::vector<double>& values, std::string_view displayUnit)
+{
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ", ") + formatTomlQuantity(value, displayUnit);
+    return '[' + list + ']';
+}
+
 /// The value with the quotation marks that TOML wants.
 std::string tomlValue(const Case& c, const Field& field)
 {
-    const std::string text = toText(c, field);
+    const FieldValue value = field.get(c);
     switch (field.kind) {
     case FieldKind::Text:
-    case FieldKind::Choice: return tomlString(text);
+    case FieldKind::Choice: return tomlString(std::get<std::string>(value));
     case FieldKind::Integer:
-    case FieldKind::Boolean: return text;
-    case FieldKind::Number: break;
+    case FieldKind::Boolean: return toText(c, field);
+    case FieldKind::List: return tomlList(std::get<std::vector<double>>(value), field.displayUnit);
+    case FieldKind::Number: return formatTomlQuantity(std::get<double>(value), field.displayUnit);
     }
-    // Without a unit it is an SI number that no text in the display unit gives.
-    return text.find(' ') == std::string::npos ? text : tomlString(text);
+    return {};
 }
 
 std::string_view leaf(const Field& field)
@@ -54,7 +67,8 @@ std::string_view leaf(const Field& field)
 
 bool sameCase(const Case& a, const Case& b)
 {
-    return std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
+    return a.surface == b.surface &&
+           std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
 }
 
 /// The problems of single values; those of combinations were read well.
@@ -68,115 +82,73 @@ std::vector<InputProblem> valueProblems(const CaseDocument& document)
     return problems;
 }
 
-/// A change of a text: `removed` bytes at `at` make place for `inserted`.
-struct Edit {
-    std::size_t at = 0;
-    std::size_t removed = 0;
-    std::string inserted;
-};
-
-/// Collects the changes that turn the values of a text into those of a case.
-class TextEditor {
-public:
-    explicit TextEditor(const std::string& text)
-        : text_(text), toml_(readToml(text)), newline_(text.find("\r\n") == std::string::npos ? "\n" : "\r\n")
-    {}
-    bool readable() const { return toml_.problem.empty(); }
-    bool has(const Field& field) const { return find(field) != toml_.entries.end(); }
-
-    void put(const Field& field, const std::string& value)
-    {
-        if (const auto entry = find(field); entry != toml_.entries.end())
-            edits_.push_back({entry->begin, entry->end - entry->begin, value});
-        else if (field.group().empty())
-            addToRoot(field.key + " = " + value);
-        else
-            addToTable(field, value);
+/// The tables [[abs.rail]] or [[abs.wall]]: what is the same at the front and at the back stays, the rest is changed in
+/// place, and what is too many or too few goes or comes between.
+template <typename Item>
+void putTables(TomlEditor& editor, const std::string& name, const std::vector<Item>& old, const std::vector<Item>& now)
+{
+    const auto front = static_cast<std::size_t>(std::ranges::mismatch(old, now).in1 - old.begin());
+    std::size_t back = 0;
+    while (back < std::min(old.size(), now.size()) - front && old[old.size() - 1 - back] == now[now.size() - 1 - back])
+        ++back;
+    std::size_t i = front;
+    for (; i < std::min(old.size(), now.size()) - back; ++i) {
+        const auto before = surfaceRows(old[i]);
+        const auto after = surfaceRows(now[i]);
+        const std::string table = "abs." + name + '[' + std::to_string(i + 1) + "].";
+        for (std::size_t row = 0; row < after.size(); ++row)
+            if (before[row].value != after[row].value) editor.put(table + after[row].key, after[row].value);
     }
+    for (std::size_t k = i; k < old.size() - back; ++k) editor.removeTable("abs." + name, k + 1);
+    std::string added;
+    for (std::size_t k = i; k < now.size() - back; ++k)
+        added += (added.empty() ? "" : "\n") + surfaceTable(name, surfaceRows(now[k]));
+    if (!added.empty()) editor.insertTable("abs." + name, i, added);
+}
 
-    std::string result()
-    {
-        std::ranges::stable_sort(edits_, {}, &Edit::at);
-        std::string out;
-        std::size_t done = 0;
-        for (const Edit& edit : edits_) {
-            out.append(text_, done, edit.at - done).append(edit.inserted);
-            done = edit.at + edit.removed;
-        }
-        out.append(text_, done);
-        if (!appended_.empty() && !out.empty() && !out.ends_with('\n')) out += newline_;
-        return out + appended_;
+void putSurface(TomlEditor& editor, const AirBearingSurface& old, const AirBearingSurface& now)
+{
+    if (old.pointsOfInterest != now.pointsOfInterest)
+        editor.put("abs.points_of_interest", interestText(now.pointsOfInterest));
+    putTables(editor, "rail", old.rails, now.rails);
+    putTables(editor, "wall", old.walls, now.walls);
+}
+
+/// Rails, walls and points of interest, without the numbers of [abs].
+AirBearingSurface outline(const AirBearingSurface& surface)
+{
+    AirBearingSurface result;
+    result.rails = surface.rails;
+    result.walls = surface.walls;
+    result.pointsOfInterest = surface.pointsOfInterest;
+    return result;
+}
+
+std::string changedText(const std::string& text, const TomlDocument& toml, const CaseDocument& old, const Case& c)
+{
+    const bool fromFile = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key) != toml.entries.end();
+    // Rails that are no longer those of the file are written here.
+    const bool readFile =
+        fromFile && std::ranges::find(old.problems, railFileKey, &InputProblem::key) == old.problems.end();
+    const bool keepsFile = readFile && outline(old.value.surface) == outline(c.surface);
+    const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "") : old;
+    const std::vector<InputProblem> unread = valueProblems(base);
+    Case defaults = defaultsOf(c.model);
+    defaults.model = Case{}.model;
+    TomlEditor editor(text, toml);
+    if (fromFile && !keepsFile) editor.remove(railFileKey);
+    for (const Field& field : fields()) {
+        // A value that could not be read is put right even where the default that stood in for it is wanted.
+        const bool bad = editor.has(field.key) && std::ranges::any_of(unread, [&](const InputProblem& problem) {
+                             return problem.key == field.key;
+                         });
+        const bool ofFile = keepsFile && (field.group() == "abs" || field.group() == "slider");
+        const Case& before = editor.has(field.key) || ofFile ? base.value : defaults;
+        if (bad || field.get(before) != field.get(c)) editor.put(field.key, tomlValue(c, field));
     }
-
-private:
-    std::vector<TomlEntry>::const_iterator find(const Field& field) const
-    {
-        return std::ranges::find(toml_.entries, field.key, &TomlEntry::key);
-    }
-
-    /// The last entry of a table; of the root for "".
-    const TomlEntry* lastEntry(std::string_view group) const
-    {
-        const TomlEntry* last = nullptr;
-        for (const TomlEntry& entry : toml_.entries) {
-            const bool inside = group.empty() ? entry.key.find('.') == std::string::npos
-                                              : entry.key.starts_with(std::string(group) + '.');
-            if (inside) last = &entry;
-        }
-        return last;
-    }
-
-    void insertLineAfter(std::size_t at, const std::string& line)
-    {
-        std::size_t end = std::min(text_.find('\n', at), text_.size());
-        if (end > 0 && end < text_.size() && text_[end - 1] == '\r') --end;
-        edits_.push_back({end, 0, newline_ + line});
-    }
-
-    void addToRoot(const std::string& line)
-    {
-        if (const TomlEntry* last = lastEntry("")) {
-            insertLineAfter(last->end, line);
-            return;
-        }
-        // Below the comment that opens the file, if an empty line parts it from what follows.
-        std::size_t top = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-        std::size_t at = top;
-        while (at < text_.size() && text_[at] == '#') at = std::min(text_.find('\n', at), text_.size() - 1) + 1;
-        if (at < text_.size() && (text_[at] == '\n' || text_[at] == '\r')) top = at;
-        edits_.push_back({top, 0, line + newline_});
-    }
-
-    void addToTable(const Field& field, const std::string& value)
-    {
-        const std::string group = field.group();
-        const std::string line = std::string(leaf(field)) + " = " + value;
-        const TomlEntry* last = lastEntry(group);
-        const auto table = std::ranges::find(toml_.tables, group, &TomlTable::key);
-        if (table == toml_.tables.end()) {
-            if (group != appendedGroup_) appended_ += newline_ + '[' + group + ']' + newline_;
-            appendedGroup_ = group;
-            appended_ += line + newline_;
-        } else if (table->kind == TomlTableKind::Inline) {
-            // Before the closing brace; a second key needs its comma as well.
-            const bool first = last == nullptr && inlineFilled_ != group;
-            edits_.push_back({last != nullptr ? last->end : table->end - 1, 0, (first ? " " : ", ") + line});
-            inlineFilled_ = group;
-        } else if (table->kind == TomlTableKind::Header) {
-            insertLineAfter(last != nullptr ? last->end : table->end, line);
-        } else {
-            insertLineAfter(last != nullptr ? last->end : table->end, group + '.' + line);
-        }
-    }
-
-    const std::string& text_;
-    TomlDocument toml_;
-    std::string newline_;
-    std::vector<Edit> edits_;
-    std::string appended_; // tables that the text lacks
-    std::string appendedGroup_;
-    std::string inlineFilled_;
-};
+    if (!keepsFile) putSurface(editor, base.value.surface, c.surface);
+    return editor.result();
+}
 
 } // namespace
 
@@ -185,36 +157,33 @@ std::string formatCase(const Case& c)
     const Case defaults;
     std::string text;
     std::string group;
+    const auto closeGroup = [&] {
+        if (group == "abs") text += formatSurface(c.surface);
+    };
     for (const Field& field : fields()) {
         // What the model does not use is kept where somebody set it.
         const bool set = field.get(c) != field.get(defaults);
-        if (!set && (!field.used(c) || field.group() == "about")) continue;
+        const bool wanted = field.group() == "abs" && c.surface != AirBearingSurface{};
+        if (!set && !wanted && (!field.used(c) || field.group() == "about")) continue;
         if (field.group() != group) {
+            closeGroup();
             group = field.group();
             text += "\n# " + std::string(groupComment(group)) + "\n[" + group + "]\n";
         }
         text += std::string(leaf(field)) + " = " + tomlValue(c, field);
         text += field.symbol.empty() ? "\n" : " # " + field.symbol + "\n";
     }
+    closeGroup();
     return text;
 }
 
-std::string updateCaseText(const std::string& text, const Case& c)
+std::string updateCaseText(const std::string& text, const Case& c, const std::filesystem::path& folder)
 {
-    TextEditor editor(text);
-    if (!editor.readable()) return formatCase(c);
-    const CaseDocument old = parseCase(text, "");
-    const std::vector<InputProblem> unread = valueProblems(old);
-    for (const Field& field : fields()) {
-        // A value that could not be read is put right even where the default that stood in for it is wanted.
-        const bool bad = editor.has(field) && std::ranges::any_of(unread, [&](const InputProblem& problem) {
-                             return problem.key == field.key;
-                         });
-        if (bad || field.get(old.value) != field.get(c)) editor.put(field, tomlValue(c, field));
-    }
-    std::string updated = editor.result();
+    const TomlDocument toml = readToml(text);
+    if (!toml.problem.empty()) return formatCase(c);
+    const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
     // Rather a plain text than a wrong one, should a shape of TOML have been overlooked.
-    const CaseDocument check = parseCase(updated, "");
+    const CaseDocument check = parseCase(updated, "", folder);
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });
     return !broken && sameCase(check.value, c) ? updated : formatCase(c);

@@ -78,7 +78,7 @@ std::vector<Field> contactFields()
                 .maximum = 1,
                 .help = "Distance from the mass centre back to the contact pad, where the flying height is measured.",
                 .source = "assumed: Table II of the paper is lost; the paper's d_h is a signed coordinate"},
-               at(&Case::onoYamane, &OnoYamane::padDistance)),
+               at(&Case::onoYamane, &OnoYamane::padDistance), withSprings),
         choice(
             {.key = "ono_yamane.take_off_shape",
              .label = "take-off shape",

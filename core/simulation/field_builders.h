@@ -6,6 +6,7 @@
 
 #include "core/simulation/fields.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,27 +15,43 @@ namespace touchdown {
 
 /// The parts of fields(), in the order of a case file.
 std::vector<Field> descriptionFields();
-std::vector<Field> springModelFields();
+std::vector<Field> sliderFields();
+std::vector<Field> springFields();
+std::vector<Field> suspensionFields();
 std::vector<Field> contactFields();
+std::vector<Field> surfaceFields();
+std::vector<Field> airFields();
+std::vector<Field> diskFields();
+std::vector<Field> filmFields();
+std::vector<Field> steadyFields();
 std::vector<Field> runFields();
 
 namespace field_builders {
 
 inline bool always(const Case&) { return true; }
 inline bool withContact(const Case& c) { return c.contact != ContactKind::None; }
+inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
+inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
+/// The film's motion in time has no integrator.
+inline bool withTime(const Case& c) { return withSprings(c); }
 inline bool withFixedStep(const Case& c)
 {
     using enum IntegratorKind;
-    return c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark;
+    return withTime(c) && (c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark);
 }
-inline bool withAdaptiveStep(const Case& c) { return !withFixedStep(c); }
-inline bool withNewmark(const Case& c) { return c.run.integrator == IntegratorKind::Newmark; }
+inline bool withAdaptiveStep(const Case& c) { return withTime(c) && !withFixedStep(c); }
+inline bool withNewmark(const Case& c) { return withTime(c) && c.run.integrator == IntegratorKind::Newmark; }
 
 /// Access to `case.group.member`, or to `case.member`.
 template <typename Group, typename Value>
 auto at(Group Case::*group, Value Group::*member)
 {
     return [ group, member ](auto& c) -> auto& { return c.*group.*member; };
+}
+template <typename Group, typename Part, typename Value>
+auto at(Group Case::*group, Part Group::*part, Value Part::*member)
+{
+    return [ group, part, member ](auto& c) -> auto& { return c.*group.*part.*member; };
 }
 template <typename Value>
 auto at(Value Case::*member)
@@ -77,6 +94,26 @@ Field choice(Field field, Member member, bool (*used)(const Case&) = always)
     field.set = [member, names = field.choices](Case& c, const FieldValue& value) {
         for (std::size_t i = 0; i < names.size(); ++i)
             if (names[i] == std::get<std::string>(value)) member(c) = static_cast<Enum>(i);
+    };
+    field.used = used;
+    return field;
+}
+
+/// The member is a vector or an array of numbers.
+template <typename Member>
+Field list(Field field, Member member, bool (*used)(const Case&) = always)
+{
+    using Values = std::remove_reference_t<decltype(member(std::declval<Case&>()))>;
+    using Value = typename Values::value_type;
+    field.kind = FieldKind::List;
+    field.get = [member](const Case& c) {
+        const auto& values = member(c);
+        return FieldValue(std::vector<double>(values.begin(), values.end()));
+    };
+    field.set = [member](Case& c, const FieldValue& value) {
+        const auto& values = std::get<std::vector<double>>(value);
+        if constexpr (requires(Values& v) { v.resize(1); }) member(c).resize(values.size());
+        std::ranges::transform(values, member(c).begin(), [](double v) { return static_cast<Value>(v + 0.0); });
     };
     field.used = used;
     return field;

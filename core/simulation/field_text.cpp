@@ -7,6 +7,7 @@
 #include "core/simulation/quotation.h"
 #include "core/simulation/units.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -41,14 +42,68 @@ std::string joined(const std::vector<std::string>& names)
     return list;
 }
 
-std::optional<std::string> setNumber(Case& target, const Field& field, double value)
+/// What each number must satisfy.
+std::string numberRange(const Field& field)
+{
+    if (field.stride > 0)
+        return shown(field.minimum, field) + ", " + shown(field.minimum + field.stride, field) + ", " +
+               shown(field.minimum + 2 * field.stride, field) + " and so on to " + shown(field.maximum, field);
+    if (field.minimum == field.maximum) return shown(field.minimum, field);
+    std::string range;
+    if (std::isfinite(field.minimum))
+        range = (field.minimumAllowed ? "at least " : "greater than ") + shown(field.minimum, field);
+    if (std::isfinite(field.maximum))
+        range += (range.empty() ? "at most " : ", at most ") + shown(field.maximum, field);
+    return range.empty() ? "any finite number" : range;
+}
+
+std::optional<std::string> checkNumber(const Field& field, double value)
 {
     if (!std::isfinite(value)) return "is not a finite number";
     const bool enough = field.minimumAllowed ? value >= field.minimum : value > field.minimum;
     if (!enough || value > field.maximum)
         return shown(value, field) + " is out of range: allowed is " + allowedRange(field);
+    if (field.stride > 0 && std::fmod(value - field.minimum, field.stride) != 0.0)
+        return shown(value, field) + " is not possible: allowed is " + allowedRange(field);
+    return {};
+}
+
+std::optional<std::string> setNumber(Case& target, const Field& field, double value)
+{
+    if (auto problem = checkNumber(field, value)) return problem;
     field.set(target, value);
     return {};
+}
+
+std::string countRange(const Field& field)
+{
+    const std::string most = std::to_string(field.maximumCount);
+    return field.minimumCount == field.maximumCount ? most : "at most " + most;
+}
+
+/// A number as a person writes it; a bare one is SI, so that it is read as a dimensionless one.
+std::variant<double, UnitProblem> readNumber(const Field& field, std::string_view text)
+{
+    const bool bare = !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
+    return parseQuantity(text, bare || field.kind == FieldKind::Integer ? std::string_view() : field.unit);
+}
+
+std::string_view withoutMarks(std::string_view text)
+{
+    const bool inMarks = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    return inMarks ? text.substr(1, text.size() - 2) : text;
+}
+
+std::optional<std::string> setList(Case& target, const Field& field, std::string_view text)
+{
+    std::vector<double> values;
+    for (const std::string_view element : listElements(text)) {
+        if (values.size() > field.maximumCount) break;
+        const auto number = readNumber(field, withoutMarks(element));
+        if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
+        values.push_back(std::get<double>(number));
+    }
+    return setFromNumbers(target, field, values);
 }
 
 std::optional<std::string> setInteger(Case& target, const Field& field, double value)
@@ -80,16 +135,11 @@ std::string allowedRange(const Field& field)
         return field.choices.size() == 1 ? field.choices.front() : "one of " + joined(field.choices);
     case FieldKind::Boolean: return "true or false";
     case FieldKind::Text: return "text of at most " + std::to_string(longestText) + " bytes";
+    case FieldKind::List: return countRange(field) + " numbers, each " + numberRange(field);
     case FieldKind::Number:
     case FieldKind::Integer: break;
     }
-    if (field.minimum == field.maximum) return shown(field.minimum, field);
-    std::string range;
-    if (std::isfinite(field.minimum))
-        range = (field.minimumAllowed ? "at least " : "greater than ") + shown(field.minimum, field);
-    if (std::isfinite(field.maximum))
-        range += (range.empty() ? "at most " : ", at most ") + shown(field.maximum, field);
-    return range.empty() ? "any finite number" : range;
+    return numberRange(field);
 }
 
 std::optional<std::string> setFromText(Case& target, const Field& field, std::string_view text)
@@ -109,10 +159,8 @@ std::optional<std::string> setFromText(Case& target, const Field& field, std::st
         field.set(target, value == "true");
         return {};
     }
-    // A bare number is SI, so it is read as a dimensionless one.
-    const bool bare = !value.empty() && value.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
-    const auto number =
-        parseQuantity(value, bare || field.kind == FieldKind::Integer ? std::string_view() : field.unit);
+    if (field.kind == FieldKind::List) return setList(target, field, value);
+    const auto number = readNumber(field, value);
     if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
     return setFromNumber(target, field, std::get<double>(number));
 }
@@ -125,13 +173,46 @@ std::optional<std::string> setFromNumber(Case& target, const Field& field, doubl
     case FieldKind::Choice: break;
     case FieldKind::Boolean: break;
     case FieldKind::Text: return "is a number; text is needed";
+    case FieldKind::List: return setFromNumbers(target, field, {value});
     }
     return "is a number; allowed is " + allowedRange(field);
+}
+
+std::optional<std::string> setFromNumbers(Case& target, const Field& field, const std::vector<double>& values)
+{
+    if (field.kind != FieldKind::List) return "is a list; allowed is " + allowedRange(field);
+    if (values.size() > field.maximumCount) return "has too many numbers: allowed is " + allowedRange(field);
+    if (values.size() < field.minimumCount)
+        return "has " + std::to_string(values.size()) + (values.size() == 1 ? " number" : " numbers") + ": allowed is " +
+               allowedRange(field);
+    for (const double value : values)
+        if (auto problem = checkNumber(field, value)) return problem;
+    field.set(target, values);
+    return {};
+}
+
+std::vector<std::string_view> listElements(std::string_view text)
+{
+    text = trimmed(text);
+    if (text.starts_with('[') && text.ends_with(']') && text.size() > 1) text = trimmed(text.substr(1, text.size() - 2));
+    std::vector<std::string_view> elements;
+    while (!text.empty()) {
+        const auto comma = std::min(text.find_first_of(",;"), text.size());
+        elements.push_back(trimmed(text.substr(0, comma)));
+        // A comma at the end is none too many, as in TOML.
+        text = trimmed(text.substr(std::min(comma + 1, text.size())));
+    }
+    return elements;
 }
 
 std::string toText(const Case& from, const Field& field)
 {
     const FieldValue value = field.get(from);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        std::string text;
+        for (const double number : *numbers) text += (text.empty() ? "" : ", ") + formatQuantity(number, field.displayUnit);
+        return text;
+    }
     if (const auto* number = std::get_if<double>(&value)) return formatQuantity(*number, field.displayUnit);
     if (const auto* integer = std::get_if<int>(&value)) return std::to_string(*integer);
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";

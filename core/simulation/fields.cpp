@@ -13,7 +13,8 @@ namespace {
 std::vector<Field> allFields()
 {
     std::vector<Field> all;
-    for (auto part : {descriptionFields, springModelFields, contactFields, runFields})
+    for (auto part : {descriptionFields, sliderFields, springFields, suspensionFields, contactFields, surfaceFields,
+                      airFields, diskFields, filmFields, steadyFields, runFields})
         for (Field& field : part()) all.push_back(std::move(field));
     return all;
 }
@@ -26,6 +27,17 @@ std::string Field::group() const
 {
     const auto dot = key.find('.');
     return dot == std::string::npos ? std::string() : key.substr(0, dot);
+}
+
+Case defaultsOf(ModelKind model)
+{
+    Case c;
+    c.model = model;
+    if (model == ModelKind::Film) {
+        c.contact = ContactKind::None;
+        c.degreesOfFreedom = 3;
+    }
+    return c;
 }
 
 std::span<const Field> fields()

@@ -40,6 +40,8 @@ void writeParameters(hid_t group, const Case& c)
             dataset = writeHdf5Scalar(group, field.key, *number);
         else if (const auto* whole = std::get_if<int>(&value))
             dataset = writeHdf5Scalar(group, field.key, static_cast<double>(*whole));
+        else if (const auto* list = std::get_if<std::vector<double>>(&value))
+            dataset = writeHdf5Array(group, field.key, *list);
         else
             dataset = writeHdf5Scalar(group, field.key, toText(c, field));
         describeHdf5(dataset, unitText(field.unit), field.label);

@@ -152,14 +152,30 @@ std::string_view name(RunStatus status)
     return {};
 }
 
-std::vector<Quantity> recordedQuantities(const Case& c) { return SpringModel::quantities(c); }
+std::string reasonNotToRun(const Case& c)
+{
+    switch (c.model) {
+    case ModelKind::Springs: break;
+    case ModelKind::Film:
+        return "model \"film\" has a static state and modes, but no motion in time yet: `touchdown steady` and `touchdown modes` compute them";
+    }
+    if (c.run.integrator == IntegratorKind::Cvode && !haveCvode)
+        return "this program was built without SUNDIALS, so the integrator cvode is missing";
+    return {};
+}
+
+std::vector<Quantity> recordedQuantities(const Case& c)
+{
+    return c.model == ModelKind::Springs ? SpringModel::quantities(c) : std::vector<Quantity>();
+}
 
 Summary run(const Case& c, const RunCallback& callback)
 {
-    if (c.run.integrator == IntegratorKind::Cvode && !haveCvode) {
+    if (const std::string reason = reasonNotToRun(c); !reason.empty()) {
         Summary refused;
         refused.status = RunStatus::Failed;
-        refused.message = "this program was built without SUNDIALS, so the integrator cvode is missing";
+        refused.message = reason;
+        refused.model = toText(c, *findField("model"));
         return refused;
     }
     Summary summary = runOnce(c, c.run.step, callback);

@@ -72,7 +72,10 @@ struct Summary {
     std::vector<std::string> warnings;
 };
 
-/// The quantities that a run of this case records, in the order of its columns.
+/// Why a valid case cannot be run in time, in a sentence; "" when it can.
+std::string reasonNotToRun(const Case& c);
+
+/// The quantities that a run of this case records, in the order of its columns; none where it cannot be run.
 std::vector<Quantity> recordedQuantities(const Case& c);
 
 /// Runs a valid case to its end. Never throws for numerics: see Summary::status.

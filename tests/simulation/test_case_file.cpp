@@ -57,6 +57,27 @@ private slots:
         QVERIFY(document.value.slider.mass == Case{}.slider.mass);
     }
 
+    void readsLists()
+    {
+        const CaseDocument document = parseCase("model = 'film'\n[film]\nnodes = [97, 193]\n"
+                                                "[steady]\nradii = ['20 mm', 0.03,\n  '4 cm']\nspeeds = []\n",
+                                                "a.toml");
+        QCOMPARE(problemsOf(document), QStringList());
+        QCOMPARE(document.value.film.nodes, (std::array<int, 2>{97, 193}));
+        QCOMPARE(document.value.steady.radii, (std::vector<double>{0.02, 0.03, 0.04}));
+        QVERIFY(document.value.steady.speeds.empty());
+    }
+    /// A film case that says nothing more is one that flies freely.
+    void readsTheDefaultsOfTheModel()
+    {
+        const CaseDocument film = parseCase("model = 'film'\n[slider]\nmass = '2 mg'\n", "a.toml");
+        QCOMPARE(problemsOf(film), QStringList());
+        QCOMPARE(film.value.contact, ContactKind::None);
+        QCOMPARE(film.value.degreesOfFreedom, 3);
+        QCOMPARE(parseCase("model = 'film'\ndegrees_of_freedom = 2\n", "").value.degreesOfFreedom, 2);
+        QCOMPARE(parseCase("[slider]\nmass = '2 mg'\n", "").value.contact, ContactKind::OnoYamane);
+    }
+
     void namesTheProblem_data()
     {
         QTest::addColumn<QByteArray>("text");
@@ -73,7 +94,9 @@ private slots:
             "a.toml:1: \"springs.cutoff\": unknown key; did you mean springs.cutoff?");
         row("unknown table", "[spring]\ncutoff = '1 nm'\npitch = 1",
             "a.toml:1: spring: unknown table; did you mean springs?");
-        row("unknown table like no other", "[film]\nnodes = [1, 2]", "a.toml:1: film: unknown table");
+        row("unknown table like no other", "[banana]\nnodes = [1, 2]", "a.toml:1: banana: unknown table");
+        row("unknown tables in an array", "[[banana]]\nx = 1\n[[banana]]\nx = 1", "a.toml:1: banana: unknown table");
+        row("tables for a list", "[[steady.radii]]\nx = 1", "a.toml:1: steady.radii: is a value, not a table");
         row("unknown table in a known one", "[slider.pad]\nx = 1", "a.toml:1: slider.pad: unknown table");
         row("missing unit", "[springs]\n\ncutoff = '7'",
             "a.toml:3: springs.cutoff: \"7\" has no unit; a length such as nm, um or mm is needed");
@@ -108,8 +131,24 @@ private slots:
         row("a value for a table", "slider = 5", "a.toml:1: slider: is a table, not a value; write [slider]");
         row("tables for a table", "[[slider]]\nmass = 1", "a.toml:1: slider: is a table, not a value; write [slider]");
         row("a table for a value", "[slider.mass]\nx = 1", "a.toml:1: slider.mass: is a value, not a table");
-        row("a model of a later version", "model = 'film'",
-            "a.toml:1: model: \"film\" is not known: allowed is springs");
+        row("a model of a later version", "model = 'foil'",
+            "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film");
+        row("a film that touches", "model = 'film'\ncontact = 'ono-yamane'",
+            "a.toml:2: contact: must be \"none\" with model \"film\", which cannot yet touch the disk");
+        row("springs that roll", "degrees_of_freedom = 3",
+            "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch alone");
+        row("a number for a list", "[film]\nnodes = 97",
+            "a.toml:2: film.nodes: is a number; a list such as [1, 1] is needed");
+        row("a text for a list", "[steady]\nradii = '20 mm'",
+            "a.toml:2: steady.radii: is text; a list such as [\"1 mm\", \"1 mm\"] is needed");
+        row("a short list", "[film]\nnodes = [97]",
+            "a.toml:2: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
+        row("a list in a list", "[film]\nnodes = [97, [97]]",
+            "a.toml:2: film.nodes: has the wrong type; a number is needed");
+        row("a wrong unit in a list", "[steady]\nskews = ['1 deg', '2 mm']",
+            "a.toml:2: steady.skews: \"2 mm\" has the wrong unit; an angle such as urad, mrad or deg is needed");
+        row("a list for a choice", "contact = ['none']",
+            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane");
         row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, saw '\\n'");
         row("Latin-1", "# \xb5", "a.toml:1: is not valid UTF-8 text");
     }
@@ -125,14 +164,14 @@ private slots:
     {
         const CaseDocument document = parseCase(
             "banana = 1\n[slider]\nmass = '-1 mg'\nthicknes = 1\n[run]\nduration = '2'\nstep = '1 s'\n"
-            "integrator = 'rk4'\nsample_interval = '200 s'\n[film]\nnodes = 7\n[ono_yamane]\ntake_off = '1 nm'\n",
+            "integrator = 'rk4'\nsample_interval = '200 s'\n[foil]\nnodes = 7\n[ono_yamane]\ntake_off = '1 nm'\n",
             "a.toml");
         QStringList places;
         for (const InputProblem& problem : document.problems)
             places << QString("%1 %2").arg(problem.line).arg(problem.key.c_str());
         // The duration was not read, so nothing is said about the step that would exceed it.
         QCOMPARE(places, (QStringList{"1 banana", "3 slider.mass", "4 slider.thicknes", "6 run.duration",
-                                      "9 run.sample_interval", "10 film", "13 ono_yamane.take_off"}));
+                                      "9 run.sample_interval", "10 foil", "13 ono_yamane.take_off"}));
         QVERIFY(!document.valid());
     }
     void aThousandProblemsTakeNoTime()
@@ -252,6 +291,11 @@ private slots:
             << QStringList{"slider.mass=0 mg", "contact=x"}
             << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is greater than 0 mg, at most 10 kg",
                            "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane"};
+        QTest::newRow("a list, and a quantity")
+            << QStringList{"steady.radii=[20 mm, 30 mm]", "springs.flying_height=8 nm"} << QStringList();
+        QTest::newRow("a short list")
+            << QStringList("film.nodes=97")
+            << QStringList("--set: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(

@@ -86,6 +86,29 @@ private slots:
         QVERIFY(text.ends_with(
             "pitch = \"0 urad\"\nflying_height = \"100 nm\"\n\n[run]\nstep = \"1 ns\"\nstep_check = false\n"));
     }
+    void listsAreWritten()
+    {
+        Case c;
+        c.film.nodes = {33, 65};
+        c.steady.radii = {0.02, 0.03};
+        QCOMPARE(updateCaseText("[film]\nnodes = [97, 97] # few\n", c),
+                 std::string("[film]\nnodes = [33, 65] # few\n\n[steady]\nradii = [\"20 mm\", \"30 mm\"]\n"));
+        c.steady.radii.clear();
+        QCOMPARE(updateCaseText("[film]\nnodes = [33, 65]\n[steady]\nradii = [0.02]\n", c),
+                 std::string("[film]\nnodes = [33, 65]\n[steady]\nradii = []\n"));
+    }
+    /// What a text leaves to the defaults of one model is written when the model changes.
+    void theModelChanges()
+    {
+        Case c = defaultsOf(ModelKind::Film);
+        c.contact = ContactKind::None;
+        c.degreesOfFreedom = 2;
+        QCOMPARE(updateCaseText("# notes\nmodel = \"springs\"\ncontact = \"none\"\n", c),
+                 std::string("# notes\nmodel = \"film\"\ncontact = \"none\"\ndegrees_of_freedom = 2\n"));
+        QCOMPARE(updateCaseText("# notes\nmodel = \"film\"\n", Case{}),
+                 std::string("# notes\nmodel = \"springs\"\n"));
+        QCOMPARE(updateCaseText("", defaultsOf(ModelKind::Film)), std::string("model = \"film\"\n"));
+    }
     void rootKeysStayAboveTheTables()
     {
         Case c;
@@ -178,15 +201,20 @@ private slots:
     }
     void formattingWritesEveryUsedField()
     {
-        const std::string text = formatCase(Case{});
-        const CaseDocument document = parseCase(text, "");
-        QVERIFY(document.valid());
-        for (const Field& field : fields()) {
-            const bool isText = field.kind == FieldKind::Text && field.key != "title"; // empty ones
-            const std::string name = '\n' + field.key.substr(field.key.find('.') + 1) + " = ";
-            if (field.used(Case{}) && !isText)
-                QVERIFY2(('\n' + text).find(name) != std::string::npos, field.key.c_str());
+        for (const ModelKind model : {ModelKind::Film, ModelKind::Springs}) {
+            const Case c = defaultsOf(model);
+            const std::string text = formatCase(c);
+            const CaseDocument document = parseCase(text, "");
+            QVERIFY(document.valid());
+            for (const Field& field : fields()) {
+                const bool isText = field.kind == FieldKind::Text && field.key != "title"; // empty ones
+                const std::string name = '\n' + field.key.substr(field.key.find('.') + 1) + " = ";
+                if (field.used(c) && !isText)
+                    QVERIFY2(('\n' + text).find(name) != std::string::npos, field.key.c_str());
+            }
         }
+        const std::string text = formatCase(Case{});
+        QVERIFY(text.find("[film]") == std::string::npos);
         QVERIFY(text.find("newmark_beta") == std::string::npos);
         QVERIFY(text.find("cutoff = \"0.3 nm\" # d_1\n") != std::string::npos);
         QVERIFY(text.find("# The suspension, about the static state.\n[suspension]\n") != std::string::npos);

@@ -55,6 +55,30 @@ private slots:
         QTest::newRow("a text") << "title"
                                 << " A µ \"title\" "
                                 << " A µ \"title\" ";
+        QTest::newRow("a list") << "steady.radii"
+                                << "20 mm, 0.03 m,4 cm"
+                                << "20 mm, 30 mm, 40 mm";
+        QTest::newRow("a list as in a case file") << "steady.skews"
+                                                  << "[\"-5 deg\", '3 deg', ]"
+                                                  << "-5 deg, 3 deg";
+        QTest::newRow("bare numbers of a list are SI") << "steady.radii"
+                                                       << "0.02; 0.03"
+                                                       << "20 mm, 30 mm";
+        QTest::newRow("an empty list") << "steady.radii"
+                                       << " "
+                                       << "";
+        QTest::newRow("a list in brackets, empty") << "steady.radii"
+                                                   << "[]"
+                                                   << "";
+        QTest::newRow("whole numbers of a list") << "film.nodes"
+                                                 << "97,2049"
+                                                 << "97, 2049";
+        QTest::newRow("a speed") << "disk.speed"
+                                 << "5400 rpm"
+                                 << "5400 rpm";
+        QTest::newRow("a preload") << "suspension.preload"
+                                   << "1.5 gf"
+                                   << "1.5 gf";
         QTest::newRow("minus zero is zero") << "initial.pitch"
                                             << "-0 urad"
                                             << "0 urad";
@@ -99,21 +123,47 @@ private slots:
         QTest::newRow("an infinite velocity") << "initial.vertical_velocity"
                                               << "inf m/s"
                                               << "\"inf m/s\" is not a finite number";
-        QTest::newRow("three degrees of freedom") << "degrees_of_freedom"
-                                                  << "3"
-                                                  << "3 is out of range: allowed is 2";
+        QTest::newRow("four degrees of freedom") << "degrees_of_freedom"
+                                                 << "4"
+                                                 << "4 is out of range: allowed is at least 2, at most 3";
         QTest::newRow("half a degree of freedom") << "degrees_of_freedom"
                                                   << "1.5"
                                                   << "1.5 is no whole number";
         QTest::newRow("an endless integer") << "degrees_of_freedom"
                                             << "1e30"
-                                            << "1e30 is out of range: allowed is 2";
+                                            << "1e30 is out of range: allowed is at least 2, at most 3";
         QTest::newRow("an unknown choice") << "contact"
                                            << "elastic"
                                            << "\"elastic\" is not known: allowed is one of none, ono-yamane";
-        QTest::newRow("the film model") << "model"
-                                        << "film"
-                                        << "\"film\" is not known: allowed is springs";
+        QTest::newRow("no such model") << "model"
+                                       << "foil"
+                                       << "\"foil\" is not known: allowed is one of springs, film";
+        const char* nodes = "2 numbers, each 17, 33, 49 and so on to 2049";
+        QTest::newRow("one number of nodes") << "film.nodes"
+                                             << "97" << QString("has 1 number: allowed is %1").arg(nodes);
+        QTest::newRow("three numbers of nodes") << "film.nodes"
+                                                << "97, 97, 97"
+                                                << QString("has too many numbers: allowed is %1").arg(nodes);
+        QTest::newRow("a hundred nodes") << "film.nodes"
+                                         << "97, 100" << QString("100 is not possible: allowed is %1").arg(nodes);
+        QTest::newRow("half a node") << "film.nodes"
+                                     << "97, 97.5" << QString("97.5 is not possible: allowed is %1").arg(nodes);
+        QTest::newRow("too few nodes") << "film.nodes"
+                                       << "1, 97" << QString("1 is out of range: allowed is %1").arg(nodes);
+        QTest::newRow("too many nodes") << "film.nodes"
+                                        << "97, 2065" << QString("2065 is out of range: allowed is %1").arg(nodes);
+        QTest::newRow("a hole in a list") << "steady.radii"
+                                          << "20 mm,, 30 mm"
+                                          << "is empty; a number is needed";
+        QTest::newRow("a wrong unit in a list") << "steady.radii"
+                                                << "20 mm, 30 mg"
+                                                << "\"30 mg\" has the wrong unit; a length such as nm, um or mm is needed";
+        QTest::newRow("a word in a list") << "steady.radii"
+                                          << "20 mm, nan"
+                                          << "\"nan\" is not a finite number";
+        QTest::newRow("an endless list") << "steady.speeds" << QString("1,").repeated(101)
+                                         << "has too many numbers: allowed is at most 100 numbers, each at least 0 rpm, "
+                                            "at most 100000 rad/s";
         QTest::newRow("yes") << "run.step_check"
                              << "yes"
                              << "\"yes\" is neither true nor false";
@@ -147,6 +197,10 @@ private slots:
         QVERIFY(setFromNumber(c, *findField("slider.mass"), std::numeric_limits<double>::quiet_NaN()).has_value());
         QCOMPARE(setFromNumber(c, *findField("contact"), 1.0).value_or(""),
                  std::string("is a number; allowed is one of none, ono-yamane"));
+        QVERIFY(!setFromNumber(c, *findField("steady.radii"), 0.02).has_value());
+        QCOMPARE(c.steady.radii, std::vector<double>{0.02});
+        QCOMPARE(setFromNumbers(c, *findField("slider.mass"), {1.0}).value_or(""),
+                 std::string("is a list; allowed is greater than 0 mg, at most 10 kg"));
         QCOMPARE(setFromNumber(c, *findField("title"), 1.0).value_or(""), std::string("is a number; text is needed"));
         QVERIFY(c.slider.mass == 2e-6);
     }
@@ -161,12 +215,16 @@ private slots:
                                             << "at least 0, at most 10";
         QTest::newRow("no ends") << "initial.pitch_velocity"
                                  << "any finite number";
-        QTest::newRow("one value") << "degrees_of_freedom"
-                                   << "2";
+        QTest::newRow("two values") << "degrees_of_freedom"
+                                    << "at least 2, at most 3";
+        QTest::newRow("a list") << "steady.radii"
+                                << "at most 100 numbers, each greater than 0 mm, at most 1 m";
+        QTest::newRow("a list of steps") << "film.nodes"
+                                         << "2 numbers, each 17, 33, 49 and so on to 2049";
         QTest::newRow("choices") << "contact"
                                  << "one of none, ono-yamane";
-        QTest::newRow("one choice") << "model"
-                                    << "springs";
+        QTest::newRow("models") << "model"
+                                << "one of springs, film";
         QTest::newRow("a boolean") << "run.step_check"
                                    << "true or false";
     }
