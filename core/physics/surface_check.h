@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is wrong with an air bearing surface, as sentences that name the rail, the wall profile and the point, counted from
+// 1 as in the files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/physics/air_bearing_surface.h"
+
+namespace touchdown {
+
+/// What leaves the recess undefined; empty for a surface that can be used.
+std::vector<std::string> surfaceProblems(const AirBearingSurface& surface);
+
+/// What is defined but may not be meant, on a slider of this length and width [m]; for a surface without problems.
+std::vector<std::string> surfaceWarnings(const AirBearingSurface& surface, double length, double width);
+
+} // namespace touchdown
