@@ -111,8 +111,7 @@ bool RailWall::meets(const SurfaceBox& box, WallSide side) const
     const double reach = nMax - nMin;
     if (c.n + nHalf < nMin || c.n - nHalf > nMax || c.t + tHalf < -reach || c.t - tHalf > length_ + reach) return false;
 
-    // The borders are straight on this side of the edge alone.
-    if (side == WallSide::Outside ? c.n - nHalf < 0.0 : c.n + nHalf > 0.0) return true;
+    // Beyond one of the borders.
     const double start = start_[side];
     const double end = end_[side];
     const double startHalf = std::abs(ux_ + start * nx_) * halfX + std::abs(uy_ + start * ny_) * halfY;
@@ -167,8 +166,10 @@ void RailWall::breaks(const ScanLine& line, WallSide side, std::vector<double>& 
 void RailWall::keep(const Crossing& crossing, double along) const
 {
     const double at = crossing.line.runs(x_, y_) + along;
-    if (at > crossing.line.from && at < crossing.line.to && covers(crossing.place(along), crossing.side, margin))
-        crossing.out.push_back(at);
+    if (at <= crossing.line.from || at >= crossing.line.to) return;
+    const Place p = crossing.place(along);
+    const double reach = std::abs(end(crossing.side)) + margin; // a slanting border goes on beyond the wall
+    if (p.t >= -reach && p.t <= length_ + reach && covers(p, crossing.side, margin)) crossing.out.push_back(at);
 }
 
 void RailWall::offsetLine(const Crossing& crossing, double d) const

@@ -125,10 +125,14 @@ void SurfaceBins::sortWall(const SurfaceParts& parts, std::uint32_t wall, const 
     }
 }
 
-// A wall that is nowhere shallower than the deepest top of the bin does not show.
+// The inside of a wall shows in its own top alone; the outside nowhere, where it is not shallower than the deepest of what
+// else the bin may show.
 void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEntry>& rails,
                              std::vector<WallEntry>& walls) const
 {
+    std::erase_if(walls, [&](const WallEntry& entry) {
+        return entry.part.side == WallSide::Inside && parts.walls[entry.part.wall].rail() < bins_[entry.bin].cover;
+    });
     std::vector<double> deepest(bins_.size() - 1);
     for (std::size_t bin = 0; bin < deepest.size(); ++bin) {
         const int c = static_cast<int>(bin) % columns;
@@ -146,8 +150,7 @@ void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEn
         if (part.side == WallSide::Inside) deepen(bin, parts.walls[part.wall].shape().maximum());
     }
     std::erase_if(walls, [&](const WallEntry& entry) {
-        if (entry.part.side == WallSide::Outside) return entry.part.lowest >= deepest[entry.bin];
-        return parts.walls[entry.part.wall].rail() < bins_[entry.bin].cover;
+        return entry.part.side == WallSide::Outside && entry.part.lowest >= deepest[entry.bin];
     });
 }
 

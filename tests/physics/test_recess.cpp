@@ -159,6 +159,21 @@ private slots:
         QVERIFY(near(at(facing, 67, 40), 0.2));
     }
 
+    /// A slot from x = 60 to 64, its left side with a wall that would reach x = 70: beyond the slot is the rail's own polygon,
+    /// where a deeper top lies over it.
+    void wallEndsAtItsOwnPolygon()
+    {
+        const Rail slotted =
+            step({{20, 20}, {100, 20}, {100, 80}, {64, 80}, {64, 30}, {60, 30, 1}, {60, 80}, {20, 80}}, 0);
+        Rail floored = slotted;
+        std::swap(floored.points[5].wall, floored.points[4].wall); // the floor of the slot has one, not its side
+        const Rail later = rectangle(50, 40, 90, 70, 0, 1.0);
+        QVERIFY(near(at(surfaceOf({slotted, later}), 63, 50), 0.3));
+        for (const double x : {64.01, 64.1, 66.0}) QVERIFY(near(at(surfaceOf({slotted, later}), x, 50), 1.0));
+        QVERIFY(near(at(surfaceOf({floored, later}), 63, 50), 1.0));
+        QVERIFY(near(at(surfaceOf({floored, later}), 63, 36), 0.6));
+    }
+
     void noWallsOnRampsAndLowSteps()
     {
         Rail ramp = rectangle(20, 20, 60, 60, 1, 0.0);
@@ -222,7 +237,8 @@ private slots:
         // A later top is not cut by it.
         QVERIFY(near(at(surfaceOf({rail, rectangle(50, 30, 59, 50, 0, 0.05)}, walls), 57, 40), 0.05));
         // Opposite walls in a rail 4 um wide, 1 um and 3 um away: the deeper holds, -1 um, 0.4.
-        QVERIFY(near(at(surfaceOf({rectangle(20, 20, 60, 24, 1, 0.1)}, walls), 40, 23), 0.4));
+        for (const double y : {21.0, 23.0})
+            QVERIFY(near(at(surfaceOf({rectangle(20, 20, 60, 24, 1, 0.1)}, walls), 40, y), 0.4));
     }
 
     void collinearAndRepeatedPointsChangeNothing()
@@ -262,6 +278,18 @@ private slots:
             QCOMPARE(at(surface, x, y), 0.1);
         for (const auto& [x, y] : {std::pair{60.0, 40.0}, {60.0, 20.0}, {60.0, 60.0}, {100.0, 60.0}, {100.0, 33.0}})
             QCOMPARE(at(surface, x, y), 0.3);
+    }
+
+    /// Right and left of the corners of a diamond that lie on the line to the point.
+    void cornerOnTheLevelOfThePoint()
+    {
+        const AirBearingSurface surface = surfaceOf({step({{60, 20}, {80, 40}, {60, 60}, {40, 40}}, 0.1)});
+        for (const double x : {40.0, 40.1, 60.0, 79.9, 80.0}) QCOMPARE(at(surface, x, 40), 0.1);
+        for (const double x : {39.9, 80.1}) QCOMPARE(at(surface, x, 40), 2.0);
+        for (const double x : {59.9, 60.1}) QCOMPARE(at(surface, x, 20), 2.0);
+        for (const double x : {59.9, 60.1}) QCOMPARE(at(surface, x, 60), 2.0);
+        QCOMPARE(at(surface, 60, 20), 0.1);
+        QCOMPARE(at(surface, 60, 60), 0.1);
     }
 
     /// At x = L/4, y = W/4: 4 crown 3/16 + 4 camber 3/16 + 4 twist/16 = 0.75 * 15 + 0.75 * 4 + 0.25 * 8 nm = 16.25 nm.
