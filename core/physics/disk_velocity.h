@@ -21,7 +21,7 @@ struct Velocity {
 struct DiskMotion {
     double speed = 565.4866776461628; // omega [rad/s]: 5400 rpm
     double radius = 23e-3;            // R, of the slider's centre [m]
-    double skew = 0.0;                // phi [rad]; positive: air flows from the outer leading to the inner trailing edge
+    double skew = 0.0; // phi [rad]; positive: air flows from the outer leading to the inner trailing edge
     VelocityField field = VelocityField::Rotating;
 };
 

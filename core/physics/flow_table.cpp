@@ -18,7 +18,8 @@ constexpr int octavesBelow = 14, octavesAbove = 20;
 
 } // namespace
 
-Mobility::Mobility(SlipModel model, double accommodation, const Air& air) : model_(model), unit_(air.pressure * air.meanFreePath)
+Mobility::Mobility(SlipModel model, double accommodation, const Air& air)
+    : model_(model), unit_(air.pressure * air.meanFreePath)
 {
     assert(model != SlipModel::Combination && unit_ > 0.0);
     const int octave = std::ilogb(unit_);
@@ -46,7 +47,8 @@ Mobility::Mobility(SlipModel model, double accommodation, const Air& air) : mode
 Mobility::Value Mobility::direct(double w) const
 {
     if (std::isnan(w)) return {w, w};
-    if (w <= 0.0) w = smallest_;
+    // Beyond 1e-100 and 1e100 all are alike, so that nothing leaves the numbers' range.
+    w = w > 0.0 ? std::clamp(w, 1e-100 * unit_, 1e100 * unit_) : smallest_;
     if (model_ == SlipModel::FukuiKaneko || model_ == SlipModel::FukuiKanekoFit) {
         // G = w 6 Q_P/D with w/D the same for all w.
         const double perFlowRate = 6.0 / inverseKnudsen(1.0) * unit_;
@@ -54,8 +56,7 @@ Mobility::Value Mobility::direct(double w) const
         const FlowRate q = model_ == SlipModel::FukuiKaneko ? kineticFlowRate(d) : fittedFlowRate(d);
         return {perFlowRate * q.value, perFlowRate * q.logSlope / w};
     }
-    // Kn stops where its square would leave the numbers' range.
-    const double knudsen = std::min(unit_ / w, 1e100);
+    const double knudsen = unit_ / w;
     return {w + unit_ * (expansion_.first + expansion_.second * knudsen), 1.0 - expansion_.second * knudsen * knudsen};
 }
 
@@ -79,7 +80,8 @@ FlowTable::Value FlowTable::narrow(double w, double gap) const
     const Value high = wide_.at(w);
     const double s = (gap - blendStart_) / (blendEnd_ - blendStart_);
     const double weight = s * s * (3.0 - 2.0 * s);
-    return {low.mobility + weight * (high.mobility - low.mobility), low.derivative + weight * (high.derivative - low.derivative)};
+    return {low.mobility + weight * (high.mobility - low.mobility),
+            low.derivative + weight * (high.derivative - low.derivative)};
 }
 
 double FlowTable::blendDerivative(double w, double gap) const

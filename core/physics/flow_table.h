@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The mobility G(w) = w Q(Kn) of a film, w = p h [Pa m], Kn = lambda0 p0/w: its conductance is h^2 G/(12 mu). Tabulated on the bits
-// of w, 32 cubic pieces an octave, so that no logarithm is taken; relative error of G below 1e-7. The fit of Fukui & Kaneko is
-// evaluated directly, with its jumps.
+// of w, 32 cubic pieces an octave, so that no logarithm is taken; relative error of G below 1e-7 (Fukui-Kaneko: 4e-9). The fit
+// of Fukui & Kaneko is evaluated directly, with its jumps.
+//
+// G depends on the air as p0 lambda0 times a function of w/(p0 lambda0): dG/d(p0 lambda0) = (G - w dG/dw)/(p0 lambda0).
 #pragma once
 
 #include <bit>
@@ -30,7 +32,8 @@ public:
     Value at(double w) const
     {
         const std::uint64_t index = (std::bit_cast<std::uint64_t>(w) >> pieceShift) - firstPiece_;
-        if (index >= pieces_.size()) [[unlikely]] return direct(w);
+        if (index >= pieces_.size()) [[unlikely]]
+            return direct(w);
         const double knot = std::bit_cast<double>((index + firstPiece_) << pieceShift);
         const Piece& c = pieces_[index];
         const double d = w - knot;
@@ -50,8 +53,8 @@ private:
 
     SlipModel model_ = SlipModel::Continuum;
     SlipExpansion expansion_;
-    double unit_ = 1.0;            // p0 lambda0 [Pa m]: w where Kn = 1
-    double smallest_ = 0.0;        // [Pa m]
+    double unit_ = 1.0;      // p0 lambda0 [Pa m]: w where Kn = 1
+    double smallest_ = 6e-5; // [Pa m]
     std::uint64_t firstPiece_ = 0;
     std::vector<Piece> pieces_;
 };
@@ -79,8 +82,8 @@ private:
 
     static constexpr double noGap = -std::numeric_limits<double>::infinity(); // without a combination
 
-    Mobility wide_;   // Fukui-Kaneko in the combination, else the only one
-    Mobility narrow_; // new second order in the combination
+    Mobility wide_;                                // Fukui-Kaneko in the combination, else the only one
+    Mobility narrow_;                              // new second order in the combination
     double blendStart_ = noGap, blendEnd_ = noGap; // [m]
 };
 

@@ -56,7 +56,8 @@ Excess excess(double d)
     if (d >= slipFlowInverseKnudsen) return slipFlow(d);
     if (d >= lastInverseKnudsen) {
         const double width = std::log(slipFlowInverseKnudsen / lastInverseKnudsen);
-        return between(kineticExcess.back(), slipFlow(slipFlowInverseKnudsen), std::log(d / lastInverseKnudsen) / width, width);
+        return between(kineticExcess.back(), slipFlow(slipFlowInverseKnudsen), std::log(d / lastInverseKnudsen) / width,
+                       width);
     }
     const double place = std::log(d / firstInverseKnudsen) / spacing;
     const std::size_t i = std::min(static_cast<std::size_t>(place), kineticExcess.size() - 2);
@@ -95,7 +96,8 @@ FlowRate fittedFlowRate(double d)
     if (d >= 5.0) return part(d, 1.0 / 6.0, 1.0162, 1.0653, -2.1354);
     if (d >= 0.15) return part(d, 0.13852, 1.25087, 0.15653, -0.00969);
     if (d >= 0.01) return part(d, -2.22919, 2.10673, 0.01653, -0.0000694);
-    return {part(0.01, -2.22919, 2.10673, 0.01653, -0.0000694).value + freeMolecularSlope * std::log(d / 0.01), freeMolecularSlope};
+    return {part(0.01, -2.22919, 2.10673, 0.01653, -0.0000694).value + freeMolecularSlope * std::log(d / 0.01),
+            freeMolecularSlope};
 }
 
 } // namespace touchdown

@@ -11,9 +11,9 @@ namespace touchdown {
 
 std::span<const std::string_view> slipModelNames()
 {
-    static constexpr std::array<std::string_view, 9> names{
-        "continuum",    "first-order",      "second-order",    "1.5-order",        "fukui-kaneko",
-        "fukui-kaneko-fit", "new-first-order", "new-second-order", "combination"};
+    static constexpr std::array<std::string_view, 9> names{"continuum",       "first-order",      "second-order",
+                                                           "1.5-order",       "fukui-kaneko",     "fukui-kaneko-fit",
+                                                           "new-first-order", "new-second-order", "combination"};
     return names;
 }
 

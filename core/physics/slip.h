@@ -37,9 +37,9 @@ std::span<const std::string_view> slipModelNames();
 
 struct Slip {
     SlipModel model = SlipModel::FukuiKaneko;
-    double accommodation = 1.0;    // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
-    double switchGap = 0.3e-9;     // combination: gap of the switch [m]
-    double blendWidth = 0.0;       // combination: width of the blend about the switch [m]; 0: the paper's hard switch
+    double accommodation = 1.0; // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
+    double switchGap = 0.3e-9;  // combination: gap of the switch [m]
+    double blendWidth = 0.0;    // combination: width of the blend about the switch [m]; 0: the paper's hard switch
 };
 
 /// Q = 1 + first Kn + second Kn^2.
