@@ -3,7 +3,9 @@
 // Combinations of values that make no sense, although each is in its range.
 #include "core/simulation/fields.h"
 
+#include "core/physics/surface_check.h"
 #include "core/simulation/decimal.h"
+#include "core/simulation/surface_text.h"
 #include "core/simulation/units.h"
 
 #include <algorithm>
@@ -118,6 +120,8 @@ void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
     if (c.surface.taperLength > c.slider.length)
         problems.push_back(
             {"abs.taper_length", "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")"});
+    for (const std::string& sentence : surfaceProblems(c.surface))
+        problems.push_back({surfaceKeyOf(sentence), sentence.substr(0, sentence.find_last_not_of('.') + 1)});
     checkSeries(c.steady, problems);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/case_reader.h"
 
+#include "core/physics/surface_check.h"
 #include "core/simulation/cml_rail_file.h"
 #include "core/simulation/cml_text.h"
 #include "core/simulation/nearest_name.h"
@@ -139,6 +140,7 @@ private:
             return refuse(inQuotes(*name) + ' ' + problem->message);
         CmlRails rails = readCmlRails(std::get<std::string>(content), file.string());
         for (const InputProblem& problem : rails.problems) document_.problems.push_back(problem);
+        for (const InputProblem& warning : rails.warnings) document_.warnings.push_back(warning);
         if (!rails.valid()) {
             wrongKeys_.insert(entry->key);
             return;
@@ -190,21 +192,32 @@ private:
     /// Only where the values that are combined were all read.
     void addCombinations(const TomlDocument& toml)
     {
+        const bool badSurface = std::ranges::any_of(
+            wrongKeys_, [](const std::string& key) { return key == railFileKey || isSurfaceKey(key); });
         for (const CaseProblem& problem : checkCombinations(document_.value)) {
             const bool follows = std::ranges::any_of(wrongKeys_, [&](const std::string& key) {
                 return key == problem.key || problem.message.find(key) != std::string::npos;
             });
-            if (follows) continue;
+            if (follows || (badSurface && isSurfaceKey(problem.key))) continue;
             document_.problems.push_back({document_.name, lineOf(problem.key, toml), problem.key, problem.message});
+        }
+        const Case& c = document_.value;
+        if (c.model != ModelKind::Film || !document_.valid()) return;
+        for (const std::string& sentence : surfaceWarnings(c.surface, c.slider.length, c.slider.width)) {
+            const std::string key = surfaceKeyOf(sentence);
+            document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
         }
     }
 
+    /// The line of a value or a table; of the file of rails for what came from there.
     static int lineOf(const std::string& key, const TomlDocument& toml)
     {
         const auto entry = std::ranges::find(toml.entries, key, &TomlEntry::key);
         if (entry != toml.entries.end()) return entry->line;
         const auto table = std::ranges::find(toml.tables, key, &TomlTable::key);
-        return table == toml.tables.end() ? 0 : table->line;
+        if (table != toml.tables.end()) return table->line;
+        const auto file = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key);
+        return file == toml.entries.end() || !isSurfaceKey(key) ? 0 : file->line;
     }
 
     CaseDocument& document_;

@@ -239,8 +239,15 @@ private:
     void readRailPoints(const TomlEntry& entry, Rail& rail)
     {
         std::vector<SurfacePoint> points;
-        if (!readPoints(entry, points, mostRailPoints - std::min(mostRailPoints, pointCount_))) return;
+        if (!readPoints(entry, points, mostRailPoints)) return;
+        const bool hadRoom = pointCount_ <= mostRailPoints;
         pointCount_ += points.size();
+        if (pointCount_ > mostRailPoints) {
+            if (hadRoom)
+                add(entry.line, entry.key,
+                    "makes more than " + std::to_string(mostRailPoints) + " points of all rails");
+            return;
+        }
         if (points.size() < 3) {
             add(entry.line, entry.key, "has " + counted(points.size(), "point") + "; a rail has three or more");
             return;
@@ -340,6 +347,18 @@ bool isSurfaceKey(std::string_view key)
 {
     return key == interestKey || key == "abs.rail" || key == "abs.wall" || key.starts_with("abs.rail.") ||
            key.starts_with("abs.wall.") || placeOf(key, "abs.rail") || placeOf(key, "abs.wall");
+}
+
+std::string surfaceKeyOf(std::string_view sentence)
+{
+    for (const auto& [words, name] : {std::pair<std::string_view, std::string>{"Rail ", "abs.rail"},
+                                      std::pair<std::string_view, std::string>{"Wall profile ", "abs.wall"}}) {
+        if (!sentence.starts_with(words)) continue;
+        const std::string_view rest = sentence.substr(words.size());
+        const std::string_view number = rest.substr(0, rest.find_first_not_of("0123456789"));
+        return name + '[' + std::string(number) + ']';
+    }
+    return "abs";
 }
 
 std::vector<InputProblem> readSurface(const TomlDocument& toml, AirBearingSurface& surface)

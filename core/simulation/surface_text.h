@@ -37,6 +37,9 @@ inline constexpr std::string_view railFileKey = "abs.rails";
 /// Whether a key belongs to a rail, a wall or the points of interest: "abs.rail[2].recess", "abs.points_of_interest".
 bool isSurfaceKey(std::string_view key);
 
+/// The table that a sentence of core/physics/surface_check.h is about: "abs.rail[3]" of "Rail 3: ...", else "abs".
+std::string surfaceKeyOf(std::string_view sentence);
+
 /// Reads them into `surface`, replacing those that the text has. The problems name no file.
 std::vector<InputProblem> readSurface(const TomlDocument& toml, AirBearingSurface& surface);
 
