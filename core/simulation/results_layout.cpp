@@ -2,6 +2,7 @@
 #include "core/simulation/results_layout.h"
 
 #include <cstdint>
+#include <ctime>
 
 #include <hdf5_hl.h>
 
@@ -111,22 +112,40 @@ void appendColumn(hid_t dataset, const std::vector<double>& values)
 
 } // namespace
 
+std::string dateNow()
+{
+    const std::time_t seconds = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    char text[32];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+void writeFileHeader(hid_t file, const std::string& format, int major, int minor, const std::string& date,
+                     const std::string& title)
+{
+    writeHdf5Attribute(file, "format", format);
+    writeHdf5Attribute(file, "format_version", std::to_string(major) + "." + std::to_string(minor));
+    writeHdf5Attribute(file, "software_version", std::string(TOUCHDOWN_VERSION));
+    writeHdf5Attribute(file, "date", date);
+    writeHdf5Attribute(file, "title", title);
+}
+
+void writeCaseGroup(hid_t file, const Case& c, const std::string& text)
+{
+    const Hdf5Handle group = createHdf5Group(file, "case");
+    describeHdf5(writeHdf5Scalar(group, "text", text), "1", "The case as it was given");
+    writeParameters(createHdf5Group(group, "parameters"), c);
+}
+
 Hdf5Handle createResultsFile(const std::filesystem::path& path, const ResultsHeader& header)
 {
     Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5FileAccess()), H5Fclose);
-    writeHdf5Attribute(file, "format", std::string(resultsFormat));
-    writeHdf5Attribute(file, "format_version",
-                       std::to_string(resultsFormatMajor) + "." + std::to_string(resultsFormatMinor));
-    writeHdf5Attribute(file, "software_version", std::string(TOUCHDOWN_VERSION));
-    writeHdf5Attribute(file, "date", header.date);
+    writeFileHeader(file, resultsFormat, resultsFormatMajor, resultsFormatMinor, header.date, header.value.title);
     writeHdf5Attribute(file, "seed", std::int64_t{0}); // nothing in this model is random
     writeHdf5Attribute(file, "status", std::string(interruptedStatus));
     writeHdf5Attribute(file, "message", std::string("The run was interrupted; what follows the last sample is lost."));
-    writeHdf5Attribute(file, "title", header.value.title);
-
-    const Hdf5Handle group = createHdf5Group(file, "case");
-    describeHdf5(writeHdf5Scalar(group, "text", header.caseText), "1", "The case as it was given");
-    writeParameters(createHdf5Group(group, "parameters"), header.value);
+    writeCaseGroup(file, header.value, header.caseText);
     createTimeSeries(file, header.quantities);
     return file;
 }

@@ -39,6 +39,16 @@ struct ResultsSpectrum {
     SpectrumCase options;
 };
 
+/// The time now as ISO 8601, in UTC.
+std::string dateNow();
+
+/// What every file says of itself: format, version, the program, date and title.
+void writeFileHeader(hid_t file, const std::string& format, int major, int minor, const std::string& date,
+                     const std::string& title);
+
+/// The group /case: the text, and the parameters that the model uses.
+void writeCaseGroup(hid_t file, const Case& c, const std::string& text);
+
 /// A new file without samples, with the status "interrupted".
 Hdf5Handle createResultsFile(const std::filesystem::path& file, const ResultsHeader& header);
 

@@ -2,7 +2,6 @@
 #include "core/simulation/results_file.h"
 
 #include <condition_variable>
-#include <ctime>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -11,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/simulation/results_exchange.h"
+#include "core/simulation/results_layout.h"
 
 namespace touchdown {
 namespace {
@@ -21,15 +21,6 @@ namespace fs = std::filesystem;
 // Samples that may wait for the disk before a flush begins early, and before append() waits [numbers].
 constexpr std::size_t earlyFlush = std::size_t{2} << 20;
 constexpr std::size_t mostPending = std::size_t{6} << 20;
-
-std::string now()
-{
-    const std::time_t seconds = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&seconds, &utc);
-    char text[32];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
-}
 
 void append(SampleBatch& target, const SampleBatch& batch)
 {
@@ -152,7 +143,7 @@ std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::
     std::error_code error;
     const fs::path target = fs::weakly_canonical(file, error);
     try {
-        file_ = std::make_unique<File>(error ? file : target, ResultsHeader{c, caseText, now(), quantities},
+        file_ = std::make_unique<File>(error ? file : target, ResultsHeader{c, caseText, dateNow(), quantities},
                                        flushInterval_);
     } catch (const std::exception& failure) {
         return "cannot write results to " + file.string() + ": " + failure.what();
