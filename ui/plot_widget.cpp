@@ -57,6 +57,7 @@ void PlotWidget::setXLabel(const AxisLabel& label)
 void PlotWidget::setYLabel(const AxisLabel& label)
 {
     y_.label = label;
+    y_.setRange(y_.range()); // a logarithm needs another one at once: the cursors are drawn before the next refresh
     tightY_ = true;
     scheduleRefresh();
 }
@@ -72,6 +73,7 @@ void PlotWidget::setYScale(AxisScale scale)
 {
     if (y_.label.scale == scale) return;
     y_.label.scale = scale;
+    y_.setRange(y_.range());
     tightY_ = true;
     emit yScaleChanged();
     scheduleRefresh();
