@@ -21,7 +21,9 @@ QString tr(const char* text) { return QCoreApplication::translate("touchdown::At
 
 QString fixed(double value, int decimals, const QLocale& locale)
 {
-    QString text = locale.toString(value, 'f', std::clamp(decimals, 0, 12));
+    QLocale ungrouped = locale;
+    ungrouped.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    QString text = ungrouped.toString(value, 'f', std::clamp(decimals, 0, 12));
     if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QChar(0x2212)); // a true minus sign
     return text;
 }
@@ -40,9 +42,11 @@ QString plain(double value, const QLocale& locale)
     return fixed(value, decimalsOf(value, 4), locale);
 }
 
+/// In mm, as the heads of the columns say.
 QString place(const SurfacePoint& at, const QLocale& locale)
 {
-    return tr("x %1, y %2").arg(fixed(at.x / 1e-3, 4, locale), readout(at.y, "mm", 4, locale));
+    const QString separator = locale.decimalPoint() == QLatin1String(",") ? QStringLiteral("; ") : QStringLiteral(", ");
+    return fixed(at.x / 1e-3, 3, locale) + separator + fixed(at.y / 1e-3, 3, locale);
 }
 
 AttitudeSection attitude(const SteadyResult& r, const QLocale& locale)
@@ -54,12 +58,12 @@ AttitudeSection attitude(const SteadyResult& r, const QLocale& locale)
              {tr("Pitch"), withError(r.attitude.pitch, error.pitch, "urad", locale)},
              {tr("Roll"), withError(r.attitude.roll, error.roll, "urad", locale)},
              {tr("Minimum spacing"), withError(r.minimumSpacing, error.minimumSpacing, "nm", locale)},
-             {tr("at"), place(r.minimumAt, locale)}}};
+             {tr("at x, y [mm]"), place(r.minimumAt, locale)}}};
 }
 
 AttitudeSection interest(const Case& c, const SteadyResult& r, const QLocale& locale)
 {
-    AttitudeSection section{tr("Points of interest"), {tr("Spacing"), tr("At")}, {}};
+    AttitudeSection section{tr("Points of interest"), {tr("Spacing"), tr("At x, y [mm]")}, {}};
     const std::size_t points = std::min(r.interestSpacing.size(), c.surface.pointsOfInterest.size());
     for (std::size_t i = 0; i < points; ++i)
         section.rows.push_back({QStringLiteral("P%1").arg(i + 1), withError(r.interestSpacing[i], 0.0, "nm", locale),
@@ -74,12 +78,12 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
     const auto torque = [&](double value) { return withError(value, 0.0, "uN m", locale); };
     const auto pressure = [&](double value) { return withError(value, 0.0, "kPa", locale); };
     return {tr("Air bearing"),
-            {tr("Force"), tr("At")},
+            {QString(), tr("At x, y [mm]")},
             {{tr("Net force"), milli(f.net, r.discretisationError.load), fixed(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
-             {tr("Maximum pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
-             {tr("Minimum pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
+             {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
+             {tr("Least pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
              {tr("Shear along x"), milli(f.shearX)},
              {tr("Shear along y"), milli(f.shearY)},
              {tr("Pitch torque"), torque(f.pitchTorque)},
@@ -89,7 +93,7 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
 AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
 {
     AttitudeSection section{tr("Stiffness of the film"),
-                            {tr("per nm of height"), tr("per µrad of pitch"), tr("per µrad of roll")},
+                            {tr("per nm height"), tr("per µrad pitch"), tr("per µrad roll")},
                             {}};
     if (!r.stiffness) return section;
     const std::array<QString, 3> names{tr("Force [mN]"), tr("Pitch torque [µN·m]"), tr("Roll torque [µN·m]")};

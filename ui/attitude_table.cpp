@@ -41,9 +41,9 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
         html += QStringLiteral("</tr>");
     }
     for (const QStringList& row : section.rows) {
-        html += QStringLiteral("<tr><td style='padding:1px 0'>%1</td>").arg(row.front().toHtmlEscaped());
+        html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>").arg(row.front().toHtmlEscaped());
         for (qsizetype i = 1; i < row.size(); ++i)
-            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"), QString());
+            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"), QStringLiteral("white-space:nowrap"));
         html += QStringLiteral("</tr>");
     }
     return html + QStringLiteral("</table>");

@@ -169,8 +169,11 @@ void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
 {
     if (values_[smallest_] == values_[largest_]) return;
     painter.setFont(plotNumberFont(font()));
-    for (const auto& [cell, kind] : {std::pair(smallest_, PlanMark::Minimum), std::pair(largest_, PlanMark::Maximum)})
-        paintPlanMark(painter, toPixel(centre(cell)), kind, fieldText(values_[cell], look_), theme);
+    TakenRoom taken;
+    paintPlanMarks(painter,
+                   {{toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)},
+                    {toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)}},
+                   theme, taken);
 }
 
 } // namespace touchdown

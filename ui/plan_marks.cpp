@@ -2,6 +2,7 @@
 #include "ui/plan_marks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFontMetricsF>
 
@@ -11,21 +12,24 @@ namespace {
 
 constexpr double reach = 6.0; // of a mark from its point [px]
 
-void paintSymbol(QPainter& painter, const QPointF& at, PlanMark kind)
+void paintSymbol(QPainter& painter, const PlanMark& mark)
 {
-    switch (kind) {
-    case PlanMark::Interest: painter.drawEllipse(at, reach - 1.0, reach - 1.0); break;
-    case PlanMark::Minimum:
+    const QPointF& at = mark.at;
+    switch (mark.kind) {
+    case PlanMark::Kind::Interest: painter.drawEllipse(at, reach - 1.0, reach - 1.0); break;
+    case PlanMark::Kind::Minimum:
         painter.drawPolygon(QPolygonF({at, at + QPointF(-reach, -1.6 * reach), at + QPointF(reach, -1.6 * reach)}));
         break;
-    case PlanMark::Maximum:
+    case PlanMark::Kind::Maximum:
         painter.drawPolygon(QPolygonF({at, at + QPointF(-reach, 1.6 * reach), at + QPointF(reach, 1.6 * reach)}));
         break;
-    case PlanMark::Cursor:
-        painter.drawLine(at - QPointF(reach, 0.0), at + QPointF(reach, 0.0));
-        painter.drawLine(at - QPointF(0.0, reach), at + QPointF(0.0, reach));
-        break;
     }
+}
+
+/// From the point to the middle of the symbol, downwards [px].
+double lift(PlanMark::Kind kind)
+{
+    return kind == PlanMark::Kind::Interest ? 0.0 : kind == PlanMark::Kind::Minimum ? -0.8 * reach : 0.8 * reach;
 }
 
 void paintBox(QPainter& painter, const QRectF& box, const QString& text, const PlotTheme& theme)
@@ -46,32 +50,51 @@ QSizeF boxSize(const QPainter& painter, const QString& text)
     return {std::max(metrics.horizontalAdvance(text) + 8.0, metrics.height()), metrics.height()};
 }
 
+bool isFree(const QRectF& box, const TakenRoom& taken)
+{
+    return std::ranges::none_of(taken, [&box](const QRectF& other) { return other.intersects(box); });
+}
+
 } // namespace
 
-void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme)
+void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken)
 {
     QRectF box({}, boxSize(painter, text));
     box.moveCenter(centre);
+    if (!isFree(box, taken)) return;
+    taken.push_back(box);
     paintBox(painter, box, text, theme);
 }
 
-void paintPlanMark(QPainter& painter, const QPointF& at, PlanMark kind, const QString& text, const PlotTheme& theme)
+void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const PlotTheme& theme, TakenRoom& taken)
 {
-    painter.setBrush(kind == PlanMark::Interest || kind == PlanMark::Cursor ? QBrush(Qt::NoBrush) : QBrush(theme.curves[1]));
-    painter.setPen(QPen(theme.background, kind == PlanMark::Cursor ? 4.0 : 4.5));
-    paintSymbol(painter, at, kind);
-    painter.setPen(QPen(kind == PlanMark::Cursor ? theme.text : theme.curves[1], kind == PlanMark::Cursor ? 1.5 : 2.0));
-    paintSymbol(painter, at, kind);
+    for (const PlanMark& mark : marks) {
+        painter.setBrush(mark.kind == PlanMark::Kind::Interest ? QBrush(Qt::NoBrush) : QBrush(theme.curves[1]));
+        for (const QPen& pen : {QPen(theme.background, 4.5), QPen(theme.curves[1], 2.0)}) {
+            painter.setPen(pen);
+            paintSymbol(painter, mark);
+        }
+        const QPointF middle = mark.at + QPointF(0.0, lift(mark.kind));
+        taken.push_back(QRectF(middle - QPointF(reach, reach), QSizeF(2.0 * reach, 2.0 * reach)));
+    }
     painter.setBrush(Qt::NoBrush);
-    if (text.isEmpty()) return;
 
     const QRectF seen = painter.clipBoundingRect();
-    QRectF box({}, boxSize(painter, text));
-    const double lift = kind == PlanMark::Minimum ? -0.8 * reach : kind == PlanMark::Maximum ? 0.8 * reach : 0.0;
-    box.moveCenter(at + QPointF(0.0, lift));
-    box.moveLeft(at.x() + reach + 5.0);
-    if (at.x() > seen.center().x()) box.moveRight(at.x() - reach - 5.0);
-    paintBox(painter, box, text, theme);
+    for (const PlanMark& mark : marks) {
+        if (mark.text.isEmpty()) continue;
+        const QSizeF size = boxSize(painter, mark.text);
+        const QPointF aside(reach + 5.0 + size.width() / 2.0, 0.0);
+        const QPointF away(0.0, reach + 5.0 + size.height() / 2.0 + std::abs(lift(mark.kind)));
+        const double inwards = mark.at.x() > seen.center().x() ? -1.0 : 1.0;
+        for (const QPointF& shift : {inwards * aside, -inwards * aside, -away, away}) {
+            QRectF box({}, size);
+            box.moveCenter(mark.at + QPointF(0.0, lift(mark.kind)) + shift);
+            if (!isFree(box, taken) || !seen.contains(box)) continue;
+            taken.push_back(box);
+            paintBox(painter, box, mark.text, theme);
+            break;
+        }
+    }
 }
 
 void paintCellGrid(QPainter& painter, const SliderPlan& plan, const CellGrid& grid)

@@ -3,6 +3,8 @@
 // Marks, labels and grid lines that stand out of any colour beneath them.
 #pragma once
 
+#include <vector>
+
 #include <QPainter>
 
 #include "core/numerics/cell_grid.h"
@@ -10,14 +12,23 @@
 
 namespace touchdown {
 
-enum class PlanMark { Interest, Minimum, Maximum, Cursor };
+/// Where text stands already: what is painted later keeps clear of it.
+using TakenRoom = std::vector<QRectF>;
 
-/// A small box of paper about `centre` with the text in it.
-void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme);
+/// A small box of paper about `centre` with the text in it, unless other text stands there.
+void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken);
 
-/// A circle for a point of interest, a triangle downwards for a minimum and upwards for a maximum, a cross for the cursor;
-/// the text beside it, towards the middle of the clip.
-void paintPlanMark(QPainter& painter, const QPointF& at, PlanMark kind, const QString& text, const PlotTheme& theme);
+/// A circle for a point of interest, a triangle downwards for a minimum and upwards for a maximum.
+struct PlanMark {
+    enum class Kind { Interest, Minimum, Maximum };
+    QPointF at; // [px]
+    Kind kind = Kind::Interest;
+    QString text;
+};
+
+/// The text stands beside its mark where there is room, towards the middle of the clip first; without room the mark stands
+/// alone.
+void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const PlotTheme& theme, TakenRoom& taken);
 
 /// The borders of the cells.
 void paintCellGrid(QPainter& painter, const SliderPlan& plan, const CellGrid& grid);

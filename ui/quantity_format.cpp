@@ -49,7 +49,9 @@ QString unitText(std::string_view unit)
 
 QString symbolText(std::string_view symbol)
 {
-    static const std::array<std::pair<const char*, const char*>, 7> greek{{{"xi", "ξ"},
+    static const std::array<std::pair<const char*, const char*>, 9> greek{{{"alpha", "α"},
+                                                                           {"lambda", "λ"},
+                                                                           {"xi", "ξ"},
                                                                            {"theta", "θ"},
                                                                            {"mu", "μ"},
                                                                            {"beta", "β"},
@@ -58,8 +60,11 @@ QString symbolText(std::string_view symbol)
                                                                            {"omega", "ω"}}};
     const QString text = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const auto letters = [](const QString& name) {
-        for (const auto& [spelled, letter] : greek)
-            if (name == QLatin1String(spelled)) return QString::fromUtf8(letter);
+        // "theta(0)": the letter, then what it is at.
+        const qsizetype bracket = name.indexOf(QLatin1Char('('));
+        const QString letter = bracket < 0 ? name : name.left(bracket);
+        for (const auto& [spelled, drawn] : greek)
+            if (letter == QLatin1String(spelled)) return QString::fromUtf8(drawn) + name.mid(letter.size()).toHtmlEscaped();
         return name.toHtmlEscaped();
     };
     const qsizetype bar = text.indexOf(QLatin1Char('_'));

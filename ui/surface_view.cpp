@@ -7,7 +7,6 @@
 #include <QPainter>
 
 #include "ui/colour_bar.h"
-#include "ui/plan_marks.h"
 #include "ui/plot_painter.h"
 #include "ui/quantity_format.h"
 #include "ui/rail_drawing.h"
@@ -131,8 +130,10 @@ void SurfaceView::paintContent(QPainter& painter, const PlotTheme& theme)
 {
     paintRecess(painter);
     if (gridShown_) paintCellGrid(painter, *this, grid_);
-    paintRails(painter, theme);
-    paintMarks(painter, theme);
+    paintRails(painter);
+    TakenRoom taken;
+    paintMarks(painter, theme, taken);
+    paintNumbers(painter, theme, taken);
 }
 
 void SurfaceView::paintRecess(QPainter& painter) const
@@ -151,11 +152,8 @@ void SurfaceView::paintRecess(QPainter& painter) const
     painter.restore();
 }
 
-void SurfaceView::paintRails(QPainter& painter, const PlotTheme& theme) const
+void SurfaceView::paintRails(QPainter& painter) const
 {
-    const QFont font = plotNumberFont(this->font());
-    painter.setFont(font);
-    const double height = QFontMetricsF(font).height();
     for (std::size_t i = 0; i < surface_.rails.size(); ++i) {
         QPolygonF outline;
         for (const RailPoint& point : surface_.rails[i].points) outline << toPixel({point.x, point.y});
@@ -166,20 +164,29 @@ void SurfaceView::paintRails(QPainter& painter, const PlotTheme& theme) const
         painter.drawPolygon(outline);
         painter.setPen(QPen(QColor(20, 24, 28, pointed ? 255 : 190), pointed ? 1.8 : 1.0));
         painter.drawPolygon(outline);
-        const QRectF box = outline.boundingRect();
-        if (i < numberPoints_.size() && std::min(box.width(), box.height()) > 0.8 * height)
-            paintPlanLabel(painter, toPixel(numberPoints_[i]), QString::number(i + 1), theme);
     }
 }
 
-void SurfaceView::paintMarks(QPainter& painter, const PlotTheme& theme) const
+void SurfaceView::paintNumbers(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const
+{
+    const double height = QFontMetricsF(painter.font()).height();
+    for (std::size_t i = 0; i < numberPoints_.size(); ++i) {
+        const QRectF box = railPolygon(surface_.rails[i]).boundingRect();
+        const QRectF drawn(toPixel({box.left(), box.bottom()}), toPixel({box.right(), box.top()}));
+        if (std::min(drawn.width(), drawn.height()) > 0.8 * height)
+            paintPlanLabel(painter, toPixel(numberPoints_[i]), QString::number(i + 1), theme, taken);
+    }
+}
+
+void SurfaceView::paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const
 {
     painter.setFont(plotNumberFont(font()));
-    for (std::size_t i = 0; i < surface_.pointsOfInterest.size(); ++i)
-        paintPlanMark(painter, toPixel(surface_.pointsOfInterest[i]), PlanMark::Interest,
-                      tr("P%1").arg(i + 1), theme);
+    std::vector<PlanMark> marks;
     if (minimumAt_)
-        paintPlanMark(painter, toPixel(*minimumAt_), PlanMark::Minimum, tr("min %1").arg(lengthText(minimumSpacing_, 3)), theme);
+        marks.push_back({toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(lengthText(minimumSpacing_, 3))});
+    for (std::size_t i = 0; i < surface_.pointsOfInterest.size(); ++i)
+        marks.push_back({toPixel(surface_.pointsOfInterest[i]), PlanMark::Kind::Interest, tr("P%1").arg(i + 1)});
+    paintPlanMarks(painter, marks, theme, taken);
 }
 
 } // namespace touchdown

@@ -13,6 +13,7 @@
 #include "core/numerics/cell_grid.h"
 #include "core/physics/recess.h"
 #include "ui/colour_scale.h"
+#include "ui/plan_marks.h"
 #include "ui/recess_picture.h"
 #include "ui/slider_plan.h"
 
@@ -52,8 +53,9 @@ private:
     void readOut(const std::optional<SurfacePoint>& point);
     std::vector<ScaleTick> levelTicks() const;
     void paintRecess(QPainter& painter) const;
-    void paintRails(QPainter& painter, const PlotTheme& theme) const;
-    void paintMarks(QPainter& painter, const PlotTheme& theme) const;
+    void paintRails(QPainter& painter) const;
+    void paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const;
+    void paintNumbers(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const;
 
     AirBearingSurface surface_;
     std::optional<Recess> recess_;     // with crown, camber and twist
