@@ -19,14 +19,16 @@ namespace {
 
 QString groupTitle(const std::string& name)
 {
-    static const std::array<std::pair<const char*, const char*>, 7> titles{
+    static const std::array<std::pair<const char*, const char*>, 9> titles{
         {{"", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Model")},
          {"springs", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Air bearing springs")},
          {"ono_yamane", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Contact and adhesion")},
          {"initial", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Start")},
          {"run", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Run and numerics")},
          {"spectrum", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Spectrum")},
-         {"suspension", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Suspension")}}};
+         {"abs", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Air bearing surface")},
+         {"film", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Film and grid")},
+         {"steady", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Static attitude")}}};
     for (const auto& [key, title] : titles)
         if (name == key) return CasePanel::tr(title);
     // A group that is new to this list is shown by its name.

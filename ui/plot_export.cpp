@@ -126,6 +126,9 @@ Picture pictureOf(QWidget& page, const QString& title, const PlotTheme& theme)
                 for (PlotWidget* plot : page.findChildren<PlotWidget*>())
                     if (plot->isVisibleTo(&page))
                         plot->paintPlot(painter, QRectF(plot->mapTo(&page, QPoint()), plot->size()), theme);
+                for (SliderPlan* plan : page.findChildren<SliderPlan*>())
+                    if (plan->isVisibleTo(&page))
+                        plan->paintPlan(painter, QRectF(plan->mapTo(&page, QPoint()), plan->size()), theme);
             }};
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "ui/plot_widget.h"
+#include "ui/slider_plan.h"
 
 #include <QIODevice>
 #include <QString>
@@ -14,7 +15,7 @@
 namespace touchdown {
 
 [[nodiscard]] QString savePicture(PlotWidget& plot, const QString& path);
-/// All visible plots inside `page`, where they stand on it.
+/// All visible plots and plans inside `page`, where they stand on it.
 [[nodiscard]] QString savePage(QWidget& page, const QString& path, const QString& title = {});
 void copyPicture(PlotWidget& plot);
 void copyPage(QWidget& page);

@@ -91,6 +91,9 @@ void WindowActions::buildRun(QMainWindow& window)
     QMenu* menu = window.menuBar()->addMenu(tr("&Run"));
     run = add(menu, tr("&Run"), QKeySequence(Qt::Key_F5), QStringLiteral("run"),
               tr("Run the case; a run under way starts again"));
+    solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F5), {},
+                     tr("Solve for the pressure only, at the height, pitch and roll of the start"));
+    solveGiven->setVisible(false);
     pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause the run, or let it go on"));
     pause->setCheckable(true);
     step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"), tr("Let a paused run go on by one picture"));
@@ -178,8 +181,7 @@ void WindowActions::buildToolBar(QMainWindow& window)
     auto* label = new QLabel(tr("&Speed"), toolBar);
     label->setBuddy(pace);
     label->setContentsMargins(8, 0, 4, 0);
-    toolBar->addWidget(label);
-    toolBar->addWidget(pace);
+    pace_ = {toolBar->addWidget(label), toolBar->addWidget(pace)};
     toolBar->addSeparator();
     toolBar->addAction(fit);
     toolBar->addAction(follow);
@@ -201,6 +203,18 @@ std::vector<const QAction*> WindowActions::withShortcuts() const
     for (const QAction* action : all_)
         if (!action->shortcut().isEmpty()) list.push_back(action);
     return list;
+}
+
+void WindowActions::setModel(ModelKind model)
+{
+    const bool film = model == ModelKind::Film;
+    run->setText(film ? tr("S&olve static attitude") : tr("&Run"));
+    run->setIconText(film ? tr("Solve") : tr("Run"));
+    toolBar->widgetForAction(run)->setAccessibleName(film ? tr("Solve static attitude") : tr("Run"));
+    solveGiven->setVisible(film);
+    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(!film);
+    for (QAction* action : pace_) action->setVisible(!film);
+    plots->menuAction()->setVisible(!film);
 }
 
 void WindowActions::choosePace(double simulatedPerWallSecond)

@@ -4,6 +4,7 @@
 // connected by the window.
 #pragma once
 
+#include "core/simulation/case.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -27,7 +28,7 @@ public:
 
     QAction *newCase, *open, *save, *saveAs, *openResults, *exportPage, *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
-    QAction *run, *pause, *step, *stop, *record;
+    QAction *run, *solveGiven, *pause, *step, *stop, *record;
     QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
     QAction *help, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
@@ -40,6 +41,8 @@ public:
     void updateIcons(const QPalette& palette);
     /// All actions with a shortcut, for the shortcut sheet.
     std::vector<const QAction*> withShortcuts() const;
+    /// Names and offers what the model can do: a run over time, or a static solution.
+    void setModel(ModelKind model);
     void choosePace(double simulatedPerWallSecond);
 
 signals:
@@ -57,6 +60,7 @@ private:
 
     std::vector<std::pair<QAction*, QString>> icons_;
     std::vector<QAction*> all_;
+    std::vector<QAction*> pace_; // label and box in the tool bar
 };
 
 } // namespace touchdown
