@@ -6,6 +6,7 @@
 
 #include "core/simulation/cml_text.h"
 #include "core/simulation/decimal.h"
+#include "core/simulation/fields.h"
 
 namespace touchdown {
 
@@ -15,8 +16,8 @@ constexpr int mostRails = 1000;
 constexpr int mostRailPoints = 10000;
 constexpr int mostWalls = 1000;
 constexpr int mostWallPoints = 1000;
-constexpr std::size_t mostPointsOfInterest = 100;
-constexpr double largest = 1.0; // of a length [m] and an angle [rad]; more tells that a count or a unit is wrong
+constexpr std::size_t mostPointsOfInterest = 250; // those of the established program
+constexpr double largest = 1.0; // of a coordinate [m]; more tells that a count or a unit is wrong
 
 class RailReader {
 public:
@@ -31,16 +32,16 @@ public:
         endList();
         for (int i = 1; i <= railCount; ++i) within("rail " + std::to_string(i), [&] { readRail(); });
         if (wallCount_ > 0) readWalls();
-        AirBearingSurface& surface = rails_.surface;
-        surface.taperLength = notNegative("the taper length");
-        surface.taperAngle = length("the taper angle");
-        surface.baseRecess = length("the base recess");
+        setField("abs.taper_length", "the taper length");
+        setField("abs.taper_angle", "the taper angle");
+        setField("abs.base_recess", "the base recess");
         endList();
-        surface.crown = length("the crown");
-        surface.camber = length("the camber");
-        surface.twist = length("the twist");
+        setField("abs.crown", "the crown");
+        setField("abs.camber", "the camber");
+        setField("abs.twist", "the twist");
         endList();
         readPointsOfInterest();
+        takeFields();
     }
 
 private:
@@ -56,10 +57,30 @@ private:
 
     void readSlider()
     {
-        rails_.length = positive("the slider's length");
-        rails_.width = positive("the slider's width");
-        rails_.thickness = notNegative("the slider's thickness");
+        setField("slider.length", "the slider's length");
+        setField("slider.width", "the slider's width");
+        setField("slider.thickness", "the slider's thickness");
         endList();
+    }
+
+    /// A number that is a field of a case, checked as such.
+    void setField(std::string_view key, std::string_view what)
+    {
+        const CmlNumber n = text_.number(what);
+        lastLine_ = n.line;
+        rails_.lines[std::string(key)] = n.line;
+        if (const auto problem = setFromNumber(fields_, *findField(key), n.value))
+            throw CmlError(n.line, std::string(what) + ": " + *problem);
+    }
+    void takeFields()
+    {
+        rails_.length = fields_.slider.length;
+        rails_.width = fields_.slider.width;
+        rails_.thickness = fields_.slider.thickness;
+        fields_.surface.rails = std::move(rails_.surface.rails);
+        fields_.surface.walls = std::move(rails_.surface.walls);
+        fields_.surface.pointsOfInterest = std::move(rails_.surface.pointsOfInterest);
+        rails_.surface = std::move(fields_.surface);
     }
 
     void readRail()
@@ -73,7 +94,7 @@ private:
             RailPoint point;
             point.x = length("x of a point");
             point.y = length("y of a point");
-            point.wall = text_.whole("the wall profile of a point", 0, wallCount_);
+            point.wall = wallOf();
             rail.points.push_back(point);
             if (i + 1 < pointCount) text_.skipRemark();
         }
@@ -85,6 +106,15 @@ private:
         }
         endList();
         rails_.surface.rails.push_back(std::move(rail));
+    }
+
+    /// A profile that does not exist is none, as for the established program.
+    int wallOf()
+    {
+        const int wall = text_.whole("the wall profile of a point", 0, mostWalls);
+        if (wall <= wallCount_) return wall;
+        warn(text_.line(), "wall profile " + std::to_string(wall) + " does not exist; the edge is taken as vertical");
+        return 0;
     }
 
     void readWalls()
@@ -126,7 +156,7 @@ private:
             throw CmlError(lastLine_, "the points of interest need as many y as x");
         for (std::size_t i = 0; i < count; ++i)
             rails_.surface.pointsOfInterest.push_back({values[i], values[count + i]});
-        if (!text_.peekWord().empty()) warn("text after the last number is not used");
+        if (!text_.peekWord().empty()) warn(lastLine_, "text after the last number is not used");
     }
 
     template <typename Read>
@@ -139,7 +169,6 @@ private:
         }
     }
 
-    /// A length or an angle.
     double length(std::string_view what)
     {
         const CmlNumber n = text_.number(what);
@@ -149,28 +178,17 @@ private:
                                        ", which is too large; a count above it may be wrong");
         return n.value + 0.0; // -0 has one spelling
     }
-    double notNegative(std::string_view what)
-    {
-        const double value = length(what);
-        if (value < 0.0) throw CmlError(lastLine_, std::string(what) + " must not be negative");
-        return value;
-    }
-    double positive(std::string_view what)
-    {
-        const double value = length(what);
-        if (value <= 0.0) throw CmlError(lastLine_, std::string(what) + " must be greater than 0");
-        return value;
-    }
-
     void endList()
     {
-        if (text_.endList()) warn("more numbers than are needed; the last ones are not used");
+        const int line = text_.line();
+        if (text_.endList()) warn(line, "more numbers than are needed; the last ones are not used");
     }
-    void warn(std::string message) { rails_.warnings.push_back({file_, lastLine_, "", std::move(message)}); }
+    void warn(int line, std::string message) { rails_.warnings.push_back({file_, line, "", std::move(message)}); }
 
     CmlText text_;
     const std::string& file_;
     CmlRails& rails_;
+    Case fields_; // takes the numbers that are fields
     int wallCount_ = 0;
     int lastLine_ = 0; // of the last length
 };

@@ -12,6 +12,7 @@
 //   x of the points of interest; y of them (may be missing)
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,8 @@ struct CmlRails {
     double width = 0.0;     // [m]
     double thickness = 0.0; // [m]
     AirBearingSurface surface;
-    std::vector<int> railLines; // line of the file on which each rail begins
+    std::map<std::string, int> lines; // line of the file of each number that is a field of a case, by its key
+    std::vector<int> railLines; // line on which each rail begins
     std::vector<int> wallLines; // and each profile's distances
     std::vector<InputProblem> problems; // what was read is of use only if there are none
     std::vector<InputProblem> warnings;

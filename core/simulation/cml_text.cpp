@@ -26,7 +26,7 @@ int countLineEnds(std::string_view text, std::size_t begin, std::size_t end)
 
 } // namespace
 
-std::optional<double> readCmlNumber(std::string_view text, int decade)
+std::optional<std::string> plainDecimal(std::string_view text)
 {
     // [+-] digits [. digits] [[eEdD] [+-] digits]: the grammar is checked here, as std::from_chars stops at what it
     // does not know and takes "nan".
@@ -56,7 +56,21 @@ std::optional<double> readCmlNumber(std::string_view text, int decade)
         number += 'e' + std::string(text.substr(exponent));
     }
     if (text.front() == '-') number.insert(0, "-");
-    return readDecimal(number, decade);
+    return number;
+}
+
+std::optional<double> readCmlNumber(std::string_view text)
+{
+    const auto decimal = plainDecimal(text);
+    return decimal ? readDecimal(*decimal) : std::nullopt;
+}
+
+int wholeCmlNumber(const CmlNumber& number, std::string_view what, int lowest, int highest)
+{
+    if (number.value == std::trunc(number.value) && number.value >= lowest && number.value <= highest)
+        return static_cast<int>(number.value);
+    throw CmlError(number.line, std::string(what) + " must be a whole number from " + std::to_string(lowest) + " to " +
+                                    std::to_string(highest) + ", not " + inQuotes(number.text));
 }
 
 CmlText::CmlText(std::string_view text, int line) : text_(text), line_(line)
@@ -86,6 +100,14 @@ std::string_view CmlText::peekWord()
     return text_.substr(begin, wordEnd(begin) - begin);
 }
 
+std::string_view CmlText::takeWord()
+{
+    const std::string_view word = peekWord();
+    skipBlanks();
+    moveTo(at_ + word.size());
+    return word;
+}
+
 bool CmlText::onThisLine()
 {
     const std::size_t begin = wordBegin();
@@ -98,20 +120,16 @@ CmlNumber CmlText::number(std::string_view what)
 {
     moveTo(wordBegin());
     const std::string_view word = peekWord();
-    if (word.empty()) throw CmlError(line_, "the file ends where " + std::string(what) + " is needed");
+    if (word.empty()) throw CmlError(lastLine(), "the file ends where " + std::string(what) + " is needed");
     const auto value = readCmlNumber(word);
     if (!value) throw CmlError(line_, std::string(what) + " must be a number, not " + inQuotes(word));
-    const CmlNumber number{*value, word, line_};
-    moveTo(at_ + word.size());
-    return number;
+    const int line = line_;
+    return {*value, takeWord(), line};
 }
 
 int CmlText::whole(std::string_view what, int lowest, int highest)
 {
-    const CmlNumber n = number(what);
-    if (n.value == std::trunc(n.value) && n.value >= lowest && n.value <= highest) return static_cast<int>(n.value);
-    throw CmlError(n.line, std::string(what) + " must be a whole number from " + std::to_string(lowest) + " to " +
-                               std::to_string(highest) + ", not " + inQuotes(n.text));
+    return wholeCmlNumber(number(what), what, lowest, highest);
 }
 
 void CmlText::skipRemark()
@@ -124,6 +142,12 @@ bool CmlText::endList()
     const bool more = onThisLine() && nextIsNumber();
     takeLine();
     return more;
+}
+
+int CmlText::lastLine() const
+{
+    const std::size_t end = text_.find_last_not_of(separators) + 1; // 0 if there is none
+    return end < at_ ? line_ - countLineEnds(text_, end, at_) : line_ + countLineEnds(text_, at_, end);
 }
 
 std::size_t CmlText::wordBegin() const { return std::min(text_.find_first_not_of(separators, at_), text_.size()); }

@@ -34,8 +34,13 @@ struct CmlNumber {
     int line = 0;
 };
 
-/// "1.5", ".5", "1.0E-007", "1.0D-7", "1.0-7" times 10^decade; nothing for words, "NaN", "inf", and what no double holds.
-std::optional<double> readCmlNumber(std::string_view text, int decade = 0);
+/// "1.5", ".5", "+1.0E-007", "1.0D-7", "1.0-7" as other programs write them, "1.0e-7"; nothing for words, "NaN" and "inf".
+std::optional<std::string> plainDecimal(std::string_view text);
+/// Its value; nothing either for what no double holds.
+std::optional<double> readCmlNumber(std::string_view text);
+
+/// The number as an integer. Throws CmlError, which calls it `what`, unless it is whole and in the range.
+int wholeCmlNumber(const CmlNumber& number, std::string_view what, int lowest, int highest);
 
 /// Walks through a text once, front to back. Throws CmlError where the text does not hold what is asked for.
 class CmlText {
@@ -46,10 +51,13 @@ public:
     /// The rest of this line, without its end; goes to the next one. At the end of the text it is empty.
     std::string_view takeLine();
     bool atEnd() const { return at_ == text_.size(); }
+    /// Goes to the next word, on this line or a later one.
+    void skipBlanks() { moveTo(wordBegin()); }
     int line() const { return line_; }
 
     /// The next word on this line or a later one; empty at the end of the text.
     std::string_view peekWord();
+    std::string_view takeWord();
     /// True when the next word is on this line.
     bool onThisLine();
     /// True when the next word, on this line or a later one, is a number.
@@ -66,6 +74,7 @@ public:
     bool endList();
 
 private:
+    int lastLine() const; // that holds a word
     std::size_t wordBegin() const; // of the next word
     std::size_t wordEnd(std::size_t begin) const;
     void moveTo(std::size_t at);
