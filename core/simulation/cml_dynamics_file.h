@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// dynamics.def, the established dynamic program's file: slider as a rigid body, suspension, start, solution and grid. What it
+// says of disk and slider surfaces, track accessing, contact and shocks is named in warnings where it is switched on.
+#pragma once
+
+#include <string_view>
+
+#include "core/simulation/cml_fields.h"
+
+namespace touchdown {
+
+/// Puts what a dynamics.def says into a film case that has the slider of its rail.dat.
+void readCmlDynamics(std::string_view text, CmlFields& fields);
+
+} // namespace touchdown
