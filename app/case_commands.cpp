@@ -11,6 +11,7 @@ CaseDocument openCaseOrComplain(const CaseArguments& arguments)
 {
     CaseDocument document = openCase(arguments.name);
     if (!arguments.settings.empty()) applySettings(document, arguments.settings);
+    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
     for (const InputProblem& problem : document.problems) complain(problem.text());
     return document;
 }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/case_commands.h"
+#include "app/convert_command.h"
 #include "app/describe_command.h"
 #include "app/run_command.h"
 
@@ -68,6 +69,13 @@ int commandLine(int argc, char** argv)
     run.add_flag("--progress", runArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(run);
 
+    std::string from;
+    std::string to;
+    CLI::App& convert = *app.add_subcommand(
+        "convert", "Converts between case files and files of the established program (rail.dat, run.dat, .cml)");
+    convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")->required();
+    convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")->required();
+
     CaseArguments validated;
     CLI::App& validate = *app.add_subcommand("validate", "Checks a case and lists every problem");
     addCase(validate, validated);
@@ -91,6 +99,7 @@ int commandLine(int argc, char** argv)
     }
     runArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
+    if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));
     return finishOutput(describeCommand(key, json));
