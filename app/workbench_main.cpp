@@ -144,7 +144,7 @@ int main(int argc, char** argv)
 
     const QFileInfo info(arguments.file);
     if (!document.name.empty())
-        window.files().take(document, info.isFile() ? info.absoluteFilePath() : QString());
+        window.files().take(document, info.exists() ? info.absoluteFilePath() : QString());
     else
         window.openLastCase();
 

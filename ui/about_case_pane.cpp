@@ -38,6 +38,13 @@ void AboutCasePane::setResult(const QString& result, const QString& rule)
     write();
 }
 
+void AboutCasePane::setWarnings(const QStringList& warnings)
+{
+    if (warnings == warnings_) return;
+    warnings_ = warnings;
+    write();
+}
+
 void AboutCasePane::changeEvent(QEvent* event)
 {
     QTextBrowser::changeEvent(event);
@@ -51,12 +58,13 @@ void AboutCasePane::write()
     const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
         if (text.isEmpty()) return;
         html += QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
-                    .arg(colour.name(), heading, text.trimmed().toHtmlEscaped());
+                    .arg(colour.name(), heading, text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     };
     part(tr("What the paper saw"), QString::fromStdString(about_.paper), colours.muted);
     part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
     part(tr("What this run shows"), result_, colours.change);
     part(tr("How that was decided"), rule_, colours.muted);
+    part(tr("⚠ What the file says and is not modelled"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
 }

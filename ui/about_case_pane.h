@@ -19,6 +19,8 @@ public:
     void setCase(const Case& c);
     /// Of the run of this case that has ended, and by which rule; empty while it runs.
     void setResult(const QString& result, const QString& rule = {});
+    /// What the file that was imported says and is not modelled.
+    void setWarnings(const QStringList& warnings);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -30,6 +32,7 @@ private:
     About about_;
     QString result_;
     QString rule_;
+    QStringList warnings_;
 };
 
 /// What a run came to, in a few sentences; warnings and the check of the step are not among them.

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+
+#include "core/simulation/cml_case.h"
 
 namespace touchdown {
 
@@ -17,22 +20,37 @@ namespace {
 constexpr int mostRecent = 10;
 constexpr auto recentKey = "files/recent";
 
+std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
+
+/// Of the archive, or of the folder: all of them hold a rail.dat.
+QString importedName(const QFileInfo& file)
+{
+    if (file.isDir()) return file.fileName();
+    return file.suffix().compare(QLatin1String("cml"), Qt::CaseInsensitive) == 0 ? file.completeBaseName() : file.dir().dirName();
+}
+
 } // namespace
 
 CaseFiles::CaseFiles(CaseEdits& edits, QWidget& window) : QObject(&window), edits_(edits), window_(window) {}
 
 void CaseFiles::take(const CaseDocument& document, const QString& file)
 {
-    file_ = file;
+    const bool import = !file.isEmpty() && isCmlPath(pathOf(file));
+    file_ = import ? QString() : file;
     sample_.clear();
+    imported_ = import ? importedName(QFileInfo(file)) : QString();
     if (file.isEmpty())
         for (const SampleCase& sample : sampleCases())
             if (sample.name == document.name) sample_ = QString::fromStdString(sample.name);
     text_ = document.text;
+    folder_ = document.folder;
     saved_ = document.value;
     edits_.open(document.value);
     if (!file.isEmpty()) remember(file);
     emit opened();
+    QStringList warnings;
+    for (const InputProblem& warning : document.warnings) warnings << QString::fromStdString(warning.text());
+    if (import) emit imported(file, warnings);
 }
 
 bool CaseFiles::openNow(const QString& fileOrSample)
@@ -45,7 +63,7 @@ bool CaseFiles::openNow(const QString& fileOrSample)
         return false;
     }
     const QFileInfo info(fileOrSample);
-    take(document, info.isFile() ? info.absoluteFilePath() : QString());
+    take(document, info.exists() ? info.absoluteFilePath() : QString());
     return true;
 }
 
@@ -65,8 +83,18 @@ void CaseFiles::newCase()
 
 void CaseFiles::chooseFile()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Open a case or a saved run"), QFileInfo(file_).absolutePath(),
-                                   tr("Cases and runs (*.toml *.h5);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
+    askForFile(tr("Open a case or a saved run"),
+               tr("Cases and runs (*.toml *.h5 *.cml *.dat *.def);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
+}
+
+void CaseFiles::chooseImport()
+{
+    askForFile(tr("Import a CML case"), tr("CML cases (*.cml rail.dat run.dat dynamics.def);;All files (*)"));
+}
+
+void CaseFiles::askForFile(const QString& title, const QString& filter)
+{
+    auto* dialog = new QFileDialog(&window_, title, QFileInfo(file_).absolutePath(), filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
@@ -74,6 +102,39 @@ void CaseFiles::chooseFile()
         else open(file);
     });
     dialog->open();
+}
+
+void CaseFiles::chooseExport()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Export as a CML case"), QFileInfo(file_).absolutePath(),
+                                   tr("CML archive (*.cml);;Folder with rail.dat and run.dat (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("cml"));
+    dialog->selectFile(QFileInfo(shortName()).completeBaseName() + QStringLiteral(".cml"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.contains(QLatin1String("*.cml")) ? QStringLiteral("cml") : QString());
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, &CaseFiles::exportTo);
+    dialog->open();
+}
+
+void CaseFiles::exportTo(const QString& path)
+{
+    const QString what = tr("The case was not exported.");
+    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
+        showProblems(what, {reason});
+        return;
+    }
+    const CmlOutput output = formatCmlCase(edits_.value());
+    const std::string problem = output.problem.empty() ? writeCmlCase(pathOf(path), output.members) : output.problem;
+    if (!problem.empty()) {
+        showProblems(what, {QString::fromStdString(problem)});
+        return;
+    }
+    QStringList warnings;
+    for (const std::string& key : output.keptKeys) warnings << QString::fromStdString(key);
+    emit exported(QFileInfo(path).absoluteFilePath(), warnings);
 }
 
 void CaseFiles::save()
@@ -132,12 +193,13 @@ bool CaseFiles::modified() const
 QString CaseFiles::shortName() const
 {
     if (!file_.isEmpty()) return QFileInfo(file_).fileName();
+    if (!imported_.isEmpty()) return imported_;
     return sample_.isEmpty() ? tr("Untitled") : sample_;
 }
 
 std::string CaseFiles::text() const
 {
-    return modified() ? updateCaseText(text_, edits_.value()) : text_;
+    return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_;
 }
 
 bool CaseFiles::write(const QString& file)
@@ -147,15 +209,18 @@ bool CaseFiles::write(const QString& file)
         showProblems(tr("The case was not saved."), {reason});
         return false;
     }
-    const std::string text = updateCaseText(text_, edits_.value());
-    const std::string problem = writeCaseFile(std::filesystem::path(file.toStdString()), text);
+    const std::filesystem::path folder = pathOf(QFileInfo(file).absolutePath());
+    const std::string text = updateCaseText(text_, edits_.value(), folder);
+    const std::string problem = writeCaseFile(pathOf(file), text);
     if (!problem.empty()) {
         showProblems(tr("The case was not saved."), {QString::fromStdString(problem)});
         return false;
     }
     file_ = QFileInfo(file).absoluteFilePath();
     sample_.clear();
+    imported_.clear();
     text_ = text;
+    folder_ = folder;
     saved_ = edits_.value();
     edits_.undoStack().setClean();
     remember(file_);
@@ -190,7 +255,7 @@ void CaseFiles::showProblems(const QString& what, const QStringList& problems)
 
 bool CaseFiles::isCaseFile(const QString& file)
 {
-    return QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0;
+    return QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0 || isCmlPath(pathOf(file));
 }
 
 bool CaseFiles::isResultsFile(const QString& file)

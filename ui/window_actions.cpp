@@ -57,6 +57,10 @@ void WindowActions::buildFile(QMainWindow& window)
     save = add(menu, tr("&Save"), QKeySequence::Save, QStringLiteral("save"), tr("Save the case; its comments are kept"));
     saveAs = add(menu, tr("Save &as…"), QKeySequence::SaveAs);
     menu->addSeparator();
+    importCml = add(menu, tr("&Import CML case…"), {}, {}, tr("Read rail.dat with run.dat or dynamics.def, or a .cml archive"));
+    exportCml = add(menu, tr("Export as C&ML case…"), {}, {}, tr("Write rail.dat and run.dat, in a folder or a .cml archive"));
+    exportCml->setVisible(false);
+    menu->addSeparator();
     openResults = add(menu, tr("Open saved r&un…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
     saveResults = add(menu, tr("Save run as &HDF5…"));
     exportCsv = add(menu, tr("Export run as CS&V…"));
@@ -212,6 +216,7 @@ void WindowActions::setModel(ModelKind model)
     run->setIconText(film ? tr("Solve") : tr("Run"));
     toolBar->widgetForAction(run)->setAccessibleName(film ? tr("Solve static attitude") : tr("Run"));
     solveGiven->setVisible(film);
+    exportCml->setVisible(film);
     for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(!film);
     for (QAction* action : pace_) action->setVisible(!film);
     plots->menuAction()->setVisible(!film);
