@@ -62,6 +62,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
 QWidget* FilmView::buildEmptyPage(QAction* solve)
 {
     auto* page = new QWidget(this);
+    page->setAutoFillBackground(true);
+    page->setBackgroundRole(QPalette::Base); // as the plans and plots that will stand there
     auto* text = new QLabel(tr("There is no solution yet."), page);
     auto* button = new QToolButton(page);
     button->setDefaultAction(solve);

@@ -86,7 +86,7 @@ void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const
         const QPointF aside(reach + 5.0 + size.width() / 2.0, 0.0);
         const QPointF away(0.0, reach + 5.0 + size.height() / 2.0 + std::abs(lift(mark.kind)));
         const double inwards = mark.at.x() > seen.center().x() ? -1.0 : 1.0;
-        for (const QPointF& shift : {inwards * aside, -inwards * aside, -away, away}) {
+        for (const QPointF& shift : {inwards * aside, -away, away, -inwards * aside}) {
             QRectF box({}, size);
             box.moveCenter(mark.at + QPointF(0.0, lift(mark.kind)) + shift);
             if (!isFree(box, taken) || !seen.contains(box)) continue;
