@@ -48,12 +48,16 @@ void TomlEditor::insertTable(std::string_view name, std::size_t after, const std
 {
     const TomlTable* before = findTable(std::string(name) + '[' + std::to_string(after) + ']');
     const TomlTable* first = findTable(std::string(name) + "[1]");
-    if (before != nullptr)
-        edits_.push_back({tableEnd(*before), 0, newline_ + withLineEnds(table)});
-    else if (first != nullptr)
+    if (before != nullptr) {
+        // The last line of the text may lack its end.
+        const std::size_t at = tableEnd(*before);
+        const bool ended = at > 0 && text_[at - 1] == '\n';
+        edits_.push_back({at, 0, (ended ? "" : newline_) + newline_ + withLineEnds(table)});
+    } else if (first != nullptr) {
         edits_.push_back({lineBegin(first->begin), 0, withLineEnds(table) + newline_});
-    else
+    } else {
         appended_ += newline_ + withLineEnds(table);
+    }
     appendedGroup_.clear();
 }
 
@@ -64,9 +68,6 @@ std::string TomlEditor::result()
     std::size_t done = 0;
     for (const Edit& edit : edits_) {
         if (edit.at > done) out.append(text_, done, edit.at - done);
-        // Behind the last line, which may lack its end.
-        if (edit.at == text_.size() && !out.empty() && !out.ends_with('\n') && !edit.inserted.starts_with(newline_))
-            out += newline_;
         out += edit.inserted;
         done = std::max(done, edit.at + edit.removed);
     }
