@@ -17,7 +17,7 @@
 
 namespace touchdown {
 
-enum class ConvectionScheme : std::uint8_t { Upwind, Hybrid, PowerLaw, Exponential, Limited };
+enum class ConvectionScheme : std::uint8_t { Upwind, Hybrid, PowerLaw, Exponential, CompleteFlux };
 
 struct EffectiveConductance {
     double value;        // E

@@ -11,6 +11,9 @@ namespace {
 
 /// Divides faces and cells into rows and pieces.
 class Sampler {
+    /// Gaps of flying sliders are some ten nanometres above the recess [m].
+    static constexpr double typicalLift = 20e-9;
+
 public:
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
 
@@ -21,7 +24,7 @@ public:
         divideAcross(axis, face, low, high);
         for (const auto& [position, width] : rows_) {
             const std::uint32_t first = size(gaps_.pieces);
-            addPieces(axis, position, start, end, 1.0);
+            addPieces(axis, position, start, end, face, 1.0);
             gaps_.rows.push_back({width, first, size(gaps_.pieces)});
         }
         place.rowEnd = size(gaps_.rows);
@@ -33,10 +36,25 @@ public:
         CutPlace place{at, size(gaps_.rows), 0};
         const std::uint32_t first = size(gaps_.pieces);
         divideAcross(0, 0.5 * (x0 + x1), y0, y1);
-        for (const auto& [position, width] : rows_) addPieces(0, position, x0, x1, width);
+        for (const auto& [position, width] : rows_) addPieces(0, position, x0, x1, x0, width);
         gaps_.rows.push_back({1.0, first, size(gaps_.pieces)});
         place.rowEnd = size(gaps_.rows);
         return place;
+    }
+
+    /// A wall so gentle along the path that one sample stands for it: small change, and no jump.
+    bool isGentle(int axis, double start, double end, double across) const
+    {
+        constexpr int samples = 8;
+        double lowest = at(axis, start, across), highest = lowest, largestStep = 0.0, last = lowest;
+        for (int k = 1; k <= samples; ++k) {
+            const double s = at(axis, start + (end - start) * k / samples, across);
+            lowest = std::min(lowest, s);
+            highest = std::max(highest, s);
+            largestStep = std::max(largestStep, std::abs(s - last));
+            last = s;
+        }
+        return highest - lowest < 0.3 * (std::max(0.0, lowest) + typicalLift) && largestStep <= 0.5 * (highest - lowest);
     }
 
 private:
@@ -79,9 +97,10 @@ private:
         }
     }
 
-    void addPieces(int axis, double across, double start, double end, double scale)
+    void addPieces(int axis, double across, double start, double end, double face, double scale)
     {
         breaks(axis, across, start, end);
+        if (face > start && face < end) breaks_.insert(std::upper_bound(breaks_.begin(), breaks_.end(), face), face);
         breaks_.push_back(end);
         double from = start;
         for (const double to : breaks_) {
@@ -89,15 +108,13 @@ private:
             if (length <= 1e-9 * (end - start)) continue;
             const double low = at(axis, from + 0.02 * length, across);
             const double high = at(axis, to - 0.02 * length, across);
-            // A slope is followed by samples so near that the gap changes little from one to the next. Gaps of flying
-            // sliders are some ten nanometres above the recess.
-            constexpr double typicalLift = 20e-9;
+            // A slope is followed by samples so near that the gap changes little from one to the next.
             const double change = std::abs(high - low) / (std::max(0.0, std::min(low, high)) + typicalLift);
             const int samples = change < 0.02 ? 1 : std::clamp(static_cast<int>(std::ceil(2.0 * change)), 2, 4);
             for (int k = 0; k < samples; ++k) {
                 const double along = from + (k + 0.5) / samples * length;
                 gaps_.pieces.push_back({scale * length / samples, at(axis, along, across), axis == 0 ? along : across,
-                                        axis == 0 ? across : along});
+                                        axis == 0 ? across : along, from - face + k * length / samples});
             }
             from = to;
         }
@@ -145,8 +162,9 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 const double start = f.pathMid[line] - 0.5 * f.pathLength[line];
                 const double end = start + f.pathLength[line];
                 const std::size_t at = pad.at(i, j);
-                const bool smooth = axis == 0 ? recess.isSmooth(start, end, low, high)
-                                              : recess.isSmooth(low, high, start, end);
+                const bool smooth = (axis == 0 ? recess.isSmooth(start, end, low, high)
+                                               : recess.isSmooth(low, high, start, end)) ||
+                                    sampler.isGentle(axis, start, end, 0.5 * (low + high));
                 if (smooth)
                     f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], 0.5 * (low + high))
                                              : recess.at(0.5 * (low + high), f.pathMid[line]);

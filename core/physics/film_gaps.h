@@ -23,6 +23,7 @@ struct GapPiece {
     double extent; // length along the path [m]; of a cell's piece, its area [m^2]
     double recess; // [m]
     double x, y;   // where it was taken [m]
+    double start;  // of a path's piece, from the face [m]; none lies on both sides
 };
 
 /// A face that an edge or a wall meets, or such a cell (whose pieces are one row).

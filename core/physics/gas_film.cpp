@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+
 namespace touchdown {
+
+namespace {
+
+constexpr double tinyFlow = 1e-200; // keeps ratios of closed faces finite [Pa m^3/s]
+
+} // namespace
 
 GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     : gaps_(gaps), setting_(setting), table_(setting.slip, setting.air)
@@ -13,13 +20,15 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const CellGrid& grid = gaps_.grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         AxisState& a = axes_[axis];
-        for (auto* field : {&a.gap, &a.speed, &a.K, &a.dK, &a.H, &a.dH}) field->assign(pad.size(), 0.0);
-        LinearisedFaces& l = linear_[axis];
-        for (auto* field : {&l.lower, &l.upper, &l.far, &l.diffusion, &l.effective, &l.convection})
+        for (auto* field : {&a.gap, &a.speed}) field->assign(pad.size(), 0.0);
+        FilmFaces& f = faces_[axis];
+        for (auto* field : {&f.flow, &f.lower, &f.upper, &f.below, &f.above, &f.belowByMean, &f.aboveByMean, &f.inflow,
+                            &f.inflowByLower, &f.inflowByUpper, &f.ownLower, &f.ownUpper, &f.share, &f.inflowShare,
+                            &f.diffusion, &f.effective, &f.convection})
             field->assign(pad.size(), 0.0);
-        l.downward.assign(pad.size(), 0);
-        const int across = axis == 0 ? pad.ny : pad.nx;
+        const int along = axis == 0 ? pad.nx : pad.ny, across = axis == 0 ? pad.ny : pad.nx;
         for (int k = 0; k < across; ++k) a.width.push_back(axis == 0 ? grid.widthY(k) : grid.widthX(k));
+        for (int k = 0; k < along; ++k) a.perWidth.push_back(1.0 / (axis == 0 ? grid.widthX(k) : grid.widthY(k)));
     }
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i <= pad.nx; ++i) {
@@ -33,6 +42,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, grid.centreX(i), y);
             axes_[1].speed[pad.at(i, j)] = 0.5 * v.y;
         }
+    flows_.resize(pad.size());
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
@@ -63,16 +73,16 @@ void GasFilm::setAttitude(const Attitude& attitude)
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (const CutPlace& place : gaps_.faces[axis].cut) axes_[axis].gap[place.at] = 0.0;
 
-    double total = 0.0;
+    totalVolume_ = 0.0;
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
             volume_[at] = area_[at] * std::max(0.0, meanGap(i, j));
-            total += volume_[at];
+            totalVolume_ += volume_[at];
         }
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
-    flowScale_ = 0.5 * ambient() * speed * std::max(total, gaps_.length * gaps_.width * closedGap) / gaps_.length;
+    flowScale_ = 0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;
 }
 
 double GasFilm::meanGap(int i, int j) const
@@ -80,142 +90,143 @@ double GasFilm::meanGap(int i, int j) const
     return gaps_.meanRecess[gaps_.pad.at(i, j)] + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
 }
 
-GasFilm::PathFlow GasFilm::cutFlow(const CutPlace& place, double pm) const
+template <typename Number>
+PathFlow<Number> GasFilm::cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const
 {
-    const double perViscosity = 1.0 / (12.0 * setting_.air.viscosity);
-    PathFlow sum{};
+    // Upstream to downstream: against the axis where the disk moves so.
+    const double speed = axes_[axis].speed[place.at];
+    const bool against = speed < 0.0;
+    double total = 0.0;
+    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) total += gaps_.rows[r].width;
+    PathFlow<Number> sum;
     for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
         const GapRow& row = gaps_.rows[r];
-        // Resistance of the row, its derivative by pm, and the gap weighted with resistance.
-        double R = 0.0, dR = 0.0, S = 0.0, dS = 0.0;
+        const std::uint32_t count = row.pieceEnd - row.pieces;
+        PathIntegral<Number> path;
         bool open = true;
-        for (std::uint32_t k = row.pieces; open && k < row.pieceEnd; ++k) {
-            const GapPiece& piece = gaps_.pieces[k];
-            const double h = piece.recess + gaps_.lift(attitude_, piece.x, piece.y);
-            open = h > closedGap;
-            const FlowTable::Value g = table_.at(pm * std::max(h, closedGap), h);
-            const double resistance = piece.extent / (perViscosity * h * h * g.mobility);
-            const double slope = -resistance * h * g.derivative / g.mobility;
-            R += resistance;
-            dR += slope;
-            S += h * resistance;
-            dS += h * slope;
+        for (std::uint32_t k = 0; open && k < count; ++k) {
+            const GapPiece& piece = gaps_.pieces[against ? row.pieceEnd - 1 - k : row.pieces + k];
+            Number resistance, peclet;
+            open = pieceOf(piece, std::abs(speed), pm, resistance, peclet);
+            if (open) path.add(resistance, peclet, against ? -piece.start - piece.extent : piece.start, piece.extent);
         }
-        if (!open) continue;
-        const double conductance = row.width / R;
-        const double h = S / R;
-        sum.K += conductance;
-        sum.dK -= conductance * dR / R;
-        sum.H += row.width * h;
-        sum.dH += row.width * (dS - h * dR) / R;
+        if (open) sum.add(path, row.width, row.width / total, against);
     }
     return sum;
 }
 
-void GasFilm::setConductances(std::span<const double> p)
+template PathFlow<double> GasFilm::cutFlow(std::size_t, const CutPlace&, const double&) const;
+template PathFlow<Dual<3>> GasFilm::cutFlow(std::size_t, const CutPlace&, const Dual<3>&) const;
+
+void GasFilm::setFace(std::size_t axis, std::size_t at, const PathFlow<double>& flow, double p1, double p2)
+{
+    FilmFaces& f = faces_[axis];
+    f.flow[at] = flow.A * p1 - flow.B * p2;
+    f.below[at] = complete() ? flow.below : 0.0;
+    f.above[at] = complete() ? flow.above : 0.0;
+    f.inflow[at] = axes_[axis].speed[at] < 0.0 ? flow.B * p2 : flow.A * p1;
+}
+
+void GasFilm::setFace(std::size_t axis, std::size_t at, const PathFlow<ByPressure>& flow, double p1, double p2)
+{
+    setFace(axis, at,
+            PathFlow<double>{flow.A.value, flow.B.value, flow.K.value, flow.below.value, flow.above.value}, p1, p2);
+    FilmFaces& f = faces_[axis];
+    const double byMean = flow.A.by[0] * p1 - flow.B.by[0] * p2;
+    f.lower[at] = flow.A.value + 0.5 * byMean;
+    f.upper[at] = -flow.B.value + 0.5 * byMean;
+    f.belowByMean[at] = flow.below.by[0];
+    f.aboveByMean[at] = flow.above.by[0];
+    const bool against = axes_[axis].speed[at] < 0.0;
+    const double inflowByMean = against ? flow.B.by[0] * p2 : flow.A.by[0] * p1;
+    f.inflowByLower[at] = 0.5 * inflowByMean + (against ? 0.0 : flow.A.value);
+    f.inflowByUpper[at] = 0.5 * inflowByMean + (against ? flow.B.value : 0.0);
+    f.diffusion[at] = flow.K.value;
+    f.convection[at] = f.lower[at] + f.upper[at];
+    f.effective[at] = std::max(0.5 * (flow.A.value + flow.B.value), 0.5 * std::abs(f.convection[at]));
+}
+
+template <ConvectionScheme scheme, typename Number>
+void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
 {
     const PaddedGrid& pad = gaps_.pad;
-    const double perViscosity = 1.0 / (12.0 * setting_.air.viscosity);
-    for (int axis = 0; axis < 2; ++axis) {
-        AxisState& a = axes_[static_cast<std::size_t>(axis)];
-        const FilmGaps::Faces& faces = gaps_.faces[static_cast<std::size_t>(axis)];
-        const std::size_t step = pad.step(axis);
-        for (int j = 0; j < pad.ny + axis; ++j)
-            for (int i = 0; i < pad.nx + 1 - axis; ++i) {
-                const std::size_t at = pad.at(i, j);
-                const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-                const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
-                const double h = a.gap[at];
-                const double w = 0.5 * (p[at - step] + p[at]) * h;
-                const FlowTable::Value g = table_.at(std::max(w, 1e-12), h);
-                const double scale = width / faces.pathLength[line] * perViscosity * h * h;
-                a.K[at] = scale * g.mobility;
-                a.dK[at] = scale * h * g.derivative;
-                a.H[at] = width * h;
-            }
-        for (const CutPlace& place : faces.cut) {
-            const PathFlow flow = cutFlow(place, 0.5 * (p[place.at - step] + p[place.at]));
-            a.K[place.at] = flow.K;
-            a.dK[place.at] = flow.dK;
-            a.H[place.at] = flow.H;
-            a.dH[place.at] = flow.dH;
+    const AxisState& a = axes_[axis];
+    const std::size_t step = pad.step(static_cast<int>(axis));
+    const auto mean = [](double p1, double p2) {
+        Number pm(0.5 * (p1 + p2));
+        if constexpr (!std::is_same_v<Number, double>) pm.by[0] = 1.0;
+        return pm;
+    };
+    for (int j = 0; j < pad.ny + (axis == 1); ++j)
+        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+            const std::size_t at = pad.at(i, j);
+            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
+            const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
+            const double p1 = p[at - step], p2 = p[at];
+            setFace(axis, at,
+                    smoothFlow<scheme>(axis, line, width, a.speed[at], mean(p1, p2), Number(a.gap[at])), p1, p2);
         }
+    for (const CutPlace& place : gaps_.faces[axis].cut) {
+        const double p1 = p[place.at - step], p2 = p[place.at];
+        setFace(axis, place.at, cutFlow(axis, place, mean(p1, p2)), p1, p2);
     }
 }
 
-template <ConvectionScheme scheme, bool linearise>
-void GasFilm::flows(int axis, std::span<const double> p, std::span<double> out)
+void GasFilm::completeFlows(FaceFlows<double>& flows)
 {
     const PaddedGrid& pad = gaps_.pad;
-    const AxisState& a = axes_[static_cast<std::size_t>(axis)];
-    const FilmGaps::Faces& faces = gaps_.faces[static_cast<std::size_t>(axis)];
-    LinearisedFaces& l = linear_[static_cast<std::size_t>(axis)];
-    const std::size_t step = pad.step(axis);
-    for (int j = 0; j < pad.ny + axis; ++j)
-        for (int i = 0; i < pad.nx + 1 - axis; ++i) {
-            const std::size_t at = pad.at(i, j);
-            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-            const double p1 = p[at - step], p2 = p[at];
-            const double difference = p2 - p1, pm = 0.5 * (p1 + p2);
-            const double K = a.K[at], dK = a.dK[at];
-            const double c = a.speed[at] * a.H[at], dc = a.speed[at] * a.dH[at];
-            const EffectiveConductance e = effectiveConductance<scheme>(K, c);
-            double flow = c * pm - e.value * difference;
-            // Of the monotone part, by pm.
-            const double dE = e.byDiffusion * dK + e.byConvection * dc;
-            double byMean = dc * pm - dE * difference;
-            if constexpr (linearise) {
-                l.diffusion[at] = K;
-                l.convection[at] = c + byMean;
-                l.effective[at] = std::max(e.value, 0.5 * std::abs(c + byMean));
-                l.lower[at] = 0.5 * c + e.value;
-                l.upper[at] = 0.5 * c - e.value;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::size_t step = pad.step(static_cast<int>(axis));
+        const std::vector<double>& slope = flows.slope[axis];
+        FilmFaces& f = faces_[axis];
+        for (int j = 0; j < pad.ny + (axis == 1); ++j)
+            for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+                const std::size_t at = pad.at(i, j);
+                const double full = slope[at - step] * f.below[at] + slope[at] * f.above[at];
+                const double ratio = full / (f.inflow[at] + tinyFlow), inverse = 1.0 / std::sqrt(1.0 + ratio * ratio);
+                flows.flow[axis][at] -= full * inverse;
+                f.share[at] = inverse * inverse * inverse;
+                f.inflowShare[at] = ratio * ratio * ratio * f.share[at];
             }
-            if constexpr (scheme == ConvectionScheme::Limited) {
-                const bool downward = c < 0.0;
-                const LimitedDifference limited = limitedDifference(static_cast<std::size_t>(axis), at, line, p, downward);
-                const double shift = faces.upperShare[line] - 0.5;
-                const double g = (e.value - K) + c * shift;
-                flow += g * limited.value;
-                if constexpr (linearise) {
-                    byMean += limited.value * (dE - dK + dc * shift);
-                    l.lower[at] -= g * limited.byLocal;
-                    l.upper[at] += g * limited.byLocal;
-                    l.downward[at] = downward;
-                    const double byUpstream = g * limited.byUpstream;
-                    if (downward) {
-                        l.upper[at] -= byUpstream;
-                        l.far[at] = byUpstream;
-                    } else {
-                        l.lower[at] += byUpstream;
-                        l.far[at] = -byUpstream;
-                    }
-                }
-            }
-            if constexpr (linearise) {
-                l.lower[at] += 0.5 * byMean;
-                l.upper[at] += 0.5 * byMean;
-            }
-            out[at - step] += flow;
-            out[at] -= flow;
-        }
+    }
 }
 
-template <bool linearise>
-void GasFilm::flowsOfScheme(std::span<const double> p, std::span<double> out)
+template <typename Number>
+void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {
-    setConductances(p);
-    std::fill(out.begin(), out.end(), 0.0);
-    for (int axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
-        using enum ConvectionScheme;
-        case Upwind: flows<Upwind, linearise>(axis, p, out); break;
-        case Hybrid: flows<Hybrid, linearise>(axis, p, out); break;
-        case PowerLaw: flows<PowerLaw, linearise>(axis, p, out); break;
-        case Exponential: flows<Exponential, linearise>(axis, p, out); break;
-        case Limited: flows<Limited, linearise>(axis, p, out); break;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        switch (setting_.scheme) {
+            using enum ConvectionScheme;
+        case Upwind: setFaceFlows<Upwind, Number>(axis, p); break;
+        case Hybrid: setFaceFlows<Hybrid, Number>(axis, p); break;
+        case PowerLaw: setFaceFlows<PowerLaw, Number>(axis, p); break;
+        case Exponential: setFaceFlows<Exponential, Number>(axis, p); break;
+        case CompleteFlux: setFaceFlows<CompleteFlux, Number>(axis, p); break;
         }
-    clearRings(out); // what flowed into the rings is no residual
+        std::copy(faces_[axis].flow.begin(), faces_[axis].flow.end(), flows_.flow[axis].begin());
+    }
+    if (complete()) {
+        setSlopes(flows_);
+        completeFlows(flows_);
+        if constexpr (!std::is_same_v<Number, double>)
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                FilmFaces& f = faces_[axis];
+                const std::vector<double>& slope = flows_.slope[axis];
+                const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+                for (std::size_t at = step; at < slope.size(); ++at) {
+                    const double byMean =
+                        0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
+                    f.ownLower[at] = -byMean - f.inflowShare[at] * f.inflowByLower[at];
+                    f.ownUpper[at] = -byMean - f.inflowShare[at] * f.inflowByUpper[at];
+                }
+            }
+    }
+    divergence<double>(flows_, out);
 }
+
+void GasFilm::residual(std::span<const double> p, std::span<double> out) { evaluate<double>(p, out); }
+
+void GasFilm::linearise(std::span<const double> p, std::span<double> out) { evaluate<ByPressure>(p, out); }
 
 void GasFilm::clearRings(std::span<double> field) const
 {
@@ -226,9 +237,5 @@ void GasFilm::clearRings(std::span<double> field) const
         for (int i = 0; !inside && i < pad.nx; ++i) field[pad.at(i, j)] = 0.0;
     }
 }
-
-void GasFilm::residual(std::span<const double> p, std::span<double> out) { flowsOfScheme<false>(p, out); }
-
-void GasFilm::linearise(std::span<const double> p, std::span<double> out) { flowsOfScheme<true>(p, out); }
 
 } // namespace touchdown

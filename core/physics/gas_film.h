@@ -4,11 +4,12 @@
 //
 //   div( Q p h^3 grad p/(12 mu) - p h U/2 ) = d(p h)/dt,   p = p0 on the slider's outline.
 //
-// Finite volumes: the net outflow of each cell is R(p) = 0. A face passes F = c pm - E (p2 - p1) + the correction below, with
-// pm = (p1 + p2)/2, c = U/2 times the gap (times width), K the conductance h^2 G(p h)/(12 mu) of the path between the
-// centres (gaps in series harmonically, rows side by side added), E(K, c) the scheme's effective conductance. The limited
-// scheme takes back the numerical diffusion E - K where the pressure is smooth (van Albada's limiter), which makes it
-// second order; at extrema and jumps it falls back to exponential fitting, which does not overshoot.
+// Finite volumes: the net outflow of each cell is R(p) = 0. A face passes what a path from one cell centre to the next does
+// (core/physics/path_flow.h): a path that an edge or a wall crosses goes through its pieces; a smooth one has the gap at its
+// middle. The scheme decides on smooth faces between upwind, hybrid, power law and exponential fitting (convection.h);
+// the complete flux scheme adds what the flow across each path changes along it, and is second order. That correction d is
+// limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone would send: a change of third order where the
+// pressure is smooth, and no cell is emptied below zero.
 //
 // No air where the gap is closed: such faces pass nothing, and a cell without an open face keeps its pressure.
 #pragma once
@@ -20,10 +21,12 @@
 #include <vector>
 
 #include "core/numerics/convection.h"
+#include "core/numerics/dual.h"
 #include "core/physics/disk_velocity.h"
 #include "core/physics/film_forces.h"
 #include "core/physics/film_gaps.h"
 #include "core/physics/flow_table.h"
+#include "core/physics/path_flow.h"
 
 namespace touchdown {
 
@@ -31,17 +34,33 @@ struct FilmSetting {
     Air air;
     Slip slip;
     DiskMotion disk;
-    ConvectionScheme scheme = ConvectionScheme::Limited;
+    ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
 };
 
-/// The linearised film: what a face's flow answers to the pressures beside it, and a monotone approximation of it that
-/// multigrid can coarsen. Padded arrays, by face.
-struct LinearisedFaces {
-    std::vector<double> lower, upper, far; // dF/dp of the cells below and above, and of the next one upstream [m^3/s]
-    std::vector<double> diffusion;  // K [m^3/s]
-    std::vector<double> effective;  // E of the monotone part [m^3/s]
-    std::vector<double> convection; // its convective part, dF/dp1 + dF/dp2 [m^3/s]
-    std::vector<std::uint8_t> downward; // the flow runs from the upper cell to the lower
+/// The flow through the faces across one axis, linearised. Padded arrays, by face.
+struct FilmFaces {
+    std::vector<double> flow;          // without what the flow across adds [Pa m^3/s]
+    std::vector<double> lower, upper;  // its derivatives by the pressures below and above [m^3/s]
+    std::vector<double> below, above;  // moments; zero unless the scheme is complete flux [m]
+    std::vector<double> belowByMean, aboveByMean; // their derivatives by pm [m/Pa]
+    std::vector<double> inflow;        // what the upstream cell would send without the other one [Pa m^3/s]
+    std::vector<double> inflowByLower, inflowByUpper; // [m^3/s]
+    std::vector<double> ownLower, ownUpper; // what the correction's own change adds to `lower` and `upper` [m^3/s]
+    std::vector<double> share, inflowShare; // derivatives of the limited correction by the full one, by the inflow [-]
+    std::vector<double> diffusion;     // K, for multigrid [m^3/s]
+    std::vector<double> effective;     // E >= |convection|/2 [m^3/s]
+    std::vector<double> convection;    // lower + upper [m^3/s]
+};
+
+/// Flows through the faces across x and across y, with what each cell's slopes are: padded work space.
+template <typename T>
+struct FaceFlows {
+    std::array<std::vector<T>, 2> flow, slope;
+    void resize(std::size_t size)
+    {
+        for (auto* pair : {&flow, &slope})
+            for (auto& field : *pair) field.assign(size, T{});
+    }
 };
 
 /// Pressures are absolute [Pa], in padded arrays whose rings hold p0; residuals are net outflows [Pa m^3/s].
@@ -56,18 +75,21 @@ public:
     /// Flow that sweeps through the film at ambient pressure: the scale of residuals [Pa m^3/s].
     double flowScale() const { return flowScale_; }
 
+    /// Of the air under the slider [m^3].
+    double totalVolume() const { return totalVolume_; }
+
     void setAttitude(const Attitude& attitude);
 
     /// R(p) alone, and R(p) with the linearisation at p.
     void residual(std::span<const double> p, std::span<double> out);
     void linearise(std::span<const double> p, std::span<double> out);
     /// The linearisation of the last call.
-    const std::array<LinearisedFaces, 2>& faces() const { return linear_; }
+    const std::array<FilmFaces, 2>& faces() const { return faces_; }
     /// out = dR/dp v, exactly (v zero in its rings).
     template <typename T>
-    void applyJacobian(std::span<const T> v, std::span<T> out) const;
+    void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const;
     /// out = (dR/dp)^T v.
-    void applyTransposedJacobian(std::span<const double> v, std::span<double> out) const;
+    void applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const;
     /// dR/dheight [Pa m^2/s], dR/dpitch, dR/droll [Pa m^3/s per rad] at p, the pressure of the last linearisation.
     void attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const;
 
@@ -78,6 +100,10 @@ public:
     /// Mean gap over each cell [m]; padded.
     double meanGap(int i, int j) const;
 
+    /// What the pressure above ambient amounts to: force [N], pitch and roll torque about the slider's centre [N m]. A cell
+    /// counts its pressure times its area; across a face that an edge or a wall meets, what the pressure's profile has above
+    /// or below the straight line between the centres is added.
+    std::array<double, 3> load(std::span<const double> p) const;
     FilmForces forces(std::span<const double> p) const;
     /// Shear on the slider and its derivatives, for balances that count it.
     struct Shear {
@@ -89,44 +115,56 @@ public:
 
 private:
     struct AxisState {
-        std::vector<double> gap;        // at smooth faces; zero at cut ones [m]
-        std::vector<double> speed;      // of the disk along the axis, halved [m/s]
-        std::vector<double> width;      // of the face by cross index [m]
-        std::vector<double> K, dK;      // conductance [m^3/s] and its derivative by pm
-        std::vector<double> H, dH;      // gap times width [m^2], derivative by pm
+        std::vector<double> gap;   // at smooth faces; zero at cut ones [m]
+        std::vector<double> speed; // of the disk along the axis, halved [m/s]
+        std::vector<double> width; // of the face by cross index [m]
+        std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
     };
-    struct PathFlow {
-        double K, H;   // as above
-        double dK, dH; // by pm
-    };
-
-    /// dK [m^2/s], dH [m] by height; [m^3/s], [m^2] by pitch and roll.
-    struct AttitudeSlopes {
-        std::array<double, 3> K{}, H{};
-    };
-    struct LimitedDifference {
-        double value = 0.0;                      // limited p2 - p1 [Pa]
-        double byUpstream = 0.0, byLocal = 0.0;  // by the difference upstream and by p2 - p1 [-]
-    };
+    using ByPressure = Dual<1>;
+    using ByGap = Dual<1>;
+    using ByAttitude = Dual<3>;
 
     std::array<double, 3> liftDirections(double x, double y) const
     {
         return {1.0, gaps_.length - x, 0.5 * gaps_.width - y};
     }
-    LimitedDifference limitedDifference(std::size_t axis, std::size_t at, std::size_t line, std::span<const double> p,
-                                        bool downward) const;
-    void clearRings(std::span<double> field) const;
-    AttitudeSlopes slopesAt(std::size_t axis, std::size_t at, int i, int j, double pm) const;
-    AttitudeSlopes cutSlopes(const CutPlace& place, double pm) const;
+    /// The gap of a piece as a constant, or with its derivatives by the attitude.
+    template <typename Number>
+    Number gapOf(const GapPiece& piece) const;
+    template <typename Number>
+    Number mobility(const Number& pm, const Number& h) const;
+    /// Resistance and Peclet number of a piece; false where it is closed.
+    template <typename Number>
+    bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
+    template <typename Number>
+    PathFlow<Number> cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const;
+    template <ConvectionScheme scheme, typename Number>
+    PathFlow<Number> smoothFlow(std::size_t axis, std::size_t line, double width, double speed, const Number& pm,
+                                const Number& h) const;
+    template <typename Number>
+    Number cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
+
+    template <ConvectionScheme scheme, typename Number>
+    void setFaceFlows(std::size_t axis, std::span<const double> p);
+    void setFace(std::size_t axis, std::size_t at, const PathFlow<double>& flow, double p1, double p2);
+    void setFace(std::size_t axis, std::size_t at, const PathFlow<ByPressure>& flow, double p1, double p2);
+    template <typename Number>
+    void evaluate(std::span<const double> p, std::span<double> out);
     template <ConvectionScheme scheme>
-    void addAttitudeFlow(std::size_t axis, std::size_t at, std::size_t line, const AttitudeSlopes& slopes,
-                         std::span<const double> p, std::array<std::vector<double>, 3>& out) const;
-    void setConductances(std::span<const double> p);
-    PathFlow cutFlow(const CutPlace& place, double pm) const;
-    template <ConvectionScheme scheme, bool linearise>
-    void flows(int axis, std::span<const double> p, std::span<double> out);
-    template <bool linearise>
-    void flowsOfScheme(std::span<const double> p, std::span<double> out);
+    void setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
+                          std::array<std::array<std::vector<double>, 2>, 3>& own) const;
+    /// Slopes of the flow along each axis in each cell, from the flow across: what must leave the one way came the other.
+    template <typename T>
+    void setSlopes(FaceFlows<T>& flows) const;
+    /// Takes the limited corrections off the flows; their derivatives are kept for the linear maps below.
+    void completeFlows(FaceFlows<double>& flows);
+    /// The same for small changes.
+    template <typename T>
+    void completeChanges(FaceFlows<T>& flows) const;
+    template <typename T>
+    void divergence(const FaceFlows<T>& flows, std::span<T> out) const;
+    void clearRings(std::span<double> field) const;
+    bool complete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
 
     static constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
 
@@ -134,28 +172,69 @@ private:
     FilmSetting setting_;
     FlowTable table_;
     Attitude attitude_;
-    double flowScale_ = 0.0;
+    double flowScale_ = 0.0, totalVolume_ = 0.0;
     std::array<AxisState, 2> axes_;
-    std::array<LinearisedFaces, 2> linear_;
+    std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
+    FaceFlows<double> flows_; // at the last pressure, complete
 };
 
-// Inline: the innermost part of the flow through a face.
-inline GasFilm::LimitedDifference GasFilm::limitedDifference(std::size_t axis, std::size_t at, std::size_t line,
-                                                             std::span<const double> p, bool downward) const
+template <typename Number>
+Number GasFilm::gapOf(const GapPiece& piece) const
 {
-    const std::vector<double>& lengths = gaps_.faces[axis].pathLength;
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-    const std::size_t beyond = downward ? std::min(line + 1, lengths.size() - 1) : line - (line > 0);
-    const double scale = lengths[line] / lengths[beyond];
-    const double b = p[at] - p[at - step];
-    const double a = scale * (downward ? p[at + step] - p[at] : p[at - step] - p[at - 2 * step]);
-    if (!(a * b > 0.0)) return {};
-    // van Albada et al. 1982
-    const double sum = a * a + b * b;
-    const double value = a * b * (a + b) / sum;
-    return {value, scale * (2.0 * a * b + b * b - 2.0 * a * value) / sum,
-            (a * a + 2.0 * a * b - 2.0 * b * value) / sum};
+    Number gap(piece.recess + gaps_.lift(attitude_, piece.x, piece.y));
+    if constexpr (std::is_same_v<Number, ByAttitude>) gap.by = liftDirections(piece.x, piece.y);
+    return gap;
+}
+
+template <typename Number>
+Number GasFilm::mobility(const Number& pm, const Number& h) const
+{
+    const Number w = pm * h;
+    const FlowTable::Value g = table_.at(valueOf(w), valueOf(h));
+    if constexpr (std::is_same_v<Number, double>) return g.mobility;
+    else return w.chain(g.mobility, g.derivative) + h.chain(0.0, table_.gapDerivative(valueOf(w), valueOf(h)));
+}
+
+template <typename Number>
+bool GasFilm::pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const
+{
+    const Number h = gapOf<Number>(piece);
+    if (!(valueOf(h) > closedGap)) return false;
+    r = Number(12.0 * setting_.air.viscosity * piece.extent) / (h * h * mobility(pm, h));
+    q = Number(speed) * h * r;
+    return true;
+}
+
+template <ConvectionScheme scheme, typename Number>
+PathFlow<Number> GasFilm::smoothFlow(std::size_t axis, std::size_t line, double width, double speed, const Number& pm,
+                                     const Number& h) const
+{
+    PathFlow<Number> flow;
+    if (!(valueOf(h) > closedGap)) return flow;
+    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    const double length = faces.pathLength[line];
+    const Number R = Number(12.0 * setting_.air.viscosity * length) / (h * h * mobility(pm, h)); // of a width of 1
+    const Number c = Number(speed) * h;
+    if constexpr (scheme == ConvectionScheme::CompleteFlux || scheme == ConvectionScheme::Exponential) {
+        const bool against = speed < 0.0;
+        const double lower = faces.upperShare[line], before = against ? 1.0 - lower : lower;
+        const Number q = (against ? -c : c) * R;
+        PathIntegral<Number> path;
+        path.add(R * Number(before), q * Number(before), -before * length, before * length);
+        path.add(R * Number(1.0 - before), q * Number(1.0 - before), 0.0, (1.0 - before) * length);
+        flow.add(path, width, 1.0, against);
+    } else {
+        flow.K = Number(width) / R;
+        const Number convection = c * Number(width);
+        const EffectiveConductance e = effectiveConductance<scheme>(valueOf(flow.K), valueOf(convection));
+        Number E(e.value);
+        if constexpr (!std::is_same_v<Number, double>)
+            E = flow.K.chain(e.value, e.byDiffusion) + convection.chain(0.0, e.byConvection);
+        flow.A = E + Number(0.5) * convection;
+        flow.B = E - Number(0.5) * convection;
+    }
+    return flow;
 }
 
 } // namespace touchdown

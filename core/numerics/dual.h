@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A number with its derivatives by N variables, carried along by the chain rule (forward automatic differentiation).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace touchdown {
+
+template <std::size_t N>
+struct Dual {
+    double value = 0.0;
+    std::array<double, N> by{};
+
+    Dual() = default;
+    Dual(double constant) : value(constant) {}
+    /// The variable number `index`.
+    static Dual variable(double value, std::size_t index)
+    {
+        Dual result(value);
+        result.by[index] = 1.0;
+        return result;
+    }
+    /// f(*this) from f and f' at `value`.
+    Dual chain(double f, double slope) const
+    {
+        Dual result(f);
+        for (std::size_t k = 0; k < N; ++k) result.by[k] = slope * by[k];
+        return result;
+    }
+
+    Dual& operator+=(const Dual& b)
+    {
+        value += b.value;
+        for (std::size_t k = 0; k < N; ++k) by[k] += b.by[k];
+        return *this;
+    }
+    friend Dual operator+(Dual a, const Dual& b) { return a += b; }
+    friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
+    friend Dual operator-(const Dual& a, const Dual& b) { return a + -b; }
+    friend Dual operator*(const Dual& a, const Dual& b)
+    {
+        Dual result(a.value * b.value);
+        for (std::size_t k = 0; k < N; ++k) result.by[k] = a.by[k] * b.value + a.value * b.by[k];
+        return result;
+    }
+    friend Dual operator/(const Dual& a, const Dual& b)
+    {
+        const double inverse = 1.0 / b.value;
+        Dual result(a.value * inverse);
+        for (std::size_t k = 0; k < N; ++k) result.by[k] = (a.by[k] - result.value * b.by[k]) * inverse;
+        return result;
+    }
+    friend Dual exp(const Dual& a)
+    {
+        const double e = std::exp(a.value);
+        return a.chain(e, e);
+    }
+};
+
+inline double valueOf(double number) { return number; }
+template <std::size_t N>
+double valueOf(const Dual<N>& number)
+{
+    return number.value;
+}
+
+} // namespace touchdown
