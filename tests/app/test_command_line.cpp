@@ -22,6 +22,7 @@ private slots:
     void list();
     void describeAll();
     void describeOne();
+    void describeTheSurface();
     void describeUnknown();
 
 private:
@@ -154,6 +155,27 @@ void TestCommandLine::describeOne()
     QCOMPARE(json["unit"].toString(), "m");
     QCOMPARE(json["minimum"].toDouble(-1.0), 0.0);
     QCOMPARE(json["minimum_allowed"].toBool(true), false);
+}
+
+// Rails are tables, which the list of the keys cannot show.
+void TestCommandLine::describeTheSurface()
+{
+    for (const char* key : {"abs", "abs.rail", "abs.wall", "abs.points_of_interest", "abs.rails"}) {
+        const Outcome o = folder_->touchdown({"describe", key});
+        QCOMPARE(o.code, 0);
+        for (const char* part : {"[[abs.rail]]", "[[abs.wall]]", "points_of_interest", "rail.dat"})
+            QVERIFY2(o.out.contains(part), part);
+        QVERIFY(folder_->touchdown({"describe", key, "--json"}).json()["surface"].toString().contains("[[abs.rail]]"));
+    }
+    QVERIFY(!folder_->touchdown({"describe", "abs.crown"}).out.contains("[[abs.rail]]"));
+    QCOMPARE(folder_->touchdown({"describe", "abs", "--json"}).json()["fields"].toArray().size(), 6);
+
+    const QJsonObject nodes =
+        folder_->touchdown({"describe", "film.nodes", "--json"}).json()["fields"].toArray()[0].toObject();
+    QCOMPARE(nodes["kind"].toString(), "list");
+    QCOMPARE(nodes["default"].toArray(), (QJsonArray{193.0, 193.0}));
+    QCOMPARE(nodes["minimum_count"].toInt(), 2);
+    QVERIFY(folder_->touchdown({"describe", "degrees_of_freedom"}).out.contains("2; film: 3"));
 }
 
 void TestCommandLine::describeUnknown()

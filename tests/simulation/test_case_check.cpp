@@ -9,7 +9,11 @@ class TestCaseCheck : public QObject {
     Q_OBJECT
 
 private slots:
-    void theDefaultMakesSense() { QVERIFY(checkCombinations(Case{}).empty()); }
+    void theDefaultMakesSense()
+    {
+        for (const ModelKind model : {ModelKind::Springs, ModelKind::Film})
+            QVERIFY(checkCombinations(defaultsOf(model)).empty());
+    }
 
     void findsNonsense_data()
     {
@@ -47,6 +51,38 @@ private slots:
         row("too many samples", {"run.sample_interval=0.01 ns"}, "run.sample_interval", "more than 1e8 samples");
         row("spectrum from the end on", {"spectrum.start=2 ms"}, "spectrum.start",
             "must be less than run.duration (2 ms)");
+        row("springs that roll", {"degrees_of_freedom=3"}, "degrees_of_freedom", "must be 2 with model \"springs\"");
+        const QStringList film{"model=film", "contact=none", "degrees_of_freedom=3"};
+        row("a film that touches", {"model=film"}, "contact", "must be \"none\" with model \"film\"");
+        row("a film with roll held", {"model=film", "contact=none"}, "", "");
+        row("springs that a film does not have", film + QStringList{"springs.cutoff=9.26 nm", "spectrum.start=2 ms"}, "",
+            "");
+        const QStringList specular = film + QStringList{"air.accommodation=0.9"};
+        row("kinetic values of specular walls", specular, "air.accommodation",
+            "must be 1 with this air.slip (fukui-kaneko)");
+        row("their fit", specular + QStringList{"air.slip=fukui-kaneko-fit"}, "air.accommodation", "(fukui-kaneko-fit)");
+        row("the second order of specular walls", specular + QStringList{"air.slip=second-order"}, "air.accommodation",
+            "(second-order)");
+        row("the combination of specular walls", specular + QStringList{"air.slip=combination"}, "air.accommodation",
+            "(combination)");
+        for (const char* slip : {"first-order", "1.5-order", "new-first-order", "new-second-order", "continuum"})
+            row(slip, specular + QStringList{QString("air.slip=") + slip}, "", "");
+        row("a skew without its radius", film + QStringList{"steady.skews=1 deg, 2 deg", "steady.radii=20 mm"},
+            "steady.skews", "has 2 numbers; steady.radii has 1");
+        row("a skew for each radius", film + QStringList{"steady.skews=1 deg, 2 deg", "steady.radii=20 mm, 30 mm"}, "",
+            "");
+        const auto numbers = [](int count) {
+            QStringList list;
+            for (int i = 0; i < count; ++i) list << QString::number(0.01 + 1e-4 * i);
+            return list.join(',');
+        };
+        row("ten thousand states",
+            film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100)}, "", "");
+        row("more states than one may want",
+            film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100), "steady.altitudes=0,1"},
+            "steady.radii", "makes 20000 static states");
+        row("a taper longer than the slider", film + QStringList{"abs.taper_length=1.3 mm"}, "abs.taper_length",
+            "must be at most slider.length (1.25 mm)");
     }
     void findsNonsense()
     {
@@ -65,6 +101,26 @@ private slots:
         if (key.isEmpty()) return;
         QVERIFY(found != problems.end());
         QVERIFY2(QString::fromStdString(found->message).contains(part), found->message.c_str());
+    }
+
+    /// Those of the surface under the key of their rail or wall.
+    void surfaces()
+    {
+        Case c = defaultsOf(ModelKind::Film);
+        c.surface.rails.resize(2);
+        c.surface.rails[0].points = {{0.0, 0.0, 0}, {1e-3, 0.0, 0}, {0.0, 1e-3, 0}};
+        c.surface.rails[1].points = {{0.0, 0.0, 0}, {1e-3, 1e-3, 0}, {1e-3, 0.0, 0}, {0.0, 1e-3, 1}};
+        c.surface.walls.push_back({{1e-6, 0.0}, {0.0, 1e-6}});
+        QStringList problems;
+        for (const CaseProblem& problem : checkCombinations(c))
+            problems << QString::fromStdString(problem.key + ": " + problem.message);
+        QCOMPARE(problems,
+                 (QStringList{"abs.rail[2]: Rail 2: the outline crosses itself",
+                              "abs.wall[1]: Wall profile 1: the distances must ascend; point 2 lies before the point "
+                              "ahead of it"}));
+        c.model = ModelKind::Springs;
+        c.degreesOfFreedom = 2;
+        QVERIFY(checkCombinations(c).empty());
     }
 
     void everyProblemIsReported()
