@@ -131,8 +131,9 @@ std::variant<CmlArchive, FileProblem> readCmlArchive(std::string_view bytes)
 {
     if (bytes.empty()) return FileProblem{"is empty"};
     if (!bytes.starts_with("PK"))
-        return FileProblem{"is no archive of version 7 or 8; the binary files of earlier versions are not read, but the "
-                           "established program can save them anew"};
+        return FileProblem{
+            "is no archive of version 7 or 8; the binary files of earlier versions are not read, but the "
+            "established program can save them anew"};
     Error error;
     Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get()), zip_source_free);
     if (!source) return FileProblem{"cannot be read: " + error.text()};
@@ -146,7 +147,8 @@ std::variant<CmlArchive, FileProblem> readCmlArchive(std::string_view bytes)
     auto entries = chooseEntries(archive.get(), result.warnings);
     if (auto* problem = std::get_if<FileProblem>(&entries)) return std::move(*problem);
     for (const Entry& entry : std::get<std::vector<Entry>>(entries)) {
-        const bool twice = std::ranges::find(result.members, baseName(entry.name), &CmlMember::name) != result.members.end();
+        const bool twice =
+            std::ranges::find(result.members, baseName(entry.name), &CmlMember::name) != result.members.end();
         if (twice) return FileProblem{"holds " + inQuotes(baseName(entry.name)) + " twice"};
         auto text = readMember(archive.get(), entry);
         if (auto* problem = std::get_if<FileProblem>(&text)) return std::move(*problem);

@@ -14,6 +14,7 @@
 #include "core/simulation/cml_run_file.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/quotation.h"
+#include "core/simulation/surface_text.h"
 
 namespace touchdown {
 
@@ -41,17 +42,12 @@ std::optional<fs::path> findMember(const fs::path& folder, const std::string& na
     return found;
 }
 
-/// The line of a rail or a profile that a sentence begins with: "Rail 3: ...", "Wall profile 2 ...".
-int lineOf(const std::string& sentence, const CmlRails& rails)
+/// A sentence as it follows file and line.
+std::string asMessage(std::string sentence)
 {
-    const auto numbered = [&](std::string_view word, const std::vector<int>& lines) {
-        if (!sentence.starts_with(word)) return 0;
-        std::size_t index = 0;
-        for (std::size_t i = word.size(); i < sentence.size() && std::isdigit(static_cast<unsigned char>(sentence[i])); ++i)
-            index = 10 * index + static_cast<std::size_t>(sentence[i] - '0');
-        return index >= 1 && index <= lines.size() ? lines[index - 1] : 0;
-    };
-    return std::max(numbered("Rail ", rails.railLines), numbered("Wall profile ", rails.wallLines));
+    if (!sentence.empty()) sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+    if (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
 }
 
 void readRails(const CmlFiles::File& file, CmlFields& fields)
@@ -61,11 +57,12 @@ void readRails(const CmlFiles::File& file, CmlFields& fields)
     fields.problems.insert(fields.problems.end(), rails.problems.begin(), rails.problems.end());
     fields.warnings.insert(fields.warnings.end(), rails.warnings.begin(), rails.warnings.end());
     if (!rails.valid()) return;
-    for (const std::string& problem : surfaceProblems(rails.surface)) fields.addProblem(lineOf(problem, rails), problem);
+    fields.setSurface(rails);
+    for (const std::string& problem : surfaceProblems(rails.surface))
+        fields.addProblem(fields.lineOf(surfaceKeyOf(problem)), asMessage(problem));
     if (!fields.problems.empty()) return;
     for (const std::string& warning : surfaceWarnings(rails.surface, rails.length, rails.width))
-        fields.addWarning(lineOf(warning, rails), warning);
-    fields.setSurface(rails);
+        fields.addWarning(fields.lineOf(surfaceKeyOf(warning)), asMessage(warning));
 }
 
 /// Latin-1, which the program writes, as UTF-8; what is no text becomes '?'.
@@ -149,7 +146,8 @@ private:
     {
         return pick(found, named, [&](const fs::path& file) -> std::optional<CmlFiles::File> {
             auto text = readTextFile(file, maximumCmlFileSize);
-            if (auto* content = std::get_if<std::string>(&text)) return CmlFiles::File{file.string(), std::move(*content)};
+            if (auto* content = std::get_if<std::string>(&text))
+                return CmlFiles::File{file.string(), std::move(*content)};
             refuse(file.string(), std::get<FileProblem>(text).message);
             return {};
         });
@@ -172,7 +170,8 @@ private:
             (wantsDynamics ? run : dynamics) = nullptr;
         }
         CmlFiles files;
-        for (const auto& [from, to] : {std::pair{rail, &files.rail}, std::pair{run, &files.run}, std::pair{dynamics, &files.dynamics}}) {
+        for (const auto& [from, to] :
+             {std::pair{rail, &files.rail}, std::pair{run, &files.run}, std::pair{dynamics, &files.dynamics}}) {
             if (from == nullptr) continue;
             auto file = read(*from);
             if (!file) return {};

@@ -28,7 +28,7 @@ struct CmlFiles {
         std::string text;
     };
     File rail;
-    File run;      // one of these two, or none
+    File run; // one of these two, or none
     File dynamics;
 };
 /// Puts what they say into the case, which has the defaults of a film.

@@ -46,6 +46,9 @@ private:
 
 std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& members)
 {
+    for (const CmlMember& member : members)
+        if (fs::is_directory(folder / member.name))
+            return (folder / member.name).string() + ": is a directory, not a file";
     const StagingFolder staging(folder);
     if (!staging.problem().empty()) return folder.string() + ": " + staging.problem();
     for (const CmlMember& member : members)

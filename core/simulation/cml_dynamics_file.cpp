@@ -48,7 +48,7 @@ void readSuspension(CmlPart& part)
     if (n[0].value != 0.0) part.leaveOut("an actuator (iact)");
     fields.set("disk.skew", n[4], "deg");
     if (n[5].value != 0.0) part.leaveOut("a suspension of modes (isusp)");
-    static constexpr std::array<std::string_view, 6> keys{"suspension.stiffness",     "suspension.pitch_stiffness",
+    static constexpr std::array<std::string_view, 6> keys{"suspension.stiffness",      "suspension.pitch_stiffness",
                                                           "suspension.roll_stiffness", "suspension.damping",
                                                           "suspension.pitch_damping",  "suspension.roll_damping"};
     for (std::size_t i = 0; i < keys.size(); ++i) fields.set(keys[i], n[10 + i]);
@@ -74,8 +74,8 @@ void readSolution(CmlPart& part)
     const Numbers n = part.sequence(4);
     CmlFields& fields = part.fields();
     const int model = wholeCmlNumber(n[0], "the slip model", 0, 5);
-    static constexpr std::array<std::string_view, 6> models{"continuum", "first-order", "second-order",
-                                                            "",          "",            "fukui-kaneko"};
+    static constexpr std::array<std::string_view, 6> models{"continuum", "first-order", "second-order", "",
+                                                            "",          "fukui-kaneko"};
     if (models[static_cast<std::size_t>(model)].empty())
         throw CmlError(n[0].line, "the slip model must be 0, 1, 2 or 5, not " + std::to_string(model));
     fields.choose("air.slip", models[static_cast<std::size_t>(model)], n[0].line);

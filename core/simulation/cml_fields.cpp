@@ -27,8 +27,8 @@ double inSi(const CmlNumber& number, const Field& field, std::string_view unit)
 {
     if (unit.empty()) return number.value;
     // Loads are shown in grams of force: 0.8e-3 kg has to be 0.8 gf to the last digit.
-    const std::string quantity = unit == "kgf" ? decimalText(number.value, 3) + " gf"
-                                               : *plainDecimal(number.text) + ' ' + std::string(unit);
+    const std::string quantity =
+        unit == "kgf" ? decimalText(number.value, 3) + " gf" : *plainDecimal(number.text) + ' ' + std::string(unit);
     const auto value = parseQuantity(quantity, field.unit);
     if (const auto* problem = std::get_if<UnitProblem>(&value)) throw CmlError(number.line, problem->message);
     return std::get<double>(value);
@@ -41,7 +41,10 @@ std::string lowerCase(std::string_view text)
     return lower;
 }
 
-std::string titleOf(const CmlSection& section) { return section.name.empty() ? "a section without a name" : section.name; }
+std::string titleOf(const CmlSection& section)
+{
+    return section.name.empty() ? "a section without a name" : section.name;
+}
 
 void readSection(const CmlSection& section, const CmlSectionReader& reader, CmlFields& fields)
 {
@@ -63,6 +66,11 @@ void CmlFields::setSurface(const CmlRails& rails)
     value_.slider.thickness = rails.thickness;
     value_.surface = rails.surface;
     for (const auto& [key, line] : rails.lines) remember(key, line);
+    const auto rememberAll = [&](const std::string& key, const std::vector<int>& lines) {
+        for (std::size_t i = 0; i < lines.size(); ++i) remember(key + '[' + std::to_string(i + 1) + ']', lines[i]);
+    };
+    rememberAll("abs.rail", rails.railLines);
+    rememberAll("abs.wall", rails.wallLines);
 }
 
 void CmlFields::set(std::string_view key, const CmlNumber& number, std::string_view unit)
@@ -213,8 +221,7 @@ void readCmlSections(std::string_view text, std::span<const CmlSectionReader> re
     }
     for (std::size_t i = 0; i < readers.size(); ++i)
         if (readers[i].needed && !found[i])
-            fields.addProblem(all.lastLine,
-                              "the file ends without the section " + inQuotes(readers[i].title));
+            fields.addProblem(all.lastLine, "the file ends without the section " + inQuotes(readers[i].title));
 }
 
 void setCmlNodes(CmlPart& part, const CmlNumber& nx, const CmlNumber& ny, int extra)
@@ -224,14 +231,15 @@ void setCmlNodes(CmlPart& part, const CmlNumber& nx, const CmlNumber& ny, int ex
     std::vector<double> nodes;
     for (const CmlNumber& n : {nx, ny}) {
         if (!(n.value >= 2.0 && n.value <= most) || n.value != std::trunc(n.value))
-            throw CmlError(n.line, "the number of grid lines must be a whole number from 2 to 1000000, not " + inQuotes(n.text));
+            throw CmlError(n.line, "the number of grid lines must be a whole number from 2 to 1000000, not " +
+                                       inQuotes(n.text));
         const double fitting =
             field.minimum + field.stride * std::round((n.value - extra - field.minimum) / field.stride);
         nodes.push_back(std::clamp(fitting, field.minimum, field.maximum));
     }
     if (nodes[0] != nx.value - extra || nodes[1] != ny.value - extra)
-        part.leaveOut(std::string(nx.text) + " x " + std::string(ny.text) + " grid lines; " +
-                      formatNumber(nodes[0]) + " x " + formatNumber(nodes[1]) + " are taken");
+        part.leaveOut(std::string(nx.text) + " x " + std::string(ny.text) + " grid lines; " + formatNumber(nodes[0]) +
+                      " x " + formatNumber(nodes[1]) + " are taken");
     part.fields().setNumbers("film.nodes", nodes, nx.line);
 }
 

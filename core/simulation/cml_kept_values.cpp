@@ -57,7 +57,9 @@ CmlKeptValues keepValues(const Case& wanted, const Case& read)
             .append(field.key)
             .append(" = { was = " + tomlString(toText(read, field)))
             .append(", is = " + tomlString(toText(wanted, field)) + " }\r\n");
-        if (differ(field.get(wanted), field.get(read)) && field.used(wanted) && field.key != "title" && field.group() != "about") kept.keys.push_back(field.key);
+        if (differ(field.get(wanted), field.get(read)) && field.used(wanted) && field.key != "title" &&
+            field.group() != "about")
+            kept.keys.push_back(field.key);
     }
     return kept;
 }
@@ -84,8 +86,8 @@ void applyKeptValues(CmlFields& fields)
             fields.addWarning(0, "the comments keep a value for " + inQuotes(key) + ", an unknown key");
         else if (toText(read, *field) != kept.was)
             fields.addWarning(0, "the comments keep " + inQuotes(kept.is) + " for " + key + " in place of " +
-                                     inQuotes(kept.was) + ", but the files now say " +
-                                     inQuotes(toText(read, *field)) + ", which holds");
+                                     inQuotes(kept.was) + ", but the files now say " + inQuotes(toText(read, *field)) +
+                                     ", which holds");
         else
             fields.choose(key, kept.is, fields.lineOf(key));
     }

@@ -14,14 +14,17 @@ namespace {
 
 constexpr int mostRails = 1000;
 constexpr int mostRailPoints = 10000;
+constexpr int mostPointsInAll = 100000; // of all rails
 constexpr int mostWalls = 1000;
 constexpr int mostWallPoints = 1000;
 constexpr std::size_t mostPointsOfInterest = 250; // those of the established program
-constexpr double largest = 1.0; // of a coordinate [m]; more tells that a count or a unit is wrong
+constexpr double largest = 1.0;                   // of a coordinate [m]; more tells that a count or a unit is wrong
 
 class RailReader {
 public:
-    RailReader(std::string_view text, const std::string& file, CmlRails& rails) : text_(text), file_(file), rails_(rails) {}
+    RailReader(std::string_view text, const std::string& file, CmlRails& rails)
+        : text_(text), file_(file), rails_(rails)
+    {}
 
     void read()
     {
@@ -87,6 +90,9 @@ private:
     {
         const int pointCount = text_.whole("the number of points", 3, mostRailPoints);
         rails_.railLines.push_back(text_.line());
+        pointCount_ += pointCount;
+        if (pointCount_ > mostPointsInAll)
+            throw CmlError(text_.line(), "more than " + std::to_string(mostPointsInAll) + " points in all");
         Rail rail;
         rail.kind = text_.whole("the type (1 step, 0 ramp)", 0, 1) == 1 ? RailKind::Step : RailKind::Ramp;
         endList();
@@ -150,7 +156,7 @@ private:
             if (lines == 1) ++onFirstLine;
         }
         const std::size_t count = values.size() / 2;
-        if (count > mostPointsOfInterest)
+        if (values.size() > 2 * mostPointsOfInterest)
             throw CmlError(lastLine_, "more than " + std::to_string(mostPointsOfInterest) + " points of interest");
         if (values.size() % 2 != 0 || (lines == 2 && onFirstLine != count))
             throw CmlError(lastLine_, "the points of interest need as many y as x");
@@ -190,7 +196,8 @@ private:
     CmlRails& rails_;
     Case fields_; // takes the numbers that are fields
     int wallCount_ = 0;
-    int lastLine_ = 0; // of the last length
+    int pointCount_ = 0; // of all rails so far
+    int lastLine_ = 0;   // of the last length
 };
 
 class RailWriter {

@@ -28,9 +28,9 @@ struct CmlRails {
     double width = 0.0;     // [m]
     double thickness = 0.0; // [m]
     AirBearingSurface surface;
-    std::map<std::string, int> lines; // line of the file of each number that is a field of a case, by its key
-    std::vector<int> railLines; // line on which each rail begins
-    std::vector<int> wallLines; // and each profile's distances
+    std::map<std::string, int> lines;   // line of the file of each number that is a field of a case, by its key
+    std::vector<int> railLines;         // line on which each rail begins
+    std::vector<int> wallLines;         // and each profile's distances
     std::vector<InputProblem> problems; // what was read is of use only if there are none
     std::vector<InputProblem> warnings;
     bool valid() const { return problems.empty(); }

@@ -55,8 +55,8 @@ std::vector<std::string> numbers(const std::vector<double>& values, std::string_
 void writeSolution(RunWriter& out, const Case& c)
 {
     out.section("Solution Control");
-    out.list({"istiff", "isolv", "ioldg", "iadpt", "isave"},
-             {flag(c.steady.stiffness), flag(!c.steady.fixedAttitude), "0", flag(c.film.grid == GridKind::Adapted), "1"});
+    out.list({"istiff", "isolv", "ioldg", "iadpt", "isave"}, {flag(c.steady.stiffness), flag(!c.steady.fixedAttitude),
+                                                              "0", flag(c.film.grid == GridKind::Adapted), "1"});
     out.section("Intial Attitude"); // its spelling
     out.list({"hm(m)", "pitch(rad)", "roll(rad)"},
              {number(c.initial.nominalTrailingEdgeHeight), number(c.initial.pitch), number(c.initial.roll)});
@@ -72,8 +72,8 @@ void writeRuns(RunWriter& out, const Case& c)
     std::vector<double> altitudes = steady.altitudes;
     if (altitudes.empty()) altitudes = {c.air.source == AirSource::Atmosphere ? c.air.altitude : 0.0};
     out.section("Runs");
-    out.list({"irad", "irpm", "ialt", "sort"}, {std::to_string(radii.size()), std::to_string(speeds.size()),
-                                                std::to_string(altitudes.size()), "0"});
+    out.list({"irad", "irpm", "ialt", "sort"},
+             {std::to_string(radii.size()), std::to_string(speeds.size()), std::to_string(altitudes.size()), "0"});
     out.list({"radii(m)"}, numbers(radii));
     out.list({"skews(deg)"}, numbers(skews, "deg"));
     out.list({"RPMs"}, numbers(speeds, "rpm"));

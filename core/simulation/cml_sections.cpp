@@ -95,6 +95,7 @@ CmlSections splitCmlSections(std::string_view text)
     while (!lines.atEnd()) {
         const int number = lines.line();
         line = lines.takeLine();
+        if (!trimmed(line, " \t").empty()) result.lastLine = number;
         if (comments || !isStarLine(line)) continue;
         endBody(line.data());
         if (result.sections.size() == mostSections) throw CmlError(number, "holds more sections than any such file");
@@ -103,7 +104,6 @@ CmlSections splitCmlSections(std::string_view text)
         comments = isComments(result.sections.back().name);
     }
     endBody(line.data() + line.size());
-    result.lastLine = lines.line();
 
     std::size_t numbers = 0;
     std::size_t headings = 0;

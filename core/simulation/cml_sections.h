@@ -30,7 +30,7 @@ struct CmlSection {
 
 struct CmlSections {
     std::vector<CmlSection> sections;
-    int lastLine = 0; // of the file
+    int lastLine = 0; // that is not blank
 };
 
 /// `text` outlives the result. A section of comments, by its name, takes all the rest of the file. Throws CmlError.

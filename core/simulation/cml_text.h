@@ -74,7 +74,7 @@ public:
     bool endList();
 
 private:
-    int lastLine() const; // that holds a word
+    int lastLine() const;          // that holds a word
     std::size_t wordBegin() const; // of the next word
     std::size_t wordEnd(std::size_t begin) const;
     void moveTo(std::size_t at);
