@@ -88,7 +88,7 @@ struct AirCase {
 struct FilmCase {
     std::array<int, 2> nodes{193, 193}; // grid lines along x and y, 16 k + 1
     GridKind grid = GridKind::Adapted;
-    ConvectionScheme scheme = ConvectionScheme::Limited;
+    ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
     FilmSolver solver = FilmSolver::Newton;
     double tolerance = 1e-7;   // residual: net mass flow of the cells, summed, against the flow through the film [-]
     int maximumIterations = 60;

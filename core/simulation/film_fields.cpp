@@ -41,12 +41,12 @@ std::vector<Field> filmFields()
                at(&Case::film, &FilmCase::grid), withFilm),
         choice({.key = "film.scheme",
                 .label = "convection scheme",
-                .choices = {"upwind", "hybrid", "power-law", "exponential", "limited"},
+                .choices = {"upwind", "hybrid", "power-law", "exponential", "complete-flux"},
                 .help =
                     "How the air that the disk drags along is weighted on cell faces: upwind, hybrid and power-law "
                     "(Patankar 1980), "
-                    "exponential = exact for a plane flow between two nodes, limited = second order without overshoot.",
-                .source = "paper, section 2: power law; ours: limited"},
+                    "exponential = exact for a plane flow between two nodes, complete-flux = second order at any Peclet number.",
+                .source = "paper, section 2: power law; complete flux: ten Thije Boonkkamp & Anthonissen 2011"},
                at(&Case::film, &FilmCase::scheme), withFilm),
         choice({.key = "film.solver",
                 .label = "solver",

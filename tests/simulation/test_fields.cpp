@@ -137,7 +137,7 @@ private slots:
         for (const auto& [name, scheme] :
              {std::pair{"upwind", ConvectionScheme::Upwind}, std::pair{"hybrid", ConvectionScheme::Hybrid},
               std::pair{"power-law", ConvectionScheme::PowerLaw}, std::pair{"exponential", ConvectionScheme::Exponential},
-              std::pair{"limited", ConvectionScheme::Limited}}) {
+              std::pair{"complete-flux", ConvectionScheme::CompleteFlux}}) {
             findField("film.scheme")->set(c, std::string(name));
             QCOMPARE(c.film.scheme, scheme);
         }
