@@ -34,6 +34,7 @@ inline Case sampleFilmCase()
     Case c;
     c.title = "A slider of our own";
     c.model = ModelKind::Film;
+    c.contact = ContactKind::None;
     c.slider.length = 0.85e-3;
     c.slider.width = 0.70e-3;
     c.surface = sampleSurface();
