@@ -16,20 +16,39 @@ CaseDocument openCaseOrComplain(const CaseArguments& arguments)
     return document;
 }
 
+CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments)
+{
+    CaseDocument document = openCaseOrComplain(arguments);
+    if (!document.valid() || document.value.model == ModelKind::Film) return document;
+    document.problems.push_back({document.name, 0, "model", "must be \"film\" for a static state on an air film"});
+    complain(document.problems.back().text());
+    return document;
+}
+
+namespace {
+
+Json jsonList(const std::vector<InputProblem>& problems)
+{
+    Json list = Json::array();
+    for (const InputProblem& problem : problems)
+        list.push_back({{"file", problem.file},
+                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
+                        {"key", problem.key},
+                        {"message", problem.message}});
+    return list;
+}
+
+} // namespace
+
 int validateCommand(const CaseArguments& arguments, bool json)
 {
     const CaseDocument document = openCaseOrComplain(arguments);
     if (json) {
-        Json problems = Json::array();
-        for (const InputProblem& problem : document.problems)
-            problems.push_back({{"file", problem.file},
-                                {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
-                                {"key", problem.key},
-                                {"message", problem.message}});
         print(jsonText({{"case", document.name},
                         {"title", document.value.title},
                         {"valid", document.valid()},
-                        {"problems", problems}}));
+                        {"problems", jsonList(document.problems)},
+                        {"warnings", jsonList(document.warnings)}}));
     } else if (document.valid()) {
         print(document.name + ": valid\n");
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown validate` and `touchdown list`.
+// `touchdown validate` and `touchdown list`; what all commands on cases have in common.
 #pragma once
 
 #include "app/command_line.h"
@@ -10,6 +10,9 @@ namespace touchdown {
 
 /// The case that the arguments name, with its settings; each of its problems has gone to standard error.
 CaseDocument openCaseOrComplain(const CaseArguments& arguments);
+
+/// The same of a case that must have an air film.
+CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments);
 
 int validateCommand(const CaseArguments& arguments, bool json);
 int listCommand(bool json);

@@ -4,29 +4,17 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <unistd.h>
-
 #include "core/simulation/units.h"
 
 namespace touchdown {
-namespace {
-
-constexpr std::chrono::milliseconds redrawInterval(100);
-constexpr std::chrono::seconds lineInterval(1);
-
-} // namespace
 
 ProgressLine::ProgressLine(bool always, const std::vector<Quantity>& quantities)
-    : terminal_(::isatty(STDERR_FILENO) == 1),
-      shown_(terminal_ || always),
-      spacing_(findQuantity(quantities, "minimum_spacing"))
-{
-    next_ += redrawInterval;
-}
+    : line_(always), spacing_(findQuantity(quantities, "minimum_spacing"))
+{}
 
 void ProgressLine::show(const RunUpdate& update)
 {
-    if (!shown_) return;
+    if (!line_.shown()) return;
     time_ = update.time;
     duration_ = update.duration;
     if (spacing_ >= 0 && update.samples.size() > 0) {
@@ -35,18 +23,12 @@ void ProgressLine::show(const RunUpdate& update)
         minimum_ = sampled_ ? std::min(minimum_, least) : least;
         sampled_ = true;
     }
-    const Clock::time_point now = Clock::now();
-    if (now < next_) return;
-    next_ = now + (terminal_ ? Clock::duration(redrawInterval) : Clock::duration(lineInterval));
-    std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", text().c_str());
-    std::fflush(stderr);
-    drawn_ = true;
+    line_.show([this] { return text(); });
 }
 
 void ProgressLine::end()
 {
-    if (terminal_ && drawn_) std::fputs("\r\x1b[K", stderr);
-    if (!terminal_ && shown_) std::fprintf(stderr, "%s\n", text().c_str());
+    line_.end([this] { return text(); });
 }
 
 std::string ProgressLine::text() const

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a run is, on standard error: a line that is redrawn on a terminal; lines, if asked for, elsewhere.
+// How far a run is, on standard error.
 #pragma once
 
 #include <chrono>
 #include <string>
 #include <vector>
 
+#include "app/live_line.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
@@ -15,7 +16,6 @@ class ProgressLine {
 public:
     ProgressLine(bool always, const std::vector<Quantity>& quantities);
     void show(const RunUpdate& update);
-    /// Removes the line from a terminal; elsewhere writes the last state.
     void end();
 
 private:
@@ -23,16 +23,13 @@ private:
 
     std::string text() const;
 
-    bool terminal_;
-    bool shown_;
+    LiveLine line_;
     int spacing_; // column of the minimum spacing
     Clock::time_point begin_ = Clock::now();
-    Clock::time_point next_ = begin_; // no line before
     double time_ = 0.0;               // simulated [s]
     double duration_ = 0.0;           // [s]
     double minimum_ = 0.0;            // spacing, of all samples [m]
     bool sampled_ = false;
-    bool drawn_ = false;
 };
 
 /// 1.234e-3 in "ms": "1.234 ms", with so many significant digits.

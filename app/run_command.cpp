@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/case_commands.h"
+#include "app/output_target.h"
 #include "app/progress_line.h"
 #include "app/run_report.h"
 #include "app/stop_signal.h"
@@ -19,15 +20,6 @@ namespace touchdown {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Whether two names lead to one file, which need not exist.
-bool sameFile(const std::string& a, const std::string& b)
-{
-    std::error_code none;
-    if (fs::equivalent(a, b, none)) return true;
-    const fs::path path = fs::weakly_canonical(fs::absolute(a, none), none);
-    return !path.empty() && path == fs::weakly_canonical(fs::absolute(b, none), none);
-}
 
 // Unlike HDF5, CSV may go into a device or a pipe.
 std::string checkCsvTarget(const std::string& file)
@@ -41,20 +33,9 @@ std::string checkCsvTarget(const std::string& file)
 // Everything that can be known to go wrong with the output before anything is written.
 bool targetsAreGood(const RunArguments& arguments)
 {
-    bool good = true;
-    const auto check = [&](const char* option, const std::string& file, const std::string& problem) {
-        if (file.empty()) return;
-        std::error_code none;
-        if (!problem.empty())
-            complain(std::string(option) + ": " + problem);
-        else if (fs::exists(arguments.caseArguments.name, none) && sameFile(file, arguments.caseArguments.name))
-            complain(std::string(option) + ": " + file + " is the case file itself");
-        else
-            return;
-        good = false;
-    };
-    check("--out", arguments.out, checkResultsTarget(arguments.out));
-    check("--csv", arguments.csv, checkCsvTarget(arguments.csv));
+    const std::string& name = arguments.caseArguments.name;
+    bool good = targetIsGood("--out", arguments.out, checkResultsTarget(arguments.out), name);
+    good = targetIsGood("--csv", arguments.csv, checkCsvTarget(arguments.csv), name) && good;
     if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
         complain("--out and --csv: both name " + arguments.out);
         good = false;

@@ -7,6 +7,7 @@
 
 #include "app/json_text.h"
 #include "app/progress_line.h"
+#include "app/report_row.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -82,12 +83,6 @@ std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& qua
     return message;
 }
 
-std::string row(const std::string& name, const std::string& value)
-{
-    constexpr std::size_t width = 22;
-    return name + std::string(width - std::min(width - 1, name.size()), ' ') + value + "\n";
-}
-
 // With its trailing zeros, which say how far the value was looked at.
 std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
 {
@@ -132,25 +127,25 @@ std::string runJson(const Summary& summary, const std::vector<Quantity>& quantit
 std::string runText(const Case& c, const Summary& summary, const std::vector<Quantity>& quantities)
 {
     std::string text = c.title + "\n";
-    text += row("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
     for (const auto& [key, label] : {std::pair{"flying_height", "final flying height"},
                                      std::pair{"pitch", "final pitch"}, std::pair{"roll", "final roll"}})
         if (const auto found = find(summary.final, key); found != summary.final.end())
-            text += row(label, shown(quantities, key, found->second));
+            text += reportRow(label, shown(quantities, key, found->second));
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
-        text += row("minimum spacing",
+        text += reportRow("minimum spacing",
                     shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
     if (!summary.bouncingRule.empty())
-        text += row("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
+        text += reportRow("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
     for (std::size_t i = 0; i < summary.peaks.size(); ++i)
-        text += row(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
+        text += reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
                                                         displayed(summary.peaks[i].amplitude, "nm"));
-    text += row("events", std::to_string(summary.events.size()));
-    text += row("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) + " rejected), " +
+    text += reportRow("events", std::to_string(summary.events.size()));
+    text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) + " rejected), " +
                              std::to_string(summary.evaluations) + " evaluations, " + summary.integrator);
-    text += row("solver time", displayed(summary.solverSeconds, "ms", 3));
-    if (summary.stepCheck) text += row("step check", summary.stepCheck->message);
-    for (const std::string& warning : summary.warnings) text += row("warning", warning);
+    text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
+    if (summary.stepCheck) text += reportRow("step check", summary.stepCheck->message);
+    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
     return text;
 }
 
