@@ -45,6 +45,35 @@ GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double>
     return gmres_.solve(apply, precondition, b, x, options);
 }
 
+void FilmLinearSolver::prepareTransposed()
+{
+    const PaddedGrid& pad = film_.pad();
+    const auto& faces = film_.faces();
+    const std::vector<double>&x = faces[0].convection, &y = faces[1].convection;
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            diagonal_[at] = (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]);
+        }
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        reversed_[axis].resize(pad.size());
+        for (std::size_t at = 0; at < pad.size(); ++at) reversed_[axis][at] = -faces[axis].convection[at];
+    }
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, reversed_[0]},
+                            FaceOperator{faces[1].diffusion, faces[1].effective, reversed_[1]}},
+                           diagonal_);
+}
+
+GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options)
+{
+    const auto apply = [this](std::span<const double> v, std::span<double> out) {
+        film_.applyTransposedJacobian(v, out, work_);
+    };
+    const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
+    return gmres_.solve(apply, precondition, b, x, options);
+}
+
 FilmNewton::FilmNewton(GasFilm& film)
     : film_(film), linear_(film), residual_(film.pad().size()), step_(film.pad().size()), right_(film.pad().size()),
       best_(film.pad().size())

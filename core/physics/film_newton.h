@@ -42,12 +42,17 @@ public:
     /// x = J^-1 b from the guess x; padded.
     GmresResult solve(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
+    /// The same for J^T x = b. Its monotone part is convection the other way, with its divergence on the diagonal.
+    void prepareTransposed();
+    GmresResult solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options);
+
 private:
     const GasFilm& film_;
     Multigrid<double> multigrid_;
     Gmres<double> gmres_;
     FaceFlows<double> work_;
     std::vector<double> diagonal_;
+    std::array<std::vector<double>, 2> reversed_;
     double shift_ = 0.0;
 };
 

@@ -104,14 +104,16 @@ public:
     /// counts its pressure times its area; across a face that an edge or a wall meets, what the pressure's profile has above
     /// or below the straight line between the centres is added.
     std::array<double, 3> load(std::span<const double> p) const;
-    FilmForces forces(std::span<const double> p) const;
-    /// Shear on the slider and its derivatives, for balances that count it.
-    struct Shear {
-        std::array<double, 2> force{};                   // along x, y [N]
-        std::array<std::array<double, 3>, 2> byAttitude{}; // by height [N/m], pitch and roll [N/rad]
+    /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x, y [N].
+    std::array<double, 2> shear(std::span<const double> p) const;
+    /// Load and shear with their derivatives.
+    struct ForceDerivatives {
+        std::array<double, 5> value{};                      // load, then shear
+        std::array<std::vector<double>, 5> byPressure;      // padded [N/Pa], [N m/Pa]
+        std::array<std::array<double, 3>, 5> byAttitude{};  // at constant pressure [N/m, N m/m], [N/rad, N m/rad]
     };
-    /// With `byPressure`, also dforce/dp of each cell, padded [N/Pa].
-    Shear shear(std::span<const double> p, std::array<std::vector<double>, 2>* byPressure = nullptr) const;
+    void forceDerivatives(std::span<const double> p, ForceDerivatives& out) const;
+    FilmForces forces(std::span<const double> p) const;
 
 private:
     struct AxisState {
@@ -123,6 +125,7 @@ private:
     using ByPressure = Dual<1>;
     using ByGap = Dual<1>;
     using ByAttitude = Dual<3>;
+    using ByAll = Dual<5>; // pressure below, above, attitude
 
     std::array<double, 3> liftDirections(double x, double y) const
     {
@@ -143,6 +146,10 @@ private:
                                 const Number& h) const;
     template <typename Number>
     Number cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
+    template <typename Number>
+    Number cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const;
+    template <typename Number, typename Add>
+    void addUpForces(std::span<const double> p, Add&& add) const;
 
     template <ConvectionScheme scheme, typename Number>
     void setFaceFlows(std::size_t axis, std::span<const double> p);
@@ -184,6 +191,10 @@ Number GasFilm::gapOf(const GapPiece& piece) const
 {
     Number gap(piece.recess + gaps_.lift(attitude_, piece.x, piece.y));
     if constexpr (std::is_same_v<Number, ByAttitude>) gap.by = liftDirections(piece.x, piece.y);
+    if constexpr (std::is_same_v<Number, ByAll>) {
+        const std::array<double, 3> lift = liftDirections(piece.x, piece.y);
+        std::copy(lift.begin(), lift.end(), gap.by.begin() + 2);
+    }
     return gap;
 }
 

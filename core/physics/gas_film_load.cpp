@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "core/physics/gas_film.h"
@@ -41,32 +42,184 @@ Number GasFilm::cutProfileExcess(std::size_t axis, const CutPlace& place, const 
     return sum;
 }
 
-std::array<double, 3> GasFilm::load(std::span<const double> p) const
+/// Shear of the pressure gradient on a face that pieces cross: -(h/2)(p2 - p1) times the width, h weighted by resistance.
+template <typename Number>
+Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const
+{
+    const Number pm = Number(0.5) * (p1 + p2);
+    Number sum(0.0);
+    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
+        const GapRow& row = gaps_.rows[r];
+        Number R(0.0), weighted(0.0);
+        bool open = true;
+        for (std::uint32_t k = row.pieces; open && k < row.pieceEnd; ++k) {
+            Number resistance, peclet;
+            open = pieceOf(gaps_.pieces[k], 1.0, pm, resistance, peclet);
+            if (!open) break;
+            R = R + resistance;
+            weighted = weighted + peclet; // at unit speed: gap times resistance
+        }
+        if (open) sum = sum - Number(0.5 * row.width) * (p2 - p1) * weighted / R;
+    }
+    return sum;
+}
+
+/// Calls add(axis or -1 for a cell, index, cell below, position, load, shear along x, along y) with numbers that carry their
+/// derivatives by the pressure below (or of the cell), above, and by the attitude.
+template <typename Number, typename Add>
+void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
 {
     const PaddedGrid& pad = gaps_.pad;
     const CellGrid& grid = gaps_.grid;
-    std::array<double, 3> sum{};
-    const auto add = [&](double force, double x, double y) {
-        sum[0] += force;
-        sum[1] -= force * (x - 0.5 * gaps_.length);
-        sum[2] -= force * (y - 0.5 * gaps_.width);
+    constexpr bool plain = std::is_same_v<Number, double>;
+    const auto pressure = [&](std::size_t at, [[maybe_unused]] std::size_t index) {
+        Number number(p[at]);
+        if constexpr (!plain) number.by[index] = 1.0;
+        return number;
+    };
+    const auto gapAt = [&](double gap, [[maybe_unused]] double x, [[maybe_unused]] double y) {
+        Number number(gap);
+        if constexpr (!plain) {
+            const std::array<double, 3> lift = liftDirections(x, y);
+            std::copy(lift.begin(), lift.end(), number.by.begin() + 2);
+        }
+        return number;
+    };
+    const double slipLength = 2.0 * (2.0 - setting_.slip.accommodation) / setting_.slip.accommodation *
+                              setting_.air.meanFreePath * ambient(); // 2 a lambda p [Pa m]
+    const auto couette = [&](const Number& pressureHere, const Number& gap, double area) {
+        return Number(setting_.air.viscosity * area) / (gap + Number(slipLength) / pressureHere);
+    };
+    std::vector<std::uint8_t> isCut(pad.size(), 0);
+    for (const CutPlace& place : gaps_.cutCells) isCut[place.at] = 1;
+    const auto cell = [&](std::size_t at, int i, int j, const Number& perSpeed) {
+        const double x = grid.centreX(i), y = grid.centreY(j);
+        const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, x, y);
+        add(at, at, x, y, (pressure(at, 0) - Number(ambient())) * Number(area_[at]), perSpeed * Number(v.x),
+            perSpeed * Number(v.y));
     };
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            add((p[at] - ambient()) * area_[at], grid.centreX(i), grid.centreY(j));
+            if (isCut[at]) continue;
+            const double gap = meanGap(i, j);
+            cell(at, i, j,
+                 gap > closedGap ? couette(pressure(at, 0), gapAt(gap, grid.centreX(i), grid.centreY(j)), area_[at])
+                                 : Number(0.0));
         }
+    for (const CutPlace& place : gaps_.cutCells) {
+        Number perSpeed(0.0);
+        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
+            const Number gap = gapOf<Number>(gaps_.pieces[k]);
+            if (valueOf(gap) > closedGap) perSpeed = perSpeed + couette(pressure(place.at, 0), gap, gaps_.pieces[k].extent);
+        }
+        cell(place.at, static_cast<int>(place.at % pad.stride()) - PaddedGrid::rings,
+             static_cast<int>(place.at / pad.stride()) - PaddedGrid::rings, perSpeed);
+    }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmGaps::Faces& faces = gaps_.faces[axis];
+        const std::size_t step = pad.step(static_cast<int>(axis));
+        const auto face = [&](std::size_t at, int i, int j, const Number& load, const Number& drag) {
+            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
+            const double x = axis == 0 ? middle : grid.centreX(i), y = axis == 0 ? grid.centreY(j) : middle;
+            add(at - step, at, x, y, load, axis == 0 ? drag : Number(0.0), axis == 0 ? Number(0.0) : drag);
+        };
+        for (int j = 0; j < pad.ny + (axis == 1); ++j)
+            for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+                const std::size_t at = pad.at(i, j);
+                const double gap = axes_[axis].gap[at];
+                if (gap <= closedGap) continue;
+                const double width = axes_[axis].width[static_cast<std::size_t>(axis == 0 ? j : i)];
+                const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
+                const Number h = gapAt(gap, axis == 0 ? middle : grid.centreX(i), axis == 0 ? grid.centreY(j) : middle);
+                face(at, i, j, Number(0.0), Number(-0.5 * width) * h * (pressure(at, 1) - pressure(at - step, 0)));
+            }
         for (const CutPlace& place : faces.cut) {
-            const int j = static_cast<int>(place.at / pad.stride()) - PaddedGrid::rings;
-            const int i = static_cast<int>(place.at % pad.stride()) - PaddedGrid::rings;
-            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-            add(cutProfileExcess<double>(axis, place, p[place.at - pad.step(static_cast<int>(axis))], p[place.at]),
-                axis == 0 ? faces.pathMid[line] : grid.centreX(i), axis == 0 ? grid.centreY(j) : faces.pathMid[line]);
+            const Number p1 = pressure(place.at - step, 0), p2 = pressure(place.at, 1);
+            face(place.at, static_cast<int>(place.at % pad.stride()) - PaddedGrid::rings,
+                 static_cast<int>(place.at / pad.stride()) - PaddedGrid::rings, cutProfileExcess(axis, place, p1, p2),
+                 cutPoiseuille(place, p1, p2));
         }
     }
+}
+
+std::array<double, 3> GasFilm::load(std::span<const double> p) const
+{
+    std::array<double, 3> sum{};
+    addUpForces<double>(p, [&](std::size_t, std::size_t, double x, double y, double load, double, double) {
+        sum[0] += load;
+        sum[1] -= load * (x - 0.5 * gaps_.length);
+        sum[2] -= load * (y - 0.5 * gaps_.width);
+    });
     return sum;
+}
+
+std::array<double, 2> GasFilm::shear(std::span<const double> p) const
+{
+    std::array<double, 2> sum{};
+    addUpForces<double>(p, [&](std::size_t, std::size_t, double, double, double, double x, double y) {
+        sum[0] += x;
+        sum[1] += y;
+    });
+    return sum;
+}
+
+void GasFilm::forceDerivatives(std::span<const double> p, ForceDerivatives& out) const
+{
+    out.value = {};
+    out.byAttitude = {};
+    for (auto& field : out.byPressure) field.assign(gaps_.pad.size(), 0.0);
+    addUpForces<ByAll>(p, [&](std::size_t below, std::size_t above, double x, double y, const ByAll& load,
+                              const ByAll& shearX, const ByAll& shearY) {
+        const auto addTo = [&](std::size_t k, const ByAll& force, double arm) {
+            out.value[k] += arm * force.value;
+            out.byPressure[k][below] += arm * force.by[0];
+            out.byPressure[k][above] += arm * force.by[1];
+            for (std::size_t m = 0; m < 3; ++m) out.byAttitude[k][m] += arm * force.by[m + 2];
+        };
+        addTo(0, load, 1.0);
+        addTo(1, load, 0.5 * gaps_.length - x);
+        addTo(2, load, 0.5 * gaps_.width - y);
+        addTo(3, shearX, 1.0);
+        addTo(4, shearY, 1.0);
+    });
+    for (auto& field : out.byPressure) clearRings(field);
+}
+
+FilmForces GasFilm::forces(std::span<const double> p) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const CellGrid& grid = gaps_.grid;
+    FilmForces result;
+    std::array<double, 2> px{}, py{}; // moments of the positive and of the negative part
+    result.maximumPressure = result.minimumPressure = p[pad.at(0, 0)];
+    result.maximumAt = result.minimumAt = {grid.centreX(0), grid.centreY(0)};
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            const double x = grid.centreX(i), y = grid.centreY(j), force = (p[at] - ambient()) * area_[at];
+            (force > 0.0 ? result.positive : result.negative) += force;
+            px[force > 0.0 ? 0 : 1] += force * x;
+            py[force > 0.0 ? 0 : 1] += force * y;
+            if (p[at] > result.maximumPressure) result.maximumPressure = p[at], result.maximumAt = {x, y};
+            if (p[at] < result.minimumPressure) result.minimumPressure = p[at], result.minimumAt = {x, y};
+        }
+    if (result.positive > 0.0) result.centreOfPositive = {px[0] / result.positive, py[0] / result.positive};
+    if (result.negative < 0.0) result.centreOfNegative = {px[1] / result.negative, py[1] / result.negative};
+    const std::array<double, 3> total = load(p);
+    // What cells that an edge meets hold beyond their centre's pressure belongs to the rails: to the positive part.
+    result.positive += total[0] - result.positive - result.negative;
+    result.net = total[0];
+    result.pitchTorque = total[1];
+    result.rollTorque = total[2];
+    const std::array<double, 2> drag = shear(p);
+    result.shearX = drag[0];
+    result.shearY = drag[1];
+    for (int j = 0; j < pad.ny; ++j)
+        result.massFlow += std::max(0.0, flows_.flow[0][pad.at(0, j)]) + std::max(0.0, -flows_.flow[0][pad.at(pad.nx, j)]);
+    for (int i = 0; i < pad.nx; ++i)
+        result.massFlow += std::max(0.0, flows_.flow[1][pad.at(i, 0)]) + std::max(0.0, -flows_.flow[1][pad.at(i, pad.ny)]);
+    return result;
 }
 
 } // namespace touchdown

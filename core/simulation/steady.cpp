@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/steady.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "core/simulation/film_setup.h"
+#include "core/simulation/sensitivity.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Walks from the coarsest grid to the finest, each adapted to what the one before found.
+class SteadySolver {
+public:
+    SteadySolver(const Case& c, const SteadyCallback& callback)
+        : case_(c), callback_(callback), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
+          attitude_{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll}
+    {
+    }
+
+    SteadyResult solve()
+    {
+        for (const std::array<int, 2>& cells : filmLevels(case_.film)) {
+            previous_ = std::move(level_);
+            level_ = std::make_unique<FilmLevel>(case_, recess_, spacing_, grid(cells));
+            if (previous_) level_->take(previous_->known(case_));
+            const bool finest = cells[0] == case_.film.nodes[0] - 1;
+            const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
+            if (result_.status == SteadyStatus::Cancelled) return result_;
+            if (!converged && finest) return unconverged();
+            if (!finest) coarse_ = summary();
+        }
+        report();
+        return result_;
+    }
+
+private:
+    struct LevelSummary {
+        Attitude attitude;
+        double minimumSpacing, load, positive;
+    };
+
+    CellGrid grid(const std::array<int, 2>& cells) const
+    {
+        const double length = case_.slider.length, width = case_.slider.width;
+        switch (case_.film.grid) {
+        case GridKind::Uniform: return uniformGrid(length, width, cells[0], cells[1]);
+        case GridKind::Adapted:
+            if (previous_) return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
+            break;
+        case GridKind::Graded: break;
+        }
+        return gradedGrid(case_.surface, length, width, cells[0], cells[1]);
+    }
+
+    bool tell(int iteration, double residual, double loadError, const Attitude& attitude)
+    {
+        const CellGrid& grid = level_->gaps.grid;
+        const bool goOn = !callback_ || callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " +
+                                                            std::to_string(grid.y.size()),
+                                                   .iteration = iteration,
+                                                   .residual = residual,
+                                                   .loadError = loadError,
+                                                   .attitude = attitude});
+        if (!goOn) {
+            result_.status = SteadyStatus::Cancelled;
+            result_.message = "cancelled on the " + std::to_string(grid.x.size()) + " x " +
+                              std::to_string(grid.y.size()) + " grid";
+        }
+        return goOn;
+    }
+
+    /// Coarse grids are only as exact as what they are good for.
+    static constexpr double coarseTolerance = 1e-4;
+
+    bool solveFilm(bool finest)
+    {
+        level_->film.setAttitude(attitude_);
+        const FilmSolution s = level_->flying.film().solve(
+            level_->pressure,
+            {.tolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
+             .maximumIterations = case_.film.maximumIterations},
+            [this](int iteration, double residual) { return tell(iteration, residual, 0.0, attitude_); });
+        result_.iterations = s.iterations;
+        result_.solves += s.solves;
+        result_.residual = s.residual;
+        return s.converged;
+    }
+
+    bool solveAttitude(bool finest)
+    {
+        const AttitudeOptions options{
+            .filmTolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
+            .loadTolerance = finest ? case_.steady.loadTolerance : std::max(coarseTolerance, case_.steady.loadTolerance),
+            .maximumIterations = case_.film.maximumIterations};
+        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
+            return tell(iteration, residual, loadError, attitude);
+        };
+        FlyingAttitude& flying = level_->flying;
+        const AttitudeSolution s = previous_ ? flying.solve(level_->pressure, attitude_, options, monitor)
+                                             : flying.approach(level_->pressure, attitude_, options, monitor);
+        level_->film.setAttitude(attitude_);
+        result_.iterations = s.iterations;
+        result_.solves += s.solves;
+        result_.residual = s.residual;
+        result_.loadError = s.loadError;
+        return s.converged;
+    }
+
+    LevelSummary summary() const
+    {
+        const FilmForces forces = level_->film.forces(level_->pressure);
+        return {attitude_, spacing_.at(attitude_).spacing, forces.net, forces.positive};
+    }
+
+    SteadyResult unconverged()
+    {
+        report();
+        result_.status = SteadyStatus::NotConverged;
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "not converged after %d iterations on the finest grid: film residual %.1e, load error %.1e",
+                      result_.iterations, result_.residual, result_.loadError);
+        result_.message = text;
+        return result_;
+    }
+
+    void report()
+    {
+        FilmLevel& level = *level_;
+        result_.status = SteadyStatus::Converged;
+        result_.attitude = attitude_;
+        const MinimumSpacing::Place nearest = spacing_.at(attitude_);
+        result_.minimumSpacing = nearest.spacing;
+        result_.minimumAt = nearest.at;
+        result_.forces = level.film.forces(level.pressure);
+        const double arm = sliderLoad(case_).shearArm;
+        result_.shearPitchTorque = -arm * result_.forces.shearX;
+        result_.shearRollTorque = -arm * result_.forces.shearY;
+        for (const SurfacePoint& point : case_.surface.pointsOfInterest)
+            result_.interestSpacing.push_back(recess_.at(point.x, point.y) + level.gaps.lift(attitude_, point.x, point.y));
+        if (case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
+        if (coarse_) estimateError();
+        if (case_.steady.sensitivities && !case_.steady.fixedAttitude)
+            result_.sensitivities = sensitivities(case_, level, spacing_);
+        if (case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
+        KnownFilm fields = level.known(case_);
+        result_.grid = std::move(fields.grid);
+        result_.pressure = std::move(fields.pressure);
+        result_.gap = std::move(fields.gap);
+        result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+    }
+
+    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second order; half
+    /// of the difference allows for what the rails' edges spoil.
+    void estimateError()
+    {
+        DiscretisationError& error = result_.discretisationError;
+        const Attitude difference{attitude_.height - coarse_->attitude.height, attitude_.pitch - coarse_->attitude.pitch,
+                                  attitude_.roll - coarse_->attitude.roll};
+        error.pitch = 0.5 * std::abs(difference.pitch);
+        error.roll = 0.5 * std::abs(difference.roll);
+        error.minimumSpacing = 0.5 * std::abs(result_.minimumSpacing - coarse_->minimumSpacing);
+        if (case_.steady.fixedAttitude) error.load = 0.5 * std::abs(result_.forces.net - coarse_->load);
+        else if (result_.stiffness) {
+            // The load that the coarser grid would miss at this attitude.
+            const auto& row = (*result_.stiffness)[0];
+            error.load = 0.5 * std::abs(row[0] * difference.height + row[1] * difference.pitch + row[2] * difference.roll);
+        } else error.load = 0.5 * std::abs(result_.forces.positive - coarse_->positive);
+    }
+
+    /// Other attitudes at which the forces balance, from starts all over the range where sliders fly.
+    void findOthers()
+    {
+        const CellGrid coarsest = gradedGrid(case_.surface, case_.slider.length, case_.slider.width,
+                                             filmLevels(case_.film).front()[0], filmLevels(case_.film).front()[1]);
+        for (const double height : {0.5e-9, 5e-9, 30e-9, 200e-9})
+            for (const double pitch : {20e-6, 150e-6, 500e-6}) {
+                FilmLevel coarse(case_, recess_, spacing_, coarsest);
+                Attitude attitude{height, pitch, 0.0};
+                const AttitudeOptions options{.filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance,
+                                              .maximumIterations = 25};
+                if (!coarse.flying.approach(coarse.pressure, attitude, options).converged) continue;
+                if (isKnown(attitude, 0.1)) continue;
+                FilmLevel fine(case_, recess_, spacing_, level_->gaps.grid);
+                fine.take(coarse.known(case_));
+                if (fine.flying
+                        .solve(fine.pressure, attitude,
+                               {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance})
+                        .converged &&
+                    !isKnown(attitude, 1e-3))
+                    result_.otherEquilibria.push_back(attitude);
+            }
+    }
+
+    bool isKnown(const Attitude& attitude, double share) const
+    {
+        const auto near = [&](const Attitude& known) {
+            const double length = case_.slider.length;
+            const double apart = std::abs(known.height - attitude.height) + length * std::abs(known.pitch - attitude.pitch) +
+                                 case_.slider.width * std::abs(known.roll - attitude.roll);
+            return apart <= share * (std::abs(known.height) + length * std::abs(known.pitch));
+        };
+        return near(attitude_) || std::any_of(result_.otherEquilibria.begin(), result_.otherEquilibria.end(), near);
+    }
+
+    const Case& case_;
+    const SteadyCallback& callback_;
+    Recess recess_;
+    MinimumSpacing spacing_;
+    Attitude attitude_;
+    std::unique_ptr<FilmLevel> level_, previous_;
+    std::optional<LevelSummary> coarse_;
+    SteadyResult result_;
+};
+
+} // namespace
+
+SteadyResult steady(const Case& c, const SteadyCallback& callback)
+{
+    const auto start = std::chrono::steady_clock::now();
+    SteadyResult result = SteadySolver(c, callback).solve();
+    result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace touchdown
