@@ -39,12 +39,23 @@ struct Dual {
     }
     friend Dual operator+(Dual a, const Dual& b) { return a += b; }
     friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
-    friend Dual operator-(const Dual& a, const Dual& b) { return a + -b; }
+    friend Dual operator-(Dual a, const Dual& b)
+    {
+        a.value -= b.value;
+        for (std::size_t k = 0; k < N; ++k) a.by[k] -= b.by[k];
+        return a;
+    }
     friend Dual operator*(const Dual& a, const Dual& b)
     {
         Dual result(a.value * b.value);
         for (std::size_t k = 0; k < N; ++k) result.by[k] = a.by[k] * b.value + a.value * b.by[k];
         return result;
+    }
+    friend Dual operator*(double a, const Dual& b) { return b.chain(a * b.value, a); }
+    friend Dual operator/(double a, const Dual& b)
+    {
+        const double inverse = 1.0 / b.value, value = a * inverse;
+        return b.chain(value, -value * inverse);
     }
     friend Dual operator/(const Dual& a, const Dual& b)
     {
@@ -65,6 +76,16 @@ template <std::size_t N>
 double valueOf(const Dual<N>& number)
 {
     return number.value;
+}
+
+/// condition ? a : b, number by number, so that loops with it run on vectors.
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+template <std::size_t N>
+Dual<N> select(bool condition, const Dual<N>& a, const Dual<N>& b)
+{
+    Dual<N> result(condition ? a.value : b.value);
+    for (std::size_t k = 0; k < N; ++k) result.by[k] = condition ? a.by[k] : b.by[k];
+    return result;
 }
 
 } // namespace touchdown

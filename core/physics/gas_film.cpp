@@ -43,6 +43,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             axes_[1].speed[pad.at(i, j)] = 0.5 * v.y;
         }
     flows_.resize(pad.size());
+    for (auto* row : {&mobility_, &mobilityByPressure_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
@@ -90,88 +91,6 @@ double GasFilm::meanGap(int i, int j) const
     return gaps_.meanRecess[gaps_.pad.at(i, j)] + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
 }
 
-template <typename Number>
-PathFlow<Number> GasFilm::cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const
-{
-    // Upstream to downstream: against the axis where the disk moves so.
-    const double speed = axes_[axis].speed[place.at];
-    const bool against = speed < 0.0;
-    double total = 0.0;
-    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) total += gaps_.rows[r].width;
-    PathFlow<Number> sum;
-    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
-        const GapRow& row = gaps_.rows[r];
-        const std::uint32_t count = row.pieceEnd - row.pieces;
-        PathIntegral<Number> path;
-        bool open = true;
-        for (std::uint32_t k = 0; open && k < count; ++k) {
-            const GapPiece& piece = gaps_.pieces[against ? row.pieceEnd - 1 - k : row.pieces + k];
-            Number resistance, peclet;
-            open = pieceOf(piece, std::abs(speed), pm, resistance, peclet);
-            if (open) path.add(resistance, peclet, against ? -piece.start - piece.extent : piece.start, piece.extent);
-        }
-        if (open) sum.add(path, row.width, row.width / total, against);
-    }
-    return sum;
-}
-
-template PathFlow<double> GasFilm::cutFlow(std::size_t, const CutPlace&, const double&) const;
-template PathFlow<Dual<3>> GasFilm::cutFlow(std::size_t, const CutPlace&, const Dual<3>&) const;
-
-void GasFilm::setFace(std::size_t axis, std::size_t at, const PathFlow<double>& flow, double p1, double p2)
-{
-    FilmFaces& f = faces_[axis];
-    f.flow[at] = flow.A * p1 - flow.B * p2;
-    f.below[at] = complete() ? flow.below : 0.0;
-    f.above[at] = complete() ? flow.above : 0.0;
-    f.inflow[at] = axes_[axis].speed[at] < 0.0 ? flow.B * p2 : flow.A * p1;
-}
-
-void GasFilm::setFace(std::size_t axis, std::size_t at, const PathFlow<ByPressure>& flow, double p1, double p2)
-{
-    setFace(axis, at,
-            PathFlow<double>{flow.A.value, flow.B.value, flow.K.value, flow.below.value, flow.above.value}, p1, p2);
-    FilmFaces& f = faces_[axis];
-    const double byMean = flow.A.by[0] * p1 - flow.B.by[0] * p2;
-    f.lower[at] = flow.A.value + 0.5 * byMean;
-    f.upper[at] = -flow.B.value + 0.5 * byMean;
-    f.belowByMean[at] = flow.below.by[0];
-    f.aboveByMean[at] = flow.above.by[0];
-    const bool against = axes_[axis].speed[at] < 0.0;
-    const double inflowByMean = against ? flow.B.by[0] * p2 : flow.A.by[0] * p1;
-    f.inflowByLower[at] = 0.5 * inflowByMean + (against ? 0.0 : flow.A.value);
-    f.inflowByUpper[at] = 0.5 * inflowByMean + (against ? flow.B.value : 0.0);
-    f.diffusion[at] = flow.K.value;
-    f.convection[at] = f.lower[at] + f.upper[at];
-    f.effective[at] = std::max(0.5 * (flow.A.value + flow.B.value), 0.5 * std::abs(f.convection[at]));
-}
-
-template <ConvectionScheme scheme, typename Number>
-void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
-{
-    const PaddedGrid& pad = gaps_.pad;
-    const AxisState& a = axes_[axis];
-    const std::size_t step = pad.step(static_cast<int>(axis));
-    const auto mean = [](double p1, double p2) {
-        Number pm(0.5 * (p1 + p2));
-        if constexpr (!std::is_same_v<Number, double>) pm.by[0] = 1.0;
-        return pm;
-    };
-    for (int j = 0; j < pad.ny + (axis == 1); ++j)
-        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-            const std::size_t at = pad.at(i, j);
-            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-            const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
-            const double p1 = p[at - step], p2 = p[at];
-            setFace(axis, at,
-                    smoothFlow<scheme>(axis, line, width, a.speed[at], mean(p1, p2), Number(a.gap[at])), p1, p2);
-        }
-    for (const CutPlace& place : gaps_.faces[axis].cut) {
-        const double p1 = p[place.at - step], p2 = p[place.at];
-        setFace(axis, place.at, cutFlow(axis, place, mean(p1, p2)), p1, p2);
-    }
-}
-
 void GasFilm::completeFlows(FaceFlows<double>& flows)
 {
     const PaddedGrid& pad = gaps_.pad;
@@ -194,17 +113,9 @@ void GasFilm::completeFlows(FaceFlows<double>& flows)
 template <typename Number>
 void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        switch (setting_.scheme) {
-            using enum ConvectionScheme;
-        case Upwind: setFaceFlows<Upwind, Number>(axis, p); break;
-        case Hybrid: setFaceFlows<Hybrid, Number>(axis, p); break;
-        case PowerLaw: setFaceFlows<PowerLaw, Number>(axis, p); break;
-        case Exponential: setFaceFlows<Exponential, Number>(axis, p); break;
-        case CompleteFlux: setFaceFlows<CompleteFlux, Number>(axis, p); break;
-        }
+    setFaceFlows<Number>(p);
+    for (std::size_t axis = 0; axis < 2; ++axis)
         std::copy(faces_[axis].flow.begin(), faces_[axis].flow.end(), flows_.flow[axis].begin());
-    }
     if (complete()) {
         setSlopes(flows_);
         completeFlows(flows_);

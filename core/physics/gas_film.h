@@ -141,9 +141,6 @@ private:
     bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
     template <typename Number>
     PathFlow<Number> cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const;
-    template <ConvectionScheme scheme, typename Number>
-    PathFlow<Number> smoothFlow(std::size_t axis, std::size_t line, double width, double speed, const Number& pm,
-                                const Number& h) const;
     template <typename Number>
     Number cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
     template <typename Number>
@@ -153,8 +150,8 @@ private:
 
     template <ConvectionScheme scheme, typename Number>
     void setFaceFlows(std::size_t axis, std::span<const double> p);
-    void setFace(std::size_t axis, std::size_t at, const PathFlow<double>& flow, double p1, double p2);
-    void setFace(std::size_t axis, std::size_t at, const PathFlow<ByPressure>& flow, double p1, double p2);
+    template <typename Number>
+    void setFaceFlows(std::span<const double> p);
     template <typename Number>
     void evaluate(std::span<const double> p, std::span<double> out);
     template <ConvectionScheme scheme>
@@ -173,8 +170,6 @@ private:
     void clearRings(std::span<double> field) const;
     bool complete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
 
-    static constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
-
     const FilmGaps& gaps_;
     FilmSetting setting_;
     FlowTable table_;
@@ -183,6 +178,8 @@ private:
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
+    std::vector<double> mobility_, mobilityByPressure_; // of a row of faces [Pa m], [m]
+    std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
     FaceFlows<double> flows_; // at the last pressure, complete
 };
 
@@ -215,37 +212,6 @@ bool GasFilm::pieceOf(const GapPiece& piece, double speed, const Number& pm, Num
     r = Number(12.0 * setting_.air.viscosity * piece.extent) / (h * h * mobility(pm, h));
     q = Number(speed) * h * r;
     return true;
-}
-
-template <ConvectionScheme scheme, typename Number>
-PathFlow<Number> GasFilm::smoothFlow(std::size_t axis, std::size_t line, double width, double speed, const Number& pm,
-                                     const Number& h) const
-{
-    PathFlow<Number> flow;
-    if (!(valueOf(h) > closedGap)) return flow;
-    const FilmGaps::Faces& faces = gaps_.faces[axis];
-    const double length = faces.pathLength[line];
-    const Number R = Number(12.0 * setting_.air.viscosity * length) / (h * h * mobility(pm, h)); // of a width of 1
-    const Number c = Number(speed) * h;
-    if constexpr (scheme == ConvectionScheme::CompleteFlux || scheme == ConvectionScheme::Exponential) {
-        const bool against = speed < 0.0;
-        const double lower = faces.upperShare[line], before = against ? 1.0 - lower : lower;
-        const Number q = (against ? -c : c) * R;
-        PathIntegral<Number> path;
-        path.add(R * Number(before), q * Number(before), -before * length, before * length);
-        path.add(R * Number(1.0 - before), q * Number(1.0 - before), 0.0, (1.0 - before) * length);
-        flow.add(path, width, 1.0, against);
-    } else {
-        flow.K = Number(width) / R;
-        const Number convection = c * Number(width);
-        const EffectiveConductance e = effectiveConductance<scheme>(valueOf(flow.K), valueOf(convection));
-        Number E(e.value);
-        if constexpr (!std::is_same_v<Number, double>)
-            E = flow.K.chain(e.value, e.byDiffusion) + convection.chain(0.0, e.byConvection);
-        flow.A = E + Number(0.5) * convection;
-        flow.B = E - Number(0.5) * convection;
-    }
-    return flow;
 }
 
 } // namespace touchdown

@@ -142,6 +142,7 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
     const PaddedGrid& pad = gaps_.pad;
     const AxisState& a = axes_[axis];
     const FilmFaces& f = faces_[axis];
+    const FilmGaps::Faces& paths = gaps_.faces[axis];
     const std::size_t step = pad.step(static_cast<int>(axis));
     const auto set = [&](std::size_t at, const auto& flow, double p1, double p2, const auto& by) {
         const double before = flows_.slope[axis][at - step], after = flows_.slope[axis][at];
@@ -160,7 +161,9 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
             const double p1 = p[at - step], p2 = p[at], middle = gaps_.faces[axis].pathMid[line];
             const std::array<double, 3> lift = axis == 0 ? liftDirections(middle, gaps_.grid.centreY(j))
                                                          : liftDirections(gaps_.grid.centreX(i), middle);
-            set(at, smoothFlow<scheme>(axis, line, width, a.speed[at], ByGap(0.5 * (p1 + p2)), ByGap::variable(a.gap[at], 0)),
+            const ByGap gap = ByGap::variable(a.gap[at], 0);
+            set(at, smoothFlow<scheme>(SmoothPath{paths.pathLength[line], paths.upperShare[line], width},
+                                       setting_.air.viscosity, a.speed[at], gap, mobility(ByGap(0.5 * (p1 + p2)), gap)),
                 p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k]; });
         }
     for (const CutPlace& place : gaps_.faces[axis].cut) {

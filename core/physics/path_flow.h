@@ -11,32 +11,38 @@
 // complete flux scheme: ten Thije Boonkkamp & Anthonissen 2011). That is second order at any Peclet number, and keeps the
 // exact boundary layers of exponential fitting.
 //
-// With r = length/D and q = c r of a piece: phi(q) = (1 - exp(-q))/q, chi(q) = (1 - phi(q))/q, xi = phi - chi.
+// With r = length/D and q = c r of a piece: phi = E_0(q), xi = E_1(q), chi = phi - xi (core/numerics/decay_moments.h).
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
+#include "core/numerics/convection.h"
+#include "core/numerics/decay_moments.h"
 #include "core/numerics/dual.h"
 
 namespace touchdown {
 
-/// phi and chi for q >= 0, with exp(-q).
+inline constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
+
+/// For q >= 0, with exp(-q).
 template <typename Number>
 struct PathFunctions {
-    Number decay, phi, chi;
+    Number decay, phi, chi, xi;
 
     explicit PathFunctions(const Number& q)
     {
-        using std::exp;
-        decay = exp(-q);
-        if (valueOf(q) > 0.05) {
-            const Number inverse = Number(1.0) / q;
-            phi = (Number(1.0) - decay) * inverse;
-            chi = (Number(1.0) - phi) * inverse;
+        const DecayMoments m = decayMoments(valueOf(q));
+        if constexpr (std::is_same_v<Number, double>) {
+            decay = m.decay;
+            phi = m.e0;
+            chi = m.e0 - m.e1;
+            xi = m.e1;
         } else {
-            chi = Number(0.5) -
-                  q * (Number(1.0 / 6) - q * (Number(1.0 / 24) - q * (Number(1.0 / 120) - q * Number(1.0 / 720))));
-            phi = Number(1.0) - q * chi;
+            decay = q.chain(m.decay, -m.decay);
+            phi = q.chain(m.e0, -m.e1);
+            chi = q.chain(m.e0 - m.e1, m.e2 - m.e1);
+            xi = q.chain(m.e1, -m.e2);
         }
     }
 };
@@ -56,7 +62,7 @@ struct PathIntegral {
         I = I + weight * f.phi;
         R = R + r;
         Number& moment = start < 0.0 ? before : after;
-        moment = moment + weight * (Number(start) * f.phi + Number(length) * (f.phi - f.chi));
+        moment = moment + weight * (start * f.phi + length * f.xi);
         decay = decay * f.decay;
     }
 };
@@ -70,15 +76,54 @@ struct PathFlow {
     /// Adds a path of this width that has this share of the face; `against`: upstream is above.
     void add(const PathIntegral<Number>& path, double width, double share, bool against)
     {
-        const Number inverse = Number(1.0) / path.I;
-        const Number upstream = Number(width) * inverse, downstream = upstream * path.decay;
-        A = A + (against ? downstream : upstream);
-        B = B + (against ? upstream : downstream);
-        K = K + Number(width) / path.R;
-        const Number scale = Number(against ? -share : share) * inverse;
-        below = below + scale * (against ? path.after : path.before);
-        above = above + scale * (against ? path.before : path.after);
+        const Number inverse = 1.0 / path.I;
+        const Number upstream = width * inverse, downstream = upstream * path.decay;
+        A = A + select(against, downstream, upstream);
+        B = B + select(against, upstream, downstream);
+        K = K + width / path.R;
+        const Number scale = (against ? -share : share) * inverse;
+        below = below + scale * select(against, path.after, path.before);
+        above = above + scale * select(against, path.before, path.after);
     }
 };
+
+/// A path with one gap on all its length, across a face `width` wide; nothing passes a gap that is closed.
+struct SmoothPath {
+    double length, lowerShare, width; // [m], share of the length below the face, [m]
+};
+
+/// Speed: that of the disk along the axis, halved [m/s]; the mobility G at the path's mean pressure.
+template <ConvectionScheme scheme, typename Number>
+PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap, const Number& mobility)
+{
+    const bool open = valueOf(gap) > closedGap;
+    const double width = open ? path.width : 0.0;
+    const Number h = select(open, gap, Number(1.0));
+    const Number R = 12.0 * viscosity * path.length / (h * h * mobility); // of a width of 1
+    PathFlow<Number> flow;
+    if constexpr (scheme == ConvectionScheme::CompleteFlux || scheme == ConvectionScheme::Exponential) {
+        const bool against = speed < 0.0;
+        const double before = against ? 1.0 - path.lowerShare : path.lowerShare, after = 1.0 - before;
+        const Number q = std::abs(speed) * h * R;
+        const PathFunctions<Number> first(before * q), second(after * q);
+        PathIntegral<Number> integral;
+        integral.I = R * (before * first.phi + after * first.decay * second.phi);
+        integral.R = R;
+        integral.decay = first.decay * second.decay;
+        integral.before = -before * before * path.length * R * first.chi;
+        integral.after = after * after * path.length * R * first.decay * second.xi;
+        flow.add(integral, width, open ? 1.0 : 0.0, against);
+    } else {
+        flow.K = width / R;
+        const Number convection = speed * width * h;
+        const EffectiveConductance e = effectiveConductance<scheme>(valueOf(flow.K), valueOf(convection));
+        Number E(e.value);
+        if constexpr (!std::is_same_v<Number, double>)
+            E = flow.K.chain(e.value, e.byDiffusion) + convection.chain(0.0, e.byConvection);
+        flow.A = E + 0.5 * convection;
+        flow.B = E - 0.5 * convection;
+    }
+    return flow;
+}
 
 } // namespace touchdown
