@@ -60,7 +60,7 @@ EffectiveConductance effectiveConductance(double K, double c)
         // d/dK of K (1 - |c|/(10 K))^5 = base^5 + 5 base^4 |c|/(10 K)
         return {K * fourth * base + half, fourth * (base + half / K), sign * (1.0 - fourth)};
     } else {
-        if (half > 1e8 * K) return {half, 0.0, sign};
+        if (!(half < 1e8 * K)) return {half, 0.0, sign}; // also a closed face, with neither
         const double u = half / K;
         const CothProduct n = cothProduct(u);
         return {K * n.value, n.value - u * n.derivative, n.derivative * sign};

@@ -131,6 +131,15 @@ private slots:
             }
         QCOMPARE(conductance(scheme, 3.0, 0.0).value, 3.0);
     }
+
+    void closedFacePassesNothing_data() { addSchemes(); }
+    void closedFacePassesNothing()
+    {
+        QFETCH(ConvectionScheme, scheme);
+        const EffectiveConductance e = conductance(scheme, 0.0, 0.0);
+        QCOMPARE(e.value, 0.0);
+        QVERIFY(std::isfinite(e.byDiffusion) && std::isfinite(e.byConvection));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestConvection)
