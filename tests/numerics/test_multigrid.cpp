@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numerics/multigrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <random>
+#include <span>
+#include <type_traits>
+
+#include <Eigen/SparseLU>
+#include <QTest>
+
+#include "core/numerics/convection.h"
+#include "core/numerics/gmres.h"
+
+using namespace touchdown;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Convection and diffusion on nx x ny cells around which zero is held: fluxes F = c (v1 + v2)/2 - E (v2 - v1).
+struct Flow {
+    PaddedGrid pad;
+    std::array<std::vector<double>, 2> diffusion, effective, convection;
+
+    Flow(int nx, int ny) : pad{nx, ny}
+    {
+        for (auto* pair : {&diffusion, &effective, &convection})
+            for (auto& field : *pair) field.assign(pad.size(), 0.0);
+    }
+
+    std::array<FaceOperator, 2> faces() const
+    {
+        return {FaceOperator{diffusion[0], effective[0], convection[0]},
+                FaceOperator{diffusion[1], effective[1], convection[1]}};
+    }
+
+    /// Its matrix on the cells alone, `shift` added to the diagonal.
+    template <typename T>
+    Eigen::SparseMatrix<T> matrix(T shift = {}) const
+    {
+        std::vector<Eigen::Triplet<T>> entries;
+        const auto number = [&](int i, int j) { return i < 0 || j < 0 || i >= pad.nx || j >= pad.ny ? -1 : j * pad.nx + i; };
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            for (int j = 0; j < pad.ny + (axis == 1); ++j)
+                for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+                    const std::size_t at = pad.at(i, j);
+                    const int lower = axis == 0 ? number(i - 1, j) : number(i, j - 1), upper = number(i, j);
+                    const double byLower = 0.5 * convection[axis][at] + effective[axis][at];
+                    const double byUpper = 0.5 * convection[axis][at] - effective[axis][at];
+                    const auto add = [&](int row, int column, double value) {
+                        if (row >= 0 && column >= 0) entries.emplace_back(row, column, value);
+                    };
+                    add(lower, lower, byLower);
+                    add(lower, upper, byUpper);
+                    add(upper, lower, -byLower);
+                    add(upper, upper, -byUpper);
+                }
+        for (int k = 0; k < pad.nx * pad.ny; ++k) entries.emplace_back(k, k, shift);
+        Eigen::SparseMatrix<T> result(pad.nx * pad.ny, pad.nx * pad.ny);
+        result.setFromTriplets(entries.begin(), entries.end());
+        return result;
+    }
+};
+
+/// A film's conductances, by gap h and cell sides dx, dy: K = h^3 dy/dx and c = h U dy across x, likewise across y; K of the
+/// two half cells in series, and so h. Faces on the outline are half a cell from the held value.
+Flow film(int nx, int ny, double dx, double dy, double speedX, double speedY, const std::vector<double>& gap)
+{
+    Flow flow(nx, ny);
+    const auto h = [&](int i, int j) {
+        return gap[static_cast<std::size_t>(std::clamp(j, 0, ny - 1) * nx + std::clamp(i, 0, nx - 1))];
+    };
+    const auto series = [](double a, double b) { return 2.0 * a * b / (a + b); };
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        for (int j = 0; j < ny + (axis == 1); ++j)
+            for (int i = 0; i < nx + (axis == 0); ++i) {
+                const std::size_t at = flow.pad.at(i, j);
+                const int line = axis == 0 ? i : j, n = axis == 0 ? nx : ny;
+                const double h1 = axis == 0 ? h(i - 1, j) : h(i, j - 1), h2 = h(i, j);
+                const double shape = axis == 0 ? dy / dx : dx / dy;
+                const double K = series(h1 * h1 * h1, h2 * h2 * h2) * shape * (line == 0 || line == n ? 2.0 : 1.0);
+                const double c = axis == 0 ? series(h1, h2) * speedX * dy : series(h1, h2) * speedY * dx;
+                flow.diffusion[axis][at] = K;
+                flow.convection[axis][at] = c;
+                flow.effective[axis][at] = effectiveConductance<ConvectionScheme::Exponential>(K, c).value;
+            }
+    return flow;
+}
+
+std::vector<double> evenGap(int nx, int ny) { return std::vector<double>(static_cast<std::size_t>(nx * ny), 1.0); }
+
+/// Rails: blocks of gap 1 on a ground of gap `ratio`.
+std::vector<double> railGap(int nx, int ny, double ratio)
+{
+    std::vector<double> gap(static_cast<std::size_t>(nx * ny), ratio);
+    const auto block = [&](double x0, double x1, double y0, double y1) {
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i)
+                if (i + 0.5 > x0 * nx && i + 0.5 < x1 * nx && j + 0.5 > y0 * ny && j + 0.5 < y1 * ny)
+                    gap[static_cast<std::size_t>(j * nx + i)] = 1.0;
+    };
+    block(0.1, 0.35, 0.05, 0.95);
+    block(0.55, 0.75, 0.1, 0.3);
+    block(0.55, 0.75, 0.7, 0.9);
+    block(0.85, 0.97, 0.41, 0.58);
+    return gap;
+}
+
+/// exp of a normal distribution, cell by cell: neighbouring conductances differ by decades.
+std::vector<double> randomGap(int nx, int ny)
+{
+    std::mt19937 random(8);
+    std::normal_distribution<double> normal;
+    std::vector<double> gap;
+    for (int k = 0; k < nx * ny; ++k) gap.push_back(std::exp(normal(random)));
+    return gap;
+}
+
+template <typename T>
+struct Solved {
+    GmresResult result;
+    double error; // against the direct solution [-]
+};
+
+template <typename T>
+Solved<T> solve(const Flow& flow, T shift, double tolerance)
+{
+    const PaddedGrid& pad = flow.pad;
+    const Eigen::SparseMatrix<T> a = flow.matrix<T>(shift);
+    using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    Column exact(a.rows());
+    for (Eigen::Index k = 0; k < exact.size(); ++k) {
+        if constexpr (std::is_same_v<T, double>) exact(k) = uniform(random);
+        else exact(k) = T(uniform(random), uniform(random));
+    }
+    const Column right = a * exact;
+
+    Multigrid<T> multigrid(pad);
+    std::vector<T> diagonal(pad.size());
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) diagonal[pad.at(i, j)] = shift;
+    multigrid.setOperator(flow.faces(), diagonal);
+    const auto plain = [&](std::span<const T> padded) {
+        const std::vector<T> cells = pad.unpad<T>(padded);
+        return Column(Eigen::Map<const Column>(cells.data(), static_cast<Eigen::Index>(cells.size())));
+    };
+    const auto apply = [&](std::span<const T> v, std::span<T> out) {
+        const Column product = a * plain(v);
+        pad.pad<T>(std::span<const T>(product.data(), static_cast<std::size_t>(product.size())), out);
+    };
+    const auto precondition = [&](std::span<const T> v, std::span<T> out) { multigrid.precondition(v, out); };
+    std::vector<T> b(pad.size()), x(pad.size());
+    pad.pad<T>(std::span<const T>(right.data(), static_cast<std::size_t>(right.size())), b);
+    Gmres<T> gmres(pad.size(), 60);
+    Solved<T> solved;
+    solved.result = gmres.solve(apply, precondition, std::span<const T>(b), std::span<T>(x),
+                                {.tolerance = tolerance, .maximumIterations = 60});
+    solved.error = (plain(x) - exact).norm() / exact.norm();
+    return solved;
+}
+
+} // namespace
+
+class TestMultigrid : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Preconditioned iterations until the residual has fallen to 1e-8: at most so many (a third more than measured). The
+    /// solution is the direct one, to what the condition of the matrix lets through.
+    void iterations_data()
+    {
+        QTest::addColumn<Flow>("flow");
+        QTest::addColumn<int>("bound");
+        const auto row = [](const char* name, const Flow& flow, int bound) { QTest::newRow(name) << flow << bound; };
+        row("Laplace, 64 x 64", film(64, 64, 1.0, 1.0, 0.0, 0.0, evenGap(64, 64)), 10);
+        row("Laplace, odd 61 x 37", film(61, 37, 1.0, 1.0, 0.0, 0.0, evenGap(61, 37)), 10);
+        row("cells 100 times longer than wide", film(48, 48, 100.0, 1.0, 0.0, 0.0, evenGap(48, 48)), 4);
+        row("cells 100 times wider than long", film(48, 48, 1.0, 100.0, 0.0, 0.0, evenGap(48, 48)), 4);
+        row("Peclet 1", film(64, 48, 1.0, 1.0, 1.0, 0.0, evenGap(64, 48)), 8);
+        row("Peclet 10, oblique", film(64, 48, 1.0, 1.0, 10.0, -4.0, evenGap(64, 48)), 14);
+        row("Peclet 1000", film(64, 48, 1.0, 1.0, 1000.0, 0.0, evenGap(64, 48)), 4);
+        row("Peclet 1000, oblique, backwards", film(64, 48, 1.0, 1.0, -1000.0, 300.0, evenGap(64, 48)), 12);
+        row("rails, K jumps 1e6", film(64, 64, 1.0, 1.0, 0.0, 0.0, railGap(64, 64, 100.0)), 16);
+        row("rails, K jumps 1e6, Peclet 100 on them", film(64, 64, 1.0, 1.0, 100.0, 10.0, railGap(64, 64, 100.0)), 16);
+        row("rails, odd 57 x 43, Peclet 1000 on them", film(57, 43, 1.0, 1.3, 1000.0, -100.0, railGap(57, 43, 30.0)), 13);
+        row("random gaps", film(64, 64, 1.0, 1.0, 0.0, 0.0, randomGap(64, 64)), 23);
+        row("random gaps, Peclet 10", film(64, 64, 1.0, 1.0, 10.0, 3.0, randomGap(64, 64)), 12);
+        row("three rows", film(200, 3, 1.0, 1e6, 20.0, 0.0, evenGap(200, 3)), 3);
+        row("a single cell", film(1, 1, 1.0, 1.0, 1.0, 0.0, evenGap(1, 1)), 1);
+    }
+    void iterations()
+    {
+        QFETCH(Flow, flow);
+        QFETCH(int, bound);
+        const Solved<double> solved = solve<double>(flow, 0.0, 1e-8);
+        QVERIFY(solved.result.converged);
+        QVERIFY2(solved.result.iterations <= bound, qPrintable(QString::number(solved.result.iterations)));
+        QVERIFY2(solved.error < 1e-5, qPrintable(QString::number(solved.error)));
+        const Solved<double> exact = solve<double>(flow, 0.0, 1e-13);
+        QVERIFY2(exact.error < 1e-9, qPrintable(QString::number(exact.error)));
+    }
+
+    /// The more cells the more unknowns, not the more iterations.
+    void sizeDoesNotMatter()
+    {
+        const auto count = [](int n) {
+            return solve<double>(film(n, n, 1.0, 1.0, 100.0 / n, 20.0 / n, evenGap(n, n)), 0.0, 1e-8).result.iterations;
+        };
+        QVERIFY(count(128) <= count(32) + 1);
+    }
+
+    /// V cycles alone, each with line sweeps both ways before and after: the residual of Laplace's equation falls at least
+    /// five times a cycle.
+    void oneCycle()
+    {
+        const Flow flow = film(64, 64, 1.0, 1.0, 0.0, 0.0, evenGap(64, 64));
+        const PaddedGrid& pad = flow.pad;
+        const Eigen::SparseMatrix<double> a = flow.matrix<double>();
+        Multigrid<double> multigrid(pad);
+        multigrid.setOperator(flow.faces(), {});
+        std::mt19937 random(6);
+        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+        Eigen::VectorXd x(a.rows());
+        for (double& value : x) value = uniform(random);
+        std::vector<double> right(pad.size()), step(pad.size());
+        double before = 0.0;
+        for (int cycle = 0; cycle < 8; ++cycle) {
+            const Eigen::VectorXd rest = -(a * x);
+            if (cycle > 1) QVERIFY2(rest.norm() < before / 5.0, qPrintable(QString::number(rest.norm() / before)));
+            before = rest.norm();
+            pad.pad<double>(std::span<const double>(rest.data(), static_cast<std::size_t>(rest.size())), right);
+            multigrid.precondition(right, step);
+            const std::vector<double> cells = pad.unpad<double>(step);
+            x += Eigen::Map<const Eigen::VectorXd>(cells.data(), x.size());
+        }
+    }
+
+    /// Linear, and without effect on the rings, or gmres would search in the wrong space.
+    void isLinear()
+    {
+        const Flow flow = film(23, 17, 1.0, 0.7, 5.0, 1.0, randomGap(23, 17));
+        const PaddedGrid& pad = flow.pad;
+        Multigrid<double> multigrid(pad);
+        multigrid.setOperator(flow.faces(), {});
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+        std::vector<double> a(pad.size()), b(pad.size()), sum(pad.size()), va = a, vb = a, vSum = a;
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i) {
+                const std::size_t at = pad.at(i, j);
+                a[at] = uniform(random);
+                b[at] = uniform(random);
+                sum[at] = 3.0 * a[at] - b[at];
+            }
+        multigrid.precondition(a, va);
+        multigrid.precondition(b, vb);
+        multigrid.precondition(sum, vSum);
+        double largest = 0.0;
+        for (const double v : vSum) largest = std::max(largest, std::abs(v));
+        for (std::size_t at = 0; at < pad.size(); ++at) QVERIFY(std::abs(vSum[at] - 3.0 * va[at] + vb[at]) < 1e-12 * largest);
+        for (int i = -2; i < pad.nx + 2; ++i)
+            for (const int j : {-2, -1, pad.ny, pad.ny + 1}) QCOMPARE(vSum[pad.at(i, j)], 0.0);
+    }
+
+    /// Films that oscillate: a diagonal i omega from small to overwhelming against the conductances of 1.
+    void complexDiagonal_data()
+    {
+        QTest::addColumn<double>("omega");
+        QTest::addColumn<int>("bound");
+        QTest::newRow("slow") << 1e-3 << 12;
+        QTest::newRow("as fast as a grid of cells settles") << 0.05 << 12;
+        QTest::newRow("as fast as a cell settles") << 2.0 << 10;
+        QTest::newRow("fast") << 1e3 << 3;
+    }
+    void complexDiagonal()
+    {
+        QFETCH(double, omega);
+        QFETCH(int, bound);
+        const Flow flow = film(48, 40, 1.0, 1.0, 3.0, 1.0, railGap(48, 40, 3.0));
+        const Solved<Complex> solved = solve<Complex>(flow, Complex(0.0, omega), 1e-8);
+        QVERIFY(solved.result.converged);
+        QVERIFY2(solved.result.iterations <= bound, qPrintable(QString::number(solved.result.iterations)));
+        QVERIFY(solved.error < 1e-6);
+    }
+
+    /// A film in time: a real diagonal.
+    void realDiagonal()
+    {
+        const Flow flow = film(48, 40, 1.0, 1.0, 3.0, 1.0, railGap(48, 40, 3.0));
+        const Solved<double> solved = solve<double>(flow, 0.5, 1e-10);
+        QVERIFY(solved.result.converged);
+        QVERIFY(solved.error < 1e-8);
+    }
+
+    /// A block without air: its faces are closed, its cells keep what they have, and the rest is solved as before.
+    void closedBlock()
+    {
+        Flow flow = film(40, 32, 1.0, 1.0, 4.0, 0.0, evenGap(40, 32));
+        const auto close = [](Flow& f) {
+            for (int j = 10; j < 17; ++j)
+                for (int i = 20; i < 31; ++i)
+                    for (auto* fields : {&f.diffusion, &f.effective, &f.convection}) {
+                        (*fields)[0][f.pad.at(i, j)] = (*fields)[0][f.pad.at(i + 1, j)] = 0.0;
+                        (*fields)[1][f.pad.at(i, j)] = (*fields)[1][f.pad.at(i, j + 1)] = 0.0;
+                    }
+        };
+        close(flow);
+        const PaddedGrid& pad = flow.pad;
+        Multigrid<double> multigrid(pad);
+        multigrid.setOperator(flow.faces(), {});
+        // Its matrix has empty rows; only the open cells get a right-hand side.
+        const Eigen::SparseMatrix<double> a = flow.matrix<double>();
+        Eigen::VectorXd exact(a.rows());
+        for (Eigen::Index k = 0; k < exact.size(); ++k) exact(k) = std::sin(0.37 * static_cast<double>(k));
+        for (int j = 10; j < 17; ++j)
+            for (int i = 20; i < 31; ++i) exact(j * pad.nx + i) = 0.0;
+        const Eigen::VectorXd right = a * exact;
+        std::vector<double> b(pad.size()), x(pad.size());
+        pad.pad<double>(std::span<const double>(right.data(), static_cast<std::size_t>(right.size())), b);
+        Gmres<double> gmres(pad.size(), 40);
+        const auto apply = [&](std::span<const double> v, std::span<double> out) {
+            const std::vector<double> cells = pad.unpad<double>(v);
+            const Eigen::VectorXd product = a * Eigen::Map<const Eigen::VectorXd>(cells.data(), a.cols());
+            pad.pad<double>(std::span<const double>(product.data(), static_cast<std::size_t>(product.size())), out);
+        };
+        const GmresResult result = gmres.solve(
+            apply, [&](std::span<const double> v, std::span<double> out) { multigrid.precondition(v, out); },
+            std::span<const double>(b), std::span<double>(x), {.tolerance = 1e-11, .maximumIterations = 60});
+        QVERIFY(result.converged);
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i)
+                QVERIFY(std::abs(x[pad.at(i, j)] - exact(j * pad.nx + i)) < 1e-8);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMultigrid)
+#include "test_multigrid.moc"
