@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film_oscillation.h"
+
+namespace touchdown {
+
+using Complex = std::complex<double>;
+
+FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
+    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size()), right_(film.pad().size())
+{
+    work_.resize(film.pad().size());
+    film.attitudeColumns(p, columns_);
+    const FilmGaps& gaps = film.gaps();
+    const PaddedGrid& pad = film.pad();
+    for (std::size_t k = 0; k < 3; ++k) {
+        response_[k].assign(pad.size(), Complex{});
+        storage_[k].assign(pad.size(), 0.0);
+    }
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            if (!(film.volumes()[at] > 0.0)) continue;
+            const double content = p[at] * film.areas()[at];
+            storage_[0][at] = content;
+            storage_[1][at] = content * (gaps.length - gaps.grid.centreX(i));
+            storage_[2][at] = content * (0.5 * gaps.width - gaps.grid.centreY(j));
+        }
+}
+
+ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,
+                                          const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged)
+{
+    const std::size_t size = film_.pad().size();
+    for (std::size_t at = 0; at < size; ++at) diagonal_[at] = s * film_.volumes()[at];
+    const auto& faces = film_.faces();
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
+                            FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
+                           diagonal_);
+    const auto apply = [this](std::span<const Complex> v, std::span<Complex> out) {
+        film_.applyJacobian(v, out, work_);
+        for (std::size_t at = 0; at < v.size(); ++at) out[at] += diagonal_[at] * v[at];
+    };
+    const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) { multigrid_.precondition(v, out); };
+    ComplexMatrix3 result{};
+    for (std::size_t m = 0; m < 3; ++m) {
+        for (std::size_t at = 0; at < size; ++at) right_[at] = -(columns_[m][at] + s * storage_[m][at]);
+        const GmresResult linear =
+            gmres_.solve(apply, precondition, right_, response_[m], {.tolerance = 1e-8, .maximumIterations = 200});
+        converged = converged && linear.converged;
+        for (std::size_t k = 0; k < 3; ++k) {
+            Complex sum = byAttitude[k][m];
+            for (std::size_t at = 0; at < size; ++at) sum += byPressure[k][at] * response_[m][at];
+            result[k][m] = -sum;
+        }
+    }
+    return result;
+}
+
+} // namespace touchdown

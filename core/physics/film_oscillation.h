@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A film about its steady state, linearised, for motions of the slider that grow or decay as exp(s t), s complex:
+//
+//   (J + s V) dp + (dR/da + s p dV/da) da = 0
+//
+// J the film's Jacobian, V the volumes of the cells, a the attitude. The dynamic stiffness is what the film answers:
+// Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure and attitude; Z(i omega) = K + i omega C.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "core/physics/film_newton.h"
+
+namespace touchdown {
+
+using ComplexMatrix3 = std::array<std::array<std::complex<double>, 3>, 3>;
+
+class FilmOscillation {
+public:
+    /// The film must be linearised at p (padded), its steady state.
+    FilmOscillation(const GasFilm& film, std::span<const double> p);
+
+    /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces' derivatives.
+    /// `converged` turns false where a linear system was not solved.
+    ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
+                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged);
+
+private:
+    const GasFilm& film_;
+    std::array<std::vector<double>, 3> columns_, storage_; // dR/da and p dV/da
+    Multigrid<std::complex<double>> multigrid_;
+    Gmres<std::complex<double>> gmres_;
+    FaceFlows<std::complex<double>> work_;
+    std::vector<std::complex<double>> diagonal_, right_;
+    std::array<std::vector<std::complex<double>>, 3> response_; // of the last call, the next one's guess
+};
+
+} // namespace touchdown
