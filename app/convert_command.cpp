@@ -30,8 +30,8 @@ std::string writeCml(const CaseDocument& document, const fs::path& to)
     if (!problem.empty() || output.keptKeys.empty()) return problem;
     std::string keys;
     for (const std::string& key : output.keptKeys) keys += (keys.empty() ? "" : ", ") + key;
-    complain("warning: " + to.string() + ": kept in the comments of run.dat, where the established program does not see them: " +
-             keys);
+    complain("warning: " + to.string() +
+             ": kept in the comments of run.dat, where the established program does not see them: " + keys);
     return {};
 }
 

@@ -105,7 +105,7 @@ void readAdaptiveGrid(CmlPart&) {}
 void readRefinement(CmlPart& part)
 {
     if (part.whole(0, 0, "the number of regions", 0, mostRegions) > 0)
-        part.leaveOut(std::to_string(static_cast<int>(part.list(0)[0].value)) + " refined bands");
+        part.leaveOut("refined bands (" + std::to_string(static_cast<int>(part.list(0)[0].value)) + ")");
 }
 
 void readReynolds(CmlPart& part)
@@ -186,7 +186,7 @@ void settleAir(CmlFields& fields)
     const bool standard = fields.value().air.source == AirSource::EstablishedStandard;
     const bool series = !fields.value().steady.altitudes.empty();
     const int line = fields.lineOf(series ? "steady.altitudes" : "air.altitude");
-    if (!fields.wasSet("air.source"))
+    if (!fields.wasSet("air.source") && fields.wasSet("air.pressure"))
         fields.addWarning(fields.lineOf("air.pressure"),
                           "Air Parameters: the file's air is taken, as the file says nothing of use_standard_air");
     if (!series && fields.value().air.altitude == 0.0) return;

@@ -220,7 +220,7 @@ private slots:
         row("other numbers of nodes", withValues("nx ", "100 81"),
             "run.dat:28: Grid Control: not modelled: 100 x 81 grid lines; 97 x 81 are taken");
         row("refined bands", withValues("numXRegions", "1"),
-            "run.dat:50: Mesh Refinement in X Direction: not modelled: 1 refined bands");
+            "run.dat:50: Mesh Refinement in X Direction: not modelled: refined bands (1)");
         row("accommodation", withValues("ischeme", "2 3 1e-8 6 6 0.8 4"),
             "run.dat:58: Reynolds Equation: not modelled: the accommodation coefficient = 0.8 with this slip model");
         row("asperity contact", withValues("icmodel", "1 3e-10 1e12 1e-19 1e-76"),
