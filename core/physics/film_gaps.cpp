@@ -2,7 +2,9 @@
 #include "core/physics/film_gaps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace touchdown {
@@ -13,6 +15,9 @@ namespace {
 class Sampler {
     /// Gaps of flying sliders are some ten nanometres above the recess [m].
     static constexpr double typicalLift = 20e-9;
+    /// Pieces whose gaps differ by less than this count as one, and rows of such pieces whose lengths differ by less than
+    /// this of the path: what is lost is of second order in it [-].
+    static constexpr double alike = 0.05;
 
 public:
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
@@ -21,12 +26,25 @@ public:
     CutPlace cutFace(std::size_t at, int axis, double start, double end, double face, double low, double high)
     {
         CutPlace place{at, size(gaps_.rows), 0};
-        divideAcross(axis, face, low, high);
-        for (const auto& [position, width] : rows_) {
+        breaks(1 - axis, face, low, high);
+        const auto addRow = [&](double position, double width) {
             const std::uint32_t first = size(gaps_.pieces);
             addPieces(axis, position, start, end, face, 1.0);
             gaps_.rows.push_back({width, first, size(gaps_.pieces)});
-        }
+            if (gaps_.rows.size() - place.rows > 1) joinRows(end - start);
+        };
+        if (breaks_.empty()) {
+            // An edge meets the path beside the face: where it does so alike at both ends, it does so everywhere.
+            const double width = high - low;
+            addRow(low + 0.125 * width, 0.25 * width);
+            addRow(high - 0.125 * width, 0.25 * width);
+            if (gaps_.rows.size() - place.rows == 1) gaps_.rows.back().width = width;
+            else {
+                addRow(low + 0.375 * width, 0.25 * width);
+                addRow(high - 0.375 * width, 0.25 * width);
+            }
+        } else
+            forRows(low, high, addRow);
         place.rowEnd = size(gaps_.rows);
         return place;
     }
@@ -35,8 +53,8 @@ public:
     {
         CutPlace place{at, size(gaps_.rows), 0};
         const std::uint32_t first = size(gaps_.pieces);
-        divideAcross(0, 0.5 * (x0 + x1), y0, y1);
-        for (const auto& [position, width] : rows_) addPieces(0, position, x0, x1, x0, width);
+        breaks(1, 0.5 * (x0 + x1), y0, y1);
+        forRows(y0, y1, [&](double position, double width) { addPieces(0, position, x0, x1, x0, width); });
         gaps_.rows.push_back({1.0, first, size(gaps_.pieces)});
         place.rowEnd = size(gaps_.rows);
         return place;
@@ -46,15 +64,18 @@ public:
     bool isGentle(int axis, double start, double end, double across) const
     {
         constexpr int samples = 8;
-        double lowest = at(axis, start, across), highest = lowest, largestStep = 0.0, last = lowest;
-        for (int k = 1; k <= samples; ++k) {
-            const double s = at(axis, start + (end - start) * k / samples, across);
-            lowest = std::min(lowest, s);
-            highest = std::max(highest, s);
-            largestStep = std::max(largestStep, std::abs(s - last));
-            last = s;
+        std::array<double, samples + 1> s;
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        for (const int k : {0, 8, 4, 2, 6, 1, 3, 5, 7}) { // far ones first: most walls show there that they are steep
+            double& value = s[static_cast<std::size_t>(k)];
+            value = at(axis, start + (end - start) * k / samples, across);
+            lowest = std::min(lowest, value);
+            highest = std::max(highest, value);
+            if (!(highest - lowest < 0.3 * (std::max(0.0, lowest) + typicalLift))) return false;
         }
-        return highest - lowest < 0.3 * (std::max(0.0, lowest) + typicalLift) && largestStep <= 0.5 * (highest - lowest);
+        double largestStep = 0.0;
+        for (std::size_t k = 1; k < s.size(); ++k) largestStep = std::max(largestStep, std::abs(s[k] - s[k - 1]));
+        return largestStep <= 0.5 * (highest - lowest);
     }
 
 private:
@@ -75,24 +96,19 @@ private:
         else recess_.breaksAlongY(across, from, to, breaks_);
     }
 
-    /// Rows across a path along `axis`: between the breaks along the face two at Gauss points, or four where there are none.
-    void divideAcross(int axis, double face, double low, double high)
+    /// Rows across: between neighbouring breaks two at Gauss points.
+    template <typename AddRow>
+    void forRows(double low, double high, AddRow&& addRow)
     {
-        rows_.clear();
-        breaks(1 - axis, face, low, high);
-        breaks_.push_back(high);
-        const bool whole = breaks_.size() == 1;
+        ends_.assign(breaks_.begin(), breaks_.end());
+        ends_.push_back(high);
         double from = low;
-        for (const double to : breaks_) {
+        for (const double to : ends_) {
             const double width = to - from;
             if (width <= 1e-9 * (high - low)) continue;
-            if (whole)
-                for (int k = 0; k < 4; ++k) rows_.emplace_back(from + (k + 0.5) / 4 * width, width / 4);
-            else {
-                constexpr double gauss = 0.21132486540518708; // (1 - 1/sqrt(3))/2
-                rows_.emplace_back(from + gauss * width, width / 2);
-                rows_.emplace_back(to - gauss * width, width / 2);
-            }
+            constexpr double gauss = 0.21132486540518708; // (1 - 1/sqrt(3))/2
+            addRow(from + gauss * width, 0.5 * width);
+            addRow(to - gauss * width, 0.5 * width);
             from = to;
         }
     }
@@ -102,28 +118,82 @@ private:
         breaks(axis, across, start, end);
         if (face > start && face < end) breaks_.insert(std::upper_bound(breaks_.begin(), breaks_.end(), face), face);
         breaks_.push_back(end);
+        samples_.clear();
         double from = start;
         for (const double to : breaks_) {
             const double length = to - from;
             if (length <= 1e-9 * (end - start)) continue;
+            // Nearly straight from break to break.
             const double low = at(axis, from + 0.02 * length, across);
             const double high = at(axis, to - 0.02 * length, across);
             // A slope is followed by samples so near that the gap changes little from one to the next.
-            const double change = std::abs(high - low) / (std::max(0.0, std::min(low, high)) + typicalLift);
-            const int samples = change < 0.02 ? 1 : std::clamp(static_cast<int>(std::ceil(2.0 * change)), 2, 4);
-            for (int k = 0; k < samples; ++k) {
-                const double along = from + (k + 0.5) / samples * length;
-                gaps_.pieces.push_back({scale * length / samples, at(axis, along, across), axis == 0 ? along : across,
-                                        axis == 0 ? across : along, from - face + k * length / samples});
+            const double whole = gap(std::max(low, high)) / gap(std::min(low, high)) - 1.0;
+            const int count = whole < 0.02 ? 1 : std::clamp(static_cast<int>(std::ceil(2.0 * whole)), 2, 4);
+            for (int k = 0; k < count; ++k) {
+                const double share = (k + 0.5) / count, along = from + share * length;
+                const double recess = low + (share - 0.02) / 0.96 * (high - low);
+                samples_.push_back({scale * length / count, recess, axis == 0 ? along : across, axis == 0 ? across : along,
+                                    from - face + k * length / count});
             }
             from = to;
         }
+        joinSamples();
+    }
+
+    /// As it may be in flight; never closed.
+    static double gap(double recess) { return std::max(recess + typicalLift, 0.25 * typicalLift); }
+    static bool areAlike(double narrow, double wide) { return wide < (1.0 + alike) * narrow; }
+
+    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike.
+    void joinSamples()
+    {
+        const std::size_t first = gaps_.pieces.size();
+        double narrow = 0.0, wide = 0.0; // of the last piece
+        for (const GapPiece& sample : samples_) {
+            const double h = gap(sample.recess);
+            if (gaps_.pieces.size() > first && (sample.start < 0.0) == (gaps_.pieces.back().start < 0.0) &&
+                areAlike(std::min(narrow, h), std::max(wide, h))) {
+                GapPiece& piece = gaps_.pieces.back();
+                const double share = sample.extent / (piece.extent + sample.extent);
+                for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y})
+                    piece.*member += share * (sample.*member - piece.*member);
+                piece.extent += sample.extent;
+                narrow = std::min(narrow, h);
+                wide = std::max(wide, h);
+            } else {
+                gaps_.pieces.push_back(sample);
+                narrow = wide = h;
+            }
+        }
+    }
+
+    /// Makes one of the last two rows where their pieces are alike.
+    void joinRows(double pathLength)
+    {
+        GapRow &a = gaps_.rows[gaps_.rows.size() - 2], &b = gaps_.rows.back();
+        const std::uint32_t count = a.pieceEnd - a.pieces;
+        if (b.pieceEnd - b.pieces != count) return;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const GapPiece &p = gaps_.pieces[a.pieces + k], &q = gaps_.pieces[b.pieces + k];
+            const double h1 = gap(p.recess), h2 = gap(q.recess);
+            if (!areAlike(std::min(h1, h2), std::max(h1, h2)) || std::abs(p.extent - q.extent) > alike * pathLength) return;
+        }
+        const double share = b.width / (a.width + b.width);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            GapPiece& p = gaps_.pieces[a.pieces + k];
+            const GapPiece& q = gaps_.pieces[b.pieces + k];
+            for (double GapPiece::*member : {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
+                p.*member += share * (q.*member - p.*member);
+        }
+        a.width += b.width;
+        gaps_.pieces.resize(a.pieceEnd);
+        gaps_.rows.pop_back();
     }
 
     const Recess& recess_;
     FilmGaps& gaps_;
-    std::vector<double> breaks_;
-    std::vector<std::pair<double, double>> rows_; // position, width
+    std::vector<double> breaks_, ends_;
+    std::vector<GapPiece> samples_;
 };
 
 /// Paths between cell centres; the outermost end at the outline.
