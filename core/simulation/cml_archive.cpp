@@ -139,7 +139,7 @@ std::variant<CmlArchive, FileProblem> readCmlArchive(std::string_view bytes)
     if (!source) return FileProblem{"cannot be read: " + error.text()};
     const Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, error.get()), zip_discard);
     if (!archive) return FileProblem{"is a damaged archive: " + error.text()};
-    source.release(); // the archive owns it
+    (void)source.release(); // the archive owns it
     if (zip_get_num_entries(archive.get(), 0) > mostEntries)
         return FileProblem{"holds more than " + std::to_string(mostEntries) + " files"};
 
@@ -170,10 +170,10 @@ std::variant<std::string, FileProblem> formatCmlArchive(const std::vector<CmlMem
         Source text(zip_source_buffer(archive.get(), member.text.data(), member.text.size(), 0), zip_source_free);
         if (!text || zip_file_add(archive.get(), member.name.c_str(), text.get(), ZIP_FL_ENC_UTF_8) < 0)
             return refuse(zip_strerror(archive.get()));
-        text.release();
+        (void)text.release();
     }
     if (zip_close(archive.get()) != 0) return refuse(zip_strerror(archive.get()));
-    archive.release();
+    (void)archive.release();
 
     zip_stat_t status;
     if (zip_source_open(source.get()) != 0 || zip_source_stat(source.get(), &status) != 0)

@@ -115,7 +115,7 @@ public:
             else if (auto file = findMember(folder, member))
                 found.emplace_back(member, *file);
         }
-        return choose(std::move(found), named);
+        return choose(found, named);
     }
 
 private:
@@ -142,7 +142,7 @@ private:
         return pick(found, "", [](const CmlFiles::File& file) { return std::optional(file); });
     }
 
-    std::optional<CmlFiles> choose(std::vector<std::pair<std::string, fs::path>> found, const std::string& named)
+    std::optional<CmlFiles> choose(const std::vector<std::pair<std::string, fs::path>>& found, const std::string& named)
     {
         return pick(found, named, [&](const fs::path& file) -> std::optional<CmlFiles::File> {
             auto text = readTextFile(file, maximumCmlFileSize);

@@ -101,7 +101,7 @@ std::string writeCmlCase(const fs::path& path, const std::vector<CmlMember>& mem
         return path.string() + ": is a file; a folder, a .cml archive or a .toml case file is needed";
     const bool made = fs::create_directories(path, error);
     if (error) return path.string() + ": cannot be made: " + error.message();
-    const std::string problem = writeInto(path, members);
+    std::string problem = writeInto(path, members);
     if (!problem.empty() && made) fs::remove(path, error);
     return problem;
 }

@@ -126,6 +126,7 @@ private:
     void readWalls()
     {
         std::vector<int> pointCounts;
+        pointCounts.reserve(static_cast<std::size_t>(wallCount_));
         for (int i = 0; i < wallCount_; ++i)
             pointCounts.push_back(text_.whole("the number of points of a wall profile", 2, mostWallPoints));
         endList();

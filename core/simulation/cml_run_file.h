@@ -17,7 +17,8 @@ namespace touchdown {
 /// Puts what a run.dat says into a film case.
 void readCmlRun(std::string_view text, CmlFields& fields);
 
-/// A run.dat of the case. What it has no place for has the nearest value that it has, or its default; `comments` go to its end.
+/// A run.dat of the case. What it has no place for has the nearest value that it has, or its default; `comments` go to the
+/// end.
 std::string formatCmlRun(const Case& c, std::string_view comments);
 
 } // namespace touchdown

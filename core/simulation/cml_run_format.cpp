@@ -48,6 +48,7 @@ std::string flag(bool on) { return on ? "1" : "0"; }
 std::vector<std::string> numbers(const std::vector<double>& values, std::string_view unit = {})
 {
     std::vector<std::string> result;
+    result.reserve(values.size());
     for (const double value : values) result.push_back(number(value, unit));
     return result;
 }
@@ -100,12 +101,10 @@ void writeGrid(RunWriter& out, const Case& c)
     out.section("Grid Control");
     out.list({"nx", "ny"}, {std::to_string(c.film.nodes[0]), std::to_string(c.film.nodes[1])});
     out.list({"nsx", "nsy", "isymm"}, {"1", "1", "0"});
-    for (const std::string axis : {"x", "y"}) {
-        for (const std::string& name : {axis + "nt(i), i = 2, ns" + axis, "n" + axis + "t(i), i = 2, ns" + axis}) {
-            out.line(name);
-            out.line();
-        }
-        out.list({"d" + axis + "r(i), i = 1, ns" + axis}, {"1"});
+    for (const std::string_view sections : {"xnt(i), i = 2, nsx", "nxt(i), i = 2, nsx", "dxr(i), i = 1, nsx",
+                                            "ynt(i), i = 2, nsy", "nyt(i), i = 2, nsy", "dyr(i), i = 1, nsy"}) {
+        out.line(sections);
+        out.line(sections.starts_with('d') ? "1" : ""); // the ratio of the one section
     }
     out.section("Adaptive Grid");
     out.list({"difmax_x", "decay_x", "ipmax_x", "iadaptmode_x"}, {"100", "50", "0", "1"});
