@@ -53,30 +53,46 @@ public:
     {
         CutPlace place{at, size(gaps_.rows), 0};
         const std::uint32_t first = size(gaps_.pieces);
-        breaks(1, 0.5 * (x0 + x1), y0, y1);
+        // Corners and oblique edges are met where they enter and leave.
+        std::vector<double> all;
+        for (const double x : {x0, 0.5 * (x0 + x1), x1}) {
+            breaks(1, x, y0, y1);
+            all.insert(all.end(), breaks_.begin(), breaks_.end());
+        }
+        std::sort(all.begin(), all.end());
+        breaks_ = all;
         forRows(y0, y1, [&](double position, double width) { addPieces(0, position, x0, x1, x0, width); });
         gaps_.rows.push_back({1.0, first, size(gaps_.pieces)});
         place.rowEnd = size(gaps_.rows);
         return place;
     }
 
-    /// A wall so gentle along the path that one sample stands for it: small change, and no jump.
-    bool isGentle(int axis, double start, double end, double across) const
+    /// A wall so gentle that one sample stands for the path: small change over its length and width, and no jump.
+    bool isGentle(int axis, double start, double end, double low, double high) const
     {
-        constexpr int samples = 8;
-        std::array<double, samples + 1> s;
+        constexpr std::size_t samples = 9, rowSamples = 5;
+        std::array<std::array<double, samples>, rowSamples> s;
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-        for (const int k : {0, 8, 4, 2, 6, 1, 3, 5, 7}) { // far ones first: most walls show there that they are steep
-            double& value = s[static_cast<std::size_t>(k)];
-            value = at(axis, start + (end - start) * k / samples, across);
-            lowest = std::min(lowest, value);
-            highest = std::max(highest, value);
-            if (!(highest - lowest < 0.3 * (std::max(0.0, lowest) + typicalLift))) return false;
-        }
+        for (const std::size_t k : {0u, 8u, 4u, 2u, 6u, 1u, 3u, 5u, 7u}) // far ones first: most walls show there that they are steep
+            for (const std::size_t row : {0u, 4u, 2u, 1u, 3u}) {
+                const double share = static_cast<double>(k) / (samples - 1), shareAcross = static_cast<double>(row) / (rowSamples - 1);
+                const double value = at(axis, start + (end - start) * share, low + (high - low) * shareAcross);
+                s[row][k] = value;
+                lowest = std::min(lowest, value);
+                highest = std::max(highest, value);
+                if (isStep(lowest, highest)) return false;
+            }
         double largestStep = 0.0;
-        for (std::size_t k = 1; k < s.size(); ++k) largestStep = std::max(largestStep, std::abs(s[k] - s[k - 1]));
+        for (std::size_t row = 0; row < rowSamples; ++row)
+            for (std::size_t k = 0; k < samples; ++k) {
+                if (k > 0) largestStep = std::max(largestStep, std::abs(s[row][k] - s[row][k - 1]));
+                if (row > 0) largestStep = std::max(largestStep, std::abs(s[row][k] - s[row - 1][k]));
+            }
         return largestStep <= 0.5 * (highest - lowest);
     }
+
+    /// Gaps that differ so much that flows do.
+    static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
 
 private:
     template <typename Container>
@@ -234,7 +250,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 const std::size_t at = pad.at(i, j);
                 const bool smooth = (axis == 0 ? recess.isSmooth(start, end, low, high)
                                                : recess.isSmooth(low, high, start, end)) ||
-                                    sampler.isGentle(axis, start, end, 0.5 * (low + high));
+                                    sampler.isGentle(axis, start, end, low, high);
                 if (smooth)
                     f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], 0.5 * (low + high))
                                              : recess.at(0.5 * (low + high), f.pathMid[line]);
@@ -252,12 +268,15 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 continue;
             }
             cutCells.push_back(sampler.cutCell(at, x0, x1, y0, y1));
-            double volume = 0.0, area = 0.0;
+            double volume = 0.0, area = 0.0, lowest = pieces[rows.back().pieces].recess, highest = lowest;
             for (std::uint32_t k = rows.back().pieces; k < rows.back().pieceEnd; ++k) {
                 volume += pieces[k].extent * pieces[k].recess;
                 area += pieces[k].extent;
+                lowest = std::min(lowest, pieces[k].recess);
+                highest = std::max(highest, pieces[k].recess);
             }
             meanRecess[at] = volume / area;
+            if (Sampler::isStep(lowest, highest)) steppedCells.push_back(at);
         }
 }
 

@@ -54,6 +54,7 @@ struct FilmGaps {
     std::array<Faces, 2> faces;
     std::vector<double> meanRecess; // of each cell, padded [m]
     std::vector<CutPlace> cutCells;
+    std::vector<std::size_t> steppedCells; // cut cells in which the gap changes much, padded indices
     std::vector<GapRow> rows;
     std::vector<GapPiece> pieces;
 

@@ -21,6 +21,8 @@ void GasFilm::setSlopes(FaceFlows<T>& flows) const
             flows.slope[1][at] = (flows.flow[0][at] - flows.flow[0][at + 1]) * perWidthY;
         }
     }
+    // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
+    for (const std::size_t at : gaps_.steppedCells) flows.slope[0][at] = flows.slope[1][at] = T{};
 }
 
 template <typename T>
@@ -115,6 +117,7 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
         out[before] += f.ownLower[at] * drop;
         out[at] += f.ownUpper[at] * drop;
     });
+    for (const std::size_t at : gaps_.steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
     if (complete())
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
