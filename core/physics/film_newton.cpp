@@ -88,7 +88,7 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
     // A pseudo time step of the time the disk takes to pass the slider, when one is needed.
     const double passage = film_.flowScale() / film_.ambient() / std::max(1e-300, film_.totalVolume()); // [1/s]
     double shift = 0.0;
-    int accepted = 0;
+    int accepted = 0, slow = 0;
     std::copy(p.begin(), p.end(), best_.begin());
     while (true) {
         if (monitor && !monitor(result.iterations, result.residual)) {
@@ -113,8 +113,14 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         const bool acceptable = std::isfinite(residual) && residual < (accepted < 3 && shift == 0.0 ? 20.0 : 1.5) * result.residual;
         if (acceptable) {
             ++accepted;
-            shift = shift * std::clamp(residual / result.residual, 0.1, 0.7);
+            // Three steps that hardly help: let the film settle for a few passages of the disk.
+            slow = shift == 0.0 && residual > 0.7 * result.residual ? slow + 1 : 0;
+            shift *= std::clamp(residual / result.residual, 0.1, 0.5);
             if (shift < 0.01 * passage) shift = 0.0;
+            if (slow >= 3) {
+                shift = 10.0 * passage;
+                slow = 0;
+            }
             result.residual = residual;
             std::copy(p.begin(), p.end(), best_.begin());
         } else {

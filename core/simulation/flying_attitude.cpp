@@ -182,6 +182,9 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
 {
     AttitudeSolution result;
     std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
+    // Rails that dip into the disk are lifted out of it first: there is no balance of film alone down there.
+    constexpr double clear = 5e-9; // [m]
+    attitude.height += std::max(0.0, clear - spacing_.at(attitude).spacing);
     double leading = 1.0, best = 0.0;
     Attitude from = attitude;
     bool again = false;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <numbers>
+
+#include "core/simulation/steady.h"
+#include "tests/support/small_slider.h"
+
+using namespace touchdown;
+
+class TestModes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aHeavySliderOscillatesOnTheStaticFilm();
+    void threeModesAreFound();
+    void stiffAndSoftLimitsOfTheFilm();
+};
+
+namespace {
+
+constexpr double twoPi = 2.0 * std::numbers::pi;
+
+} // namespace
+
+void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
+{
+    // So heavy that it oscillates far below the film's own rates: a single mass on the static stiffness. Pitch and roll are
+    // kept away by huge inertias: K_zz about the centre is that of the height alone.
+    Case c = test::smallSlider(49);
+    c.slider.mass = 100.0;
+    c.slider.pitchInertia = c.slider.rollInertia = 1e3;
+    const ModesResult r = modes(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    const double expected = std::sqrt(((*r.steady.stiffness)[0][0] + c.suspension.stiffness) / c.slider.mass) / twoPi;
+    const auto vertical = std::find_if(r.modes.begin(), r.modes.end(), [](const auto& m) { return m.kind == "vertical"; });
+    QVERIFY(vertical != r.modes.end());
+    QVERIFY2(std::abs(vertical->frequency - expected) < 1e-4 * expected,
+             qPrintable(QString("%1 Hz, expected %2 Hz").arg(vertical->frequency).arg(expected)));
+}
+
+void TestModes::threeModesAreFound()
+{
+    const ModesResult r = modes(test::smallSlider(65));
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    QCOMPARE(r.modes.size(), std::size_t(3));
+    for (const AirBearingMode& mode : r.modes) {
+        QVERIFY(mode.frequency > 1e4 && mode.frequency < 2e6);
+        QVERIFY(mode.dampingRatio > 0.0 && mode.dampingRatio < 0.5);
+        // Shapes are scaled so that the corner that moves most moves by one.
+        double largest = 0.0;
+        for (const double x : {-0.5e-3, 0.5e-3})
+            for (const double y : {-0.4e-3, 0.4e-3}) {
+                const auto corner = [&](std::size_t part) {
+                    return mode.shape[0][part] - x * mode.shape[1][part] - y * mode.shape[2][part];
+                };
+                largest = std::max(largest, std::hypot(corner(0), corner(1)));
+            }
+        QVERIFY(std::abs(largest - 1.0) < 1e-12);
+    }
+    QVERIFY(r.modes[0].frequency <= r.modes[1].frequency && r.modes[1].frequency <= r.modes[2].frequency);
+}
+
+void TestModes::stiffAndSoftLimitsOfTheFilm()
+{
+    // Squeezed fast, the air cannot leave: p h is kept, the pressure rises by p dh/h, and the film is stiffer than at rest in
+    // the limit by K = sum of p A/h. At 1 MHz the rear pad is there; the deep recess adds little.
+    const ModesResult r = modes(test::smallSlider(65));
+    double trapped = 0.0;
+    const SteadyResult& s = r.steady;
+    for (int j = 0; j < s.grid.ny(); ++j)
+        for (int i = 0; i < s.grid.nx(); ++i) {
+            const std::size_t k = static_cast<std::size_t>(j * s.grid.nx() + i);
+            trapped += s.pressure[k] * s.grid.widthX(i) * s.grid.widthY(j) / s.gap[k];
+        }
+    const double fast = r.stiffness.back().stiffness[0][0];
+    QVERIFY(fast > (*s.stiffness)[0][0]);
+    QVERIFY2(fast < trapped && fast > 0.5 * trapped, qPrintable(QString("%1 %2").arg(fast).arg(trapped)));
+}
+
+QTEST_GUILESS_MAIN(TestModes)
+#include "test_modes.moc"
