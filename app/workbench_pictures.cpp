@@ -65,14 +65,16 @@ int takePictures(MainWindow& window, const PictureRequest& request)
     window.show();
     settle(window);
 
-    Summary summary;
-    QEventLoop untilFinished;
-    QObject::connect(&window.controller(), &RunController::finished, &untilFinished, [&](int, const Summary& ended) {
-        summary = ended;
-        untilFinished.quit();
+    bool valid = false;
+    QString message;
+    QEventLoop untilEnded;
+    QObject::connect(&window, &MainWindow::calculationEnded, &untilEnded, [&](bool answered, const QString& said) {
+        valid = answered;
+        message = said;
+        untilEnded.quit();
     });
     window.startRun();
-    untilFinished.exec();
+    untilEnded.exec();
     settle(window);
 
     bool written = true;
@@ -84,8 +86,8 @@ int takePictures(MainWindow& window, const PictureRequest& request)
                   written;
     }
     if (!written) return badInput;
-    if (summary.status == RunStatus::Completed) return done;
-    std::cerr << "The run ended without a valid answer: " << summary.message << '\n';
+    if (valid) return done;
+    std::cerr << "The run ended without a valid answer: " << message.toStdString() << '\n';
     return noAnswer;
 }
 

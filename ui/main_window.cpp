@@ -14,7 +14,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -25,12 +24,6 @@
 
 namespace touchdown {
 
-namespace {
-
-constexpr int stateVersion = 1; // of the arrangement of docks
-
-} // namespace
-
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       actions_(new WindowActions(*this, edits_.undoStack())),
@@ -40,6 +33,7 @@ MainWindow::MainWindow(QWidget* parent)
       aboutCase_(new AboutCasePane(this)),
       plots_(new LivePlots(runs_, this)),
       spectrum_(new LiveSpectrum(runs_, this)),
+      film_(new FilmWindow(steady, actions_->run, this)),
       messages_(new MessageStrip(this)),
       progress_(new RunProgress(this))
 {
@@ -50,9 +44,11 @@ MainWindow::MainWindow(QWidget* parent)
     buildCentre();
     buildDocks();
     statusBar()->addWidget(progress_, 1);
+    statusBar()->addWidget(film_->progress(), 1);
     statusBar()->setSizeGripEnabled(false);
     connectFiles();
     connectRuns();
+    connectFilm();
     connectView();
     connectHelp();
     resize(1500, 940);
@@ -66,6 +62,8 @@ MainWindow::~MainWindow()
     edits_.undoStack().disconnect(this);
     runs_.disconnect(this);
     controller_.disconnect(this);
+    film_->disconnect(this);
+    film_->controller().stopAndWait();
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
 }
@@ -80,16 +78,20 @@ void MainWindow::buildCentre()
     splitter_->setSizes({560, 280});
     splitter_->setChildrenCollapsible(true);
     splitter_->setCollapsible(0, false);
-    page_ = splitter_;
+    pages_ = new QStackedWidget(this);
+    pages_->addWidget(splitter_);
+    pages_->addWidget(film_->view());
+    page_ = pages_;
 
     auto* centre = new QWidget(this);
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(splitter_, 1);
+    layout->addWidget(pages_, 1);
     layout->addWidget(messages_);
     setCentralWidget(centre);
     runFiles_ = new RunFiles(runs_, *page_, *this);
+    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *splitter_, *runsPanel_});
 }
 
 void MainWindow::buildDocks()
@@ -101,8 +103,15 @@ void MainWindow::buildDocks()
     QDockWidget* about = addDock(QStringLiteral("about"), tr("About this case"), aboutCase_, Qt::RightDockWidgetArea);
     QDockWidget* runs = addDock(QStringLiteral("runs"), tr("Runs"), runsPanel_, Qt::RightDockWidgetArea);
     QDockWidget* values = addDock(QStringLiteral("values"), tr("Values at the cursors"), cursorTable_, Qt::RightDockWidgetArea);
+    QDockWidget* attitude = addDock(QStringLiteral("attitude"), tr("Static attitude"), film_->attitude(), Qt::RightDockWidgetArea);
     resizeDocks({parameters, about}, {340, 340}, Qt::Horizontal);
     resizeDocks({about, runs, values}, {280, 240, 260}, Qt::Vertical);
+    runDocks_ = {runs, values};
+    filmDocks_ = {attitude};
+    openDocks_ = filmDocks_;
+    attitude->hide();
+    attitude->toggleViewAction()->setVisible(false);
+    film_->progress()->hide();
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
@@ -122,6 +131,8 @@ void MainWindow::connectFiles()
     connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
     connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
     connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
+    connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);
+    connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
     connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
@@ -142,6 +153,8 @@ void MainWindow::connectFiles()
         updateTitle();
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });
+    connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
+    connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
     connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
     connect(runFiles_, &RunFiles::succeeded, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
@@ -175,6 +188,15 @@ void MainWindow::connectRuns()
     connect(runsPanel_, &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
     connect(&runs_, &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
     connect(&runs_, &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
+}
+
+void MainWindow::connectFilm()
+{
+    connect(actions_->solveGiven, &QAction::triggered, this, &MainWindow::solveAtGivenAttitude);
+    connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
+    connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
+    connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
 }
 
 void MainWindow::connectView()
@@ -230,15 +252,31 @@ void MainWindow::connectHelp()
     });
 }
 
-void MainWindow::startRun()
+bool MainWindow::readyToRun()
 {
     // What stands in a field but was not confirmed yet counts.
     if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
         focused->clearFocus();
         focused->setFocus();
     }
-    if (!edits_.reasonNotToRun().isEmpty()) {
-        casePanel_->showFirstProblem();
+    if (edits_.reasonNotToRun().isEmpty()) return true;
+    casePanel_->showFirstProblem();
+    return false;
+}
+
+void MainWindow::solveAtGivenAttitude()
+{
+    if (!readyToRun()) return;
+    messages_->clear();
+    film_->solve(edits_.value(), true);
+}
+
+void MainWindow::startRun()
+{
+    if (!readyToRun()) return;
+    if (edits_.value().model == ModelKind::Film) {
+        messages_->clear();
+        film_->solve(edits_.value(), false);
         return;
     }
     RunRequest request;
@@ -301,20 +339,84 @@ void MainWindow::onRunFinished(int, const Summary& summary)
         lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
     }
     messages_->show(kind, lines.join(QLatin1Char('\n')));
+    emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
+}
+
+void MainWindow::onSolved(const SteadyResult& result)
+{
+    updateRunActions();
+    const QString text = steadyText(result);
+    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : text);
+    switch (result.status) {
+    case SteadyStatus::Converged:
+        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, text);
+        break;
+    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, text); break;
+    case SteadyStatus::NotConverged:
+    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, text); break;
+    }
+    emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::showModel(ModelKind model)
+{
+    if (model == shownModel_) return;
+    shownModel_ = model;
+    const bool film = model == ModelKind::Film;
+    pages_->setCurrentWidget(film ? static_cast<QWidget*>(film_->view()) : splitter_);
+    progress_->setVisible(!film);
+    film_->progress()->setVisible(film);
+    const std::vector<QDockWidget*> coming = std::exchange(openDocks_, {});
+    for (QDockWidget* dock : film ? runDocks_ : filmDocks_) {
+        if (!dock->isHidden()) openDocks_.push_back(dock);
+        dock->hide();
+        dock->toggleViewAction()->setVisible(false);
+    }
+    for (QDockWidget* dock : film ? filmDocks_ : runDocks_) dock->toggleViewAction()->setVisible(true);
+    for (QDockWidget* dock : coming) dock->show();
+    // The tables are long, and what a film case says about itself is short.
+    if (film) resizeDocks({findChild<QDockWidget*>(QStringLiteral("about")), filmDocks_.front()}, {180, 560}, Qt::Vertical);
+    actions_->setModel(model);
 }
 
 void MainWindow::onCaseOpened()
 {
     casePanel_->setPreset(files_->sample());
     aboutCase_->setResult({});
+    aboutCase_->setWarnings({});
+    film_->open(edits_.value());
     spectrum_->setOptionsOf(edits_.value());
     messages_->clear();
     updateTitle();
 }
 
+void MainWindow::onImported(const QString& path, const QStringList& warnings)
+{
+    aboutCase_->setWarnings(warnings);
+    const QString text = tr("Imported: %1.").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char(' ')
+                            + tr("%n thing(s) that it says are not modelled: see About this case.", nullptr, static_cast<int>(warnings.size())));
+}
+
+void MainWindow::onExported(const QString& path, const QStringList& warnings)
+{
+    const QString text = tr("Written: %1").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char('\n')
+                            + tr("Kept in the comments of run.dat, where the established program does not see them: %1")
+                                  .arg(warnings.join(QStringLiteral(", "))));
+}
+
 void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_.value());
+    film_->edit(edits_.value());
+    showModel(edits_.value().model);
     updateRunActions();
     updateTitle();
 }
@@ -325,8 +427,11 @@ void MainWindow::updateRunActions()
     const State state = controller_.state();
     const QString reason = edits_.reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
-    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case; a run under way starts again (F5)")
-                                               : tr("The case cannot be run. %1").arg(reason));
+    const bool film = shownModel_ == ModelKind::Film;
+    const QString tip = film ? tr("Solve for the static attitude; a solution under way starts again (F5)")
+                             : tr("Run the case; a run under way starts again (F5)");
+    actions_->run->setToolTip(reason.isEmpty() ? tip : tr("The case cannot be run. %1").arg(reason));
+    actions_->solveGiven->setEnabled(film && reason.isEmpty());
     if (!reason.isEmpty())
         messages_->show(MessageStrip::Kind::Failure, tr("The case cannot be run. %1").arg(reason), tr("Show the field"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
@@ -334,7 +439,8 @@ void MainWindow::updateRunActions()
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);
-    actions_->stop->setEnabled(state == State::Running || state == State::Paused);
+    actions_->stop->setEnabled(state == State::Running || state == State::Paused
+                               || film_->controller().state() == SteadyController::State::Running);
     actions_->resetAll->setEnabled(edits_.anyChanged());
     const bool anyEnded = runs_.count() > (controller_.active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
@@ -432,43 +538,27 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     controller_.stop();
+    film_->controller().stop();
     saveSession();
     event->accept();
 }
 
 void MainWindow::saveSession()
 {
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
-    settings.setValue(QStringLiteral("window/splitter"), splitter_->saveState());
-    if (const QAction* theme = actions_->theme->checkedAction()) settings.setValue(QStringLiteral("window/theme"), theme->data());
-    if (const QAction* size = actions_->fontSize->checkedAction()) settings.setValue(QStringLiteral("window/font"), size->data());
-    settings.setValue(QStringLiteral("runs/overlay"), runsPanel_->overlay());
-    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
-    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
+    showModel(ModelKind::Springs); // the next session begins with its panes
+    session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
 void MainWindow::restoreSession()
 {
-    const QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
-    splitter_->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
-    const auto check = [](QActionGroup* group, const QVariant& value) {
-        for (QAction* action : group->actions())
-            if (action->data().toString() == value.toString()) action->setChecked(true);
-    };
-    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
-    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    session_->restore();
+    for (QDockWidget* dock : filmDocks_) dock->hide(); // comes with a film
     look();
-    runsPanel_->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
-    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
 }
 
 void MainWindow::openLastCase()
 {
-    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
+    const QString last = WindowSession::lastCase();
     const bool sample = std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
     // A file that is gone or spoiled since is no reason to begin with an error.
     if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid()) files_->openNow(last);

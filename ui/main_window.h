@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workbench: parameters at the left, live plots and the spectrum in the centre, the case, the runs and the values at
-// the cursors at the right, what happened at the foot.
+// The workbench: parameters at the left; in the centre live plots and the spectrum, or for a film the surface and its
+// fields; the case, the runs and the values at the cursors, or the static attitude, at the right; what happened at the foot.
 #pragma once
 
 #include "ui/about_case_pane.h"
 #include "ui/case_files.h"
 #include "ui/case_panel.h"
 #include "ui/cursor_table.h"
+#include "ui/film_window.h"
 #include "ui/help_window.h"
 #include "ui/live_plots.h"
 #include "ui/live_spectrum.h"
@@ -17,9 +18,11 @@
 #include "ui/run_progress.h"
 #include "ui/runs_panel.h"
 #include "ui/window_actions.h"
+#include "ui/window_session.h"
 
 #include <QMainWindow>
 #include <QSplitter>
+#include <QStackedWidget>
 
 namespace touchdown {
 
@@ -34,9 +37,12 @@ public:
     void restoreSession();
     /// The case that the last session left, or the default one.
     void openLastCase();
+    /// Runs the case, or solves for its static state.
     void startRun();
+    /// Solves a film case for the pressure at the attitude of its start.
+    void solveAtGivenAttitude();
     void openResults(const QString& file) { runFiles_->openRun(file); }
-    /// The plots and the spectrum, as they are exported.
+    /// The plots and the spectrum, or the film's page, as they are exported.
     QWidget* page() const { return page_; }
 
     CaseEdits& edits() { return edits_; }
@@ -51,6 +57,11 @@ public:
     MessageStrip& messages() { return *messages_; }
     RunProgress& progress() { return *progress_; }
     AboutCasePane& aboutCase() { return *aboutCase_; }
+    FilmWindow& film() { return *film_; }
+
+signals:
+    /// A run or a solution has come to its end, and everything shows it; `valid` when it has an answer.
+    void calculationEnded(bool valid, const QString& message);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -64,14 +75,21 @@ private:
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void connectFiles();
     void connectRuns();
+    void connectFilm();
     void connectView();
     void connectHelp();
 
+    bool readyToRun();
     void onCaseOpened();
+    void onImported(const QString& path, const QStringList& warnings);
+    void onExported(const QString& path, const QStringList& warnings);
     void onCaseEdited();
     void onRunStarted(int run);
     void onRunDelivered(const RunDelivery& delivery);
     void onRunFinished(int run, const Summary& summary);
+    void onSolved(const SteadyResult& result);
+    /// Brings the page and the panes that belong to a model.
+    void showModel(ModelKind model);
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
@@ -95,9 +113,16 @@ private:
     CursorTable* cursorTable_ = nullptr;
     QWidget* page_ = nullptr;
     QSplitter* splitter_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
+    FilmWindow* film_;
+    std::vector<QDockWidget*> runDocks_;   // of a run over time
+    std::vector<QDockWidget*> filmDocks_;  // of a static state
+    std::vector<QDockWidget*> openDocks_;  // of the model that is not shown: those that come back with it
+    ModelKind shownModel_ = ModelKind::Springs;
     MessageStrip* messages_;
     RunProgress* progress_;
     HelpWindow* help_ = nullptr;
+    std::unique_ptr<WindowSession> session_;
     QString recordTo_;
     int runNumber_ = -1;     // in the list, of the run under way
     bool closing_ = false;   // the question about changes was answered
