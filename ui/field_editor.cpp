@@ -142,7 +142,8 @@ int FieldEditor::inputWidth() const
 void FieldEditor::setUnitWidth(int width)
 {
     unit_->setFixedWidth(width);
-    if (choice_) choice_->setFixedWidth(inputWidth() + spacing + width);
+    // As wide as a number and its unit, so that the column is even; a longer name takes of its label's room.
+    if (choice_) choice_->setFixedWidth(std::max(inputWidth() + spacing + width, choice_->sizeHint().width()));
 }
 
 void FieldEditor::describe()
