@@ -43,6 +43,11 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             axes_[1].speed[pad.at(i, j)] = 0.5 * v.y;
         }
     flows_.resize(pad.size());
+    std::size_t mostPieces = 0; // of one face
+    for (const FilmGaps::Faces& f : gaps_.faces)
+        for (const CutPlace& place : f.cut)
+            mostPieces = std::max<std::size_t>(mostPieces, gaps_.rows[place.rowEnd - 1].pieceEnd - gaps_.rows[place.rows].pieces);
+    block_.resize(PieceBlock::enough + mostPieces);
     for (auto* row : {&mobility_, &mobilityByPressure_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);

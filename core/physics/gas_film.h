@@ -63,6 +63,19 @@ struct FaceFlows {
     }
 };
 
+/// Pieces of cut faces whose flow functions are evaluated together: work space.
+struct PieceBlock {
+    static constexpr std::size_t enough = 512;
+    std::vector<double> gap, mobility, mobilityBy, speed, extent, start;
+    std::array<std::vector<double>, 4> value, by; // of R, I, moment, decay (core/physics/path_flow.h)
+    void resize(std::size_t size)
+    {
+        for (auto* column : {&gap, &mobility, &mobilityBy, &speed, &extent, &start}) column->resize(size);
+        for (auto& column : value) column.resize(size);
+        for (auto& column : by) column.resize(size);
+    }
+};
+
 /// Pressures are absolute [Pa], in padded arrays whose rings hold p0; residuals are net outflows [Pa m^3/s].
 class GasFilm {
 public:
@@ -139,8 +152,9 @@ private:
     /// Resistance and Peclet number of a piece; false where it is closed.
     template <typename Number>
     bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
-    template <typename Number>
-    PathFlow<Number> cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const;
+    /// Calls visit(place, its PathFlow<Number>) for the cut faces, derived by the mean pressure or by the attitude.
+    template <typename Number, typename Visit>
+    void forCutFaces(std::size_t axis, std::span<const double> p, PieceBlock& block, Visit&& visit) const;
     template <typename Number>
     Number cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
     template <typename Number>
@@ -180,6 +194,7 @@ private:
     std::vector<double> volume_, area_;
     std::vector<double> mobility_, mobilityByPressure_; // of a row of faces [Pa m], [m]
     std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
+    PieceBlock block_;
     FaceFlows<double> flows_; // at the last pressure, complete
 };
 

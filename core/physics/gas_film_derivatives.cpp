@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of flows over cells, and what the film's residual answers to small changes of the pressure and of the attitude.
+// Sums of flows over cells, and what the film's residual answers to small changes of the pressure.
 #include <algorithm>
 #include <complex>
 
@@ -136,73 +136,6 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
     });
     clearRings(out);
     for (auto& slope : work.slope) clearRings(slope);
-}
-
-template <ConvectionScheme scheme>
-void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
-                               std::array<std::array<std::vector<double>, 2>, 3>& own) const
-{
-    const PaddedGrid& pad = gaps_.pad;
-    const AxisState& a = axes_[axis];
-    const FilmFaces& f = faces_[axis];
-    const FilmGaps::Faces& paths = gaps_.faces[axis];
-    const std::size_t step = pad.step(static_cast<int>(axis));
-    const auto set = [&](std::size_t at, const auto& flow, double p1, double p2, const auto& by) {
-        const double before = flows_.slope[axis][at - step], after = flows_.slope[axis][at];
-        for (std::size_t k = 0; k < 3; ++k) {
-            flows[k].flow[axis][at] = by(flow.A, k) * p1 - by(flow.B, k) * p2;
-            const double inflow = a.speed[at] < 0.0 ? by(flow.B, k) * p2 : by(flow.A, k) * p1;
-            own[k][axis][at] = -f.share[at] * (before * by(flow.below, k) + after * by(flow.above, k)) -
-                               f.inflowShare[at] * inflow;
-        }
-    };
-    for (int j = 0; j < pad.ny + (axis == 1); ++j)
-        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-            const std::size_t at = pad.at(i, j);
-            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-            const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
-            const double p1 = p[at - step], p2 = p[at], middle = gaps_.faces[axis].pathMid[line];
-            const std::array<double, 3> lift = axis == 0 ? liftDirections(middle, gaps_.grid.centreY(j))
-                                                         : liftDirections(gaps_.grid.centreX(i), middle);
-            const ByGap gap = ByGap::variable(a.gap[at], 0);
-            set(at, smoothFlow<scheme>(SmoothPath{paths.pathLength[line], paths.upperShare[line], width},
-                                       setting_.air.viscosity, a.speed[at], gap, mobility(ByGap(0.5 * (p1 + p2)), gap)),
-                p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k]; });
-        }
-    for (const CutPlace& place : gaps_.faces[axis].cut) {
-        const double p1 = p[place.at - step], p2 = p[place.at];
-        set(place.at, cutFlow(axis, place, ByAttitude(0.5 * (p1 + p2))), p1, p2,
-            [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
-    }
-}
-
-void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
-{
-    const std::size_t size = gaps_.pad.size();
-    std::array<FaceFlows<double>, 3> flows;
-    std::array<std::array<std::vector<double>, 2>, 3> own;
-    for (std::size_t k = 0; k < 3; ++k) {
-        flows[k].resize(size);
-        for (auto& field : own[k]) field.assign(size, 0.0);
-        out[k].assign(size, 0.0);
-    }
-    for (std::size_t axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
-            using enum ConvectionScheme;
-        case Upwind: setAttitudeFlows<Upwind>(axis, p, flows, own); break;
-        case Hybrid: setAttitudeFlows<Hybrid>(axis, p, flows, own); break;
-        case PowerLaw: setAttitudeFlows<PowerLaw>(axis, p, flows, own); break;
-        case Exponential: setAttitudeFlows<Exponential>(axis, p, flows, own); break;
-        case CompleteFlux: setAttitudeFlows<CompleteFlux>(axis, p, flows, own); break;
-        }
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (complete()) {
-            setSlopes(flows[k]);
-            completeChanges(flows[k]);
-            for (std::size_t axis = 0; axis < 2; ++axis)
-                for (std::size_t at = 0; at < size; ++at) flows[k].flow[axis][at] += own[k][axis][at];
-        }
-        divergence<double>(flows[k], out[k]);
-    }
 }
 
 } // namespace touchdown

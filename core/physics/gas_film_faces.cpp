@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Flows through faces, linearised. Smooth faces go row by row in two passes: the mobility from its table, and the rest, which runs
-// on vectors.
+// Flows through faces with their derivatives by the pressure and by the attitude, in passes: the mobility from its table; all
+// that runs on vectors; and for cut faces, what their pieces amount to.
 #include <algorithm>
 #include <cmath>
 
@@ -39,15 +39,6 @@ void setFace(FilmFaces& f, std::size_t at, const PathFlow<ByPressure>& flow, boo
     f.effective[at] = std::max(0.5 * (A + B), 0.5 * std::abs(lower + upper));
 }
 
-/// Pressure at the middle of a path.
-template <typename Number>
-Number meanPressure(double p1, double p2)
-{
-    Number pm(0.5 * (p1 + p2));
-    if constexpr (!std::is_same_v<Number, double>) pm.by[0] = 1.0;
-    return pm;
-}
-
 /// One row of faces; those that are cut pass nothing here.
 struct FaceRow {
     std::size_t first, count, step; // of the row in padded arrays; from the cell below a face to the one above
@@ -77,35 +68,99 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
     }
 }
 
-} // namespace
-
+/// The pieces of a block, from what is in its columns; the derivative by whatever `mobilityBy` is one by.
 template <typename Number>
-PathFlow<Number> GasFilm::cutFlow(std::size_t axis, const CutPlace& place, const Number& pm) const
+TOUCHDOWN_VECTOR_CLONES void setPieces(PieceBlock& block, std::size_t count, double viscosity, double gapBy)
 {
-    // Upstream to downstream: against the axis where the disk moves so.
-    const double speed = axes_[axis].speed[place.at];
-    const bool against = speed < 0.0;
-    double total = 0.0;
-    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) total += gaps_.rows[r].width;
-    PathFlow<Number> sum;
-    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
-        const GapRow& row = gaps_.rows[r];
-        const std::uint32_t count = row.pieceEnd - row.pieces;
-        PathIntegral<Number> path;
-        bool open = true;
-        for (std::uint32_t k = 0; open && k < count; ++k) {
-            const GapPiece& piece = gaps_.pieces[against ? row.pieceEnd - 1 - k : row.pieces + k];
-            Number resistance, peclet;
-            open = pieceOf(piece, std::abs(speed), pm, resistance, peclet);
-            if (open) path.add(resistance, peclet, against ? -piece.start - piece.extent : piece.start, piece.extent);
+    const double *gap = block.gap.data(), *G = block.mobility.data(), *mobilityBy = block.mobilityBy.data();
+    const double *speed = block.speed.data(), *extent = block.extent.data(), *start = block.start.data();
+    const std::array<double*, 4> value{block.value[0].data(), block.value[1].data(), block.value[2].data(), block.value[3].data()};
+    const std::array<double*, 4> by{block.by[0].data(), block.by[1].data(), block.by[2].data(), block.by[3].data()};
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        Number h(gap[k] > closedGap ? gap[k] : 1.0), mobility(G[k]);
+        if constexpr (!std::is_same_v<Number, double>) {
+            h.by[0] = gapBy;
+            mobility.by[0] = mobilityBy[k];
         }
-        if (open) sum.add(path, row.width, row.width / total, against);
+        const Number r = 12.0 * viscosity * extent[k] / (h * h * mobility);
+        const PathFunctions<Number> f(speed[k] * h * r);
+        const Number I = r * f.phi, moment = r * (start[k] * f.phi + extent[k] * f.xi);
+        value[0][k] = valueOf(r);
+        value[1][k] = valueOf(I);
+        value[2][k] = valueOf(moment);
+        value[3][k] = valueOf(f.decay);
+        if constexpr (!std::is_same_v<Number, double>) {
+            by[0][k] = r.by[0];
+            by[1][k] = I.by[0];
+            by[2][k] = moment.by[0];
+            by[3][k] = f.decay.by[0];
+        }
     }
-    return sum;
 }
 
-template PathFlow<double> GasFilm::cutFlow(std::size_t, const CutPlace&, const double&) const;
-template PathFlow<Dual<3>> GasFilm::cutFlow(std::size_t, const CutPlace&, const Dual<3>&) const;
+} // namespace
+
+template <typename Number, typename Visit>
+void GasFilm::forCutFaces(std::size_t axis, std::span<const double> p, PieceBlock& block, Visit&& visit) const
+{
+    constexpr bool byAttitude = std::is_same_v<Number, ByAttitude>;
+    using Single = std::conditional_t<std::is_same_v<Number, double>, double, Dual<1>>;
+    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
+    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    /// Calls see(piece, its number in the block) from upstream to downstream.
+    const auto forPieces = [&](const GapRow& row, bool against, std::size_t& k, auto&& see) {
+        const std::uint32_t count = row.pieceEnd - row.pieces;
+        for (std::uint32_t n = 0; n < count; ++n) see(gaps_.pieces[against ? row.pieceEnd - 1 - n : row.pieces + n], k++);
+    };
+    for (std::size_t begin = 0, end = 0; begin < cut.size(); begin = end) {
+        std::size_t count = 0;
+        for (; end < cut.size() && count < PieceBlock::enough; ++end) {
+            const CutPlace& place = cut[end];
+            const double pm = 0.5 * (p[place.at - step] + p[place.at]), speed = axes_[axis].speed[place.at];
+            const bool against = speed < 0.0;
+            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
+                forPieces(gaps_.rows[r], against, count, [&](const GapPiece& piece, std::size_t k) {
+                    const double h = piece.recess + gaps_.lift(attitude_, piece.x, piece.y);
+                    const FlowTable::Value g = table_.at(pm * h, h);
+                    block.gap[k] = h;
+                    block.mobility[k] = g.mobility;
+                    block.mobilityBy[k] = byAttitude ? g.derivative * pm + table_.gapDerivative(pm * h, h) : g.derivative * h;
+                    block.speed[k] = std::abs(speed);
+                    block.extent[k] = piece.extent;
+                    block.start[k] = against ? -piece.start - piece.extent : piece.start;
+                });
+        }
+        setPieces<Single>(block, count, setting_.air.viscosity, byAttitude ? 1.0 : 0.0);
+        count = 0;
+        for (std::size_t n = begin; n < end; ++n) {
+            const CutPlace& place = cut[n];
+            const bool against = axes_[axis].speed[place.at] < 0.0;
+            double total = 0.0;
+            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) total += gaps_.rows[r].width;
+            PathFlow<Number> flow;
+            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
+                PathIntegral<Number> path;
+                bool open = true;
+                forPieces(gaps_.rows[r], against, count, [&](const GapPiece& piece, std::size_t k) {
+                    open = open && block.gap[k] > closedGap;
+                    const auto number = [&](std::size_t c) {
+                        Number result(block.value[c][k]);
+                        if constexpr (byAttitude) {
+                            result.by = liftDirections(piece.x, piece.y);
+                            for (double& by : result.by) by *= block.by[c][k];
+                        } else if constexpr (!std::is_same_v<Number, double>)
+                            result.by[0] = block.by[c][k];
+                        return result;
+                    };
+                    path.add(number(0), number(1), number(2), number(3), block.start[k] < 0.0);
+                });
+                if (open) flow.add(path, gaps_.rows[r].width, gaps_.rows[r].width / total, against);
+            }
+            visit(place, flow);
+        }
+    }
+}
 
 template <ConvectionScheme scheme, typename Number>
 void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
@@ -136,10 +191,9 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
         }
         setSmoothFaces<scheme, Number>(faces_[axis], row);
     }
-    for (const CutPlace& place : paths.cut) {
-        const double p1 = p[place.at - step], p2 = p[place.at];
-        setFace(faces_[axis], place.at, cutFlow(axis, place, meanPressure<Number>(p1, p2)), a.speed[place.at] < 0.0, p1, p2);
-    }
+    forCutFaces<Number>(axis, p, block_, [&](const CutPlace& place, const PathFlow<Number>& flow) {
+        setFace(faces_[axis], place.at, flow, a.speed[place.at] < 0.0, p[place.at - step], p[place.at]);
+    });
 }
 
 template <typename Number>
@@ -157,5 +211,73 @@ void GasFilm::setFaceFlows(std::span<const double> p)
 
 template void GasFilm::setFaceFlows<double>(std::span<const double>);
 template void GasFilm::setFaceFlows<Dual<1>>(std::span<const double>);
+
+template <ConvectionScheme scheme>
+void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
+                               std::array<std::array<std::vector<double>, 2>, 3>& own) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const AxisState& a = axes_[axis];
+    const FilmFaces& f = faces_[axis];
+    const FilmGaps::Faces& paths = gaps_.faces[axis];
+    const std::size_t step = pad.step(static_cast<int>(axis));
+    const auto set = [&](std::size_t at, const auto& flow, double p1, double p2, const auto& by) {
+        const double before = flows_.slope[axis][at - step], after = flows_.slope[axis][at];
+        for (std::size_t k = 0; k < 3; ++k) {
+            flows[k].flow[axis][at] = by(flow.A, k) * p1 - by(flow.B, k) * p2;
+            const double inflow = a.speed[at] < 0.0 ? by(flow.B, k) * p2 : by(flow.A, k) * p1;
+            own[k][axis][at] = -f.share[at] * (before * by(flow.below, k) + after * by(flow.above, k)) -
+                               f.inflowShare[at] * inflow;
+        }
+    };
+    for (int j = 0; j < pad.ny + (axis == 1); ++j)
+        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+            const std::size_t at = pad.at(i, j);
+            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
+            const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
+            const double p1 = p[at - step], p2 = p[at], middle = gaps_.faces[axis].pathMid[line];
+            const std::array<double, 3> lift = axis == 0 ? liftDirections(middle, gaps_.grid.centreY(j))
+                                                         : liftDirections(gaps_.grid.centreX(i), middle);
+            const ByGap gap = ByGap::variable(a.gap[at], 0);
+            set(at, smoothFlow<scheme>(SmoothPath{paths.pathLength[line], paths.upperShare[line], width},
+                                       setting_.air.viscosity, a.speed[at], gap, mobility(ByGap(0.5 * (p1 + p2)), gap)),
+                p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k]; });
+        }
+    PieceBlock block;
+    block.resize(block_.gap.size());
+    forCutFaces<ByAttitude>(axis, p, block, [&](const CutPlace& place, const PathFlow<ByAttitude>& flow) {
+        set(place.at, flow, p[place.at - step], p[place.at],
+            [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
+    });
+}
+
+void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
+{
+    const std::size_t size = gaps_.pad.size();
+    std::array<FaceFlows<double>, 3> flows;
+    std::array<std::array<std::vector<double>, 2>, 3> own;
+    for (std::size_t k = 0; k < 3; ++k) {
+        flows[k].resize(size);
+        for (auto& field : own[k]) field.assign(size, 0.0);
+        out[k].assign(size, 0.0);
+    }
+    for (std::size_t axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
+            using enum ConvectionScheme;
+        case Upwind: setAttitudeFlows<Upwind>(axis, p, flows, own); break;
+        case Hybrid: setAttitudeFlows<Hybrid>(axis, p, flows, own); break;
+        case PowerLaw: setAttitudeFlows<PowerLaw>(axis, p, flows, own); break;
+        case Exponential: setAttitudeFlows<Exponential>(axis, p, flows, own); break;
+        case CompleteFlux: setAttitudeFlows<CompleteFlux>(axis, p, flows, own); break;
+        }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (complete()) {
+            setSlopes(flows[k]);
+            completeChanges(flows[k]);
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                for (std::size_t at = 0; at < size; ++at) flows[k].flow[axis][at] += own[k][axis][at];
+        }
+        divergence<double>(flows[k], out[k]);
+    }
+}
 
 } // namespace touchdown

@@ -54,16 +54,20 @@ struct PathIntegral {
     Number decay{1.0};                // exp(-Q) so far
     Number before{0.0}, after{0.0};   // of (x - face) w, on either side of the face
 
-    /// A piece `length` long that starts at `start` from the face; it lies on one side of it.
+    /// A piece `length` long, with r = length/D and q = c r, that starts at `start` from the face and lies on one side of it.
     void add(const Number& r, const Number& q, double start, double length)
     {
         const PathFunctions<Number> f(q);
-        const Number weight = decay * r;
-        I = I + weight * f.phi;
+        add(r, r * f.phi, r * (start * f.phi + length * f.xi), f.decay, start < 0.0);
+    }
+    /// The same from the piece's own integrals, with w = 1 where it begins.
+    void add(const Number& r, const Number& integral, const Number& moment, const Number& pieceDecay, bool beforeFace)
+    {
+        I = I + decay * integral;
         R = R + r;
-        Number& moment = start < 0.0 ? before : after;
-        moment = moment + weight * (start * f.phi + length * f.xi);
-        decay = decay * f.decay;
+        Number& side = beforeFace ? before : after;
+        side = side + decay * moment;
+        decay = decay * pieceDecay;
     }
 };
 
