@@ -23,10 +23,12 @@ FilmSetting filmSetting(const Case& c)
 
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
 {
-    constexpr int coarsest = 40; // cells along the shorter count: fewer do not see the rails
+    constexpr int coarsest = 32; // cells along the shorter count: fewer do not see the rails
     std::array<int, 2> cells{film.nodes[0] - 1, film.nodes[1] - 1};
     std::vector<std::array<int, 2>> levels{cells};
-    while (cells[0] % 2 == 0 && cells[1] % 2 == 0 && std::min(cells[0], cells[1]) >= 2 * coarsest) {
+    // Two grids at least, so that every result comes with an estimate of its error.
+    while (cells[0] % 2 == 0 && cells[1] % 2 == 0 &&
+           (levels.size() == 1 || std::min(cells[0], cells[1]) >= 2 * coarsest)) {
         cells = {cells[0] / 2, cells[1] / 2};
         levels.push_back(cells);
     }
