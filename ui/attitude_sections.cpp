@@ -34,11 +34,11 @@ int decimalsOf(double value, int digits)
     return value == 0.0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
 }
 
-/// Four significant digits; large and tiny numbers by powers of ten.
+/// Four significant digits; large and tiny numbers with three and a power of ten.
 QString plain(double value, const QLocale& locale)
 {
     const double size = std::abs(value);
-    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return locale.toString(value, 'e', 3).replace(QLatin1Char('-'), QChar(0x2212));
+    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return locale.toString(value, 'e', 2).replace(QLatin1Char('-'), QChar(0x2212));
     return fixed(value, decimalsOf(value, 4), locale);
 }
 
@@ -96,7 +96,7 @@ AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
                             {tr("per nm height"), tr("per µrad pitch"), tr("per µrad roll")},
                             {}};
     if (!r.stiffness) return section;
-    const std::array<QString, 3> names{tr("Force [mN]"), tr("Pitch torque [µN·m]"), tr("Roll torque [µN·m]")};
+    const std::array<QString, 3> names{tr("Force [mN]"), tr("Pitch [µN·m]"), tr("Roll [µN·m]")};
     constexpr std::array<double, 3> shown{1e-3, 1e-6, 1e-6};  // [N], [N m]
     constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6};  // [m], [rad]
     for (std::size_t i = 0; i < 3; ++i) {

@@ -96,6 +96,14 @@ ColourScale ColourScale::aboutZero(ColourMap map, double low, double high)
     return {Kind::AboutZero, map, {low < 0.0 ? low : -width, 0.0, high > 0.0 ? high : width}};
 }
 
+ColourScale ColourScale::aboutZeroLogarithmic(ColourMap map, double low, double high, double near)
+{
+    ColourScale scale = aboutZero(map, low, high);
+    scale.kind_ = Kind::AboutZeroLogarithmic;
+    scale.near_ = near;
+    return scale;
+}
+
 ColourScale ColourScale::throughLevels(ColourMap map, std::vector<double> levels)
 {
     if (levels.size() == 1) levels.push_back(levels.front() + std::max(std::abs(levels.front()), 1e-30));
@@ -114,6 +122,11 @@ double ColourScale::position(double value) const
     if (!(value > knots_.front())) return 0.0;
     if (value >= knots_.back()) return 1.0;
     if (isLogarithmic()) return std::log(value / knots_[0]) / std::log(knots_[1] / knots_[0]);
+    if (kind_ == Kind::AboutZeroLogarithmic) {
+        const double end = value < 0.0 ? knots_.front() : knots_.back();
+        const double part = std::log1p(std::abs(value) / near_) / std::log1p(std::abs(end) / near_);
+        return 0.5 + (value < 0.0 ? -0.5 : 0.5) * part;
+    }
     const auto above = static_cast<std::size_t>(std::ranges::upper_bound(knots_, value) - knots_.begin());
     const double part = (value - knots_[above - 1]) / (knots_[above] - knots_[above - 1]);
     return (static_cast<double>(above - 1) + part) / static_cast<double>(knots_.size() - 1);
@@ -124,23 +137,44 @@ QRgb ColourScale::colourAt(double position) const
     return colours_[static_cast<std::size_t>(std::lround(position * static_cast<double>(colours_.size() - 1)))];
 }
 
+std::vector<ScaleTick> ColourScale::linearTicks(double from, double to, double factor, int most) const
+{
+    PlotAxis axis;
+    axis.label = {{}, {}, factor, isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear};
+    axis.setRange({from, to});
+    std::vector<ScaleTick> list;
+    for (const AxisTick& tick : axis.ticks(std::max(2, most)))
+        if (tick.major && tick.value >= from && tick.value <= to) list.push_back({position(tick.value), tick.text});
+    return list;
+}
+
+/// Powers of ten of the unit from `near` to `end`, which is on either side of zero.
+std::vector<ScaleTick> ColourScale::decadeTicks(double end, double factor) const
+{
+    std::vector<ScaleTick> list;
+    const double sign = end < 0.0 ? -1.0 : 1.0;
+    double power = std::pow(10.0, std::ceil(std::log10(near_ / factor) - 1e-9));
+    for (; power * factor <= std::abs(end); power *= 10.0)
+        list.push_back({position(sign * power * factor), typeset(sign * power, std::max(0, static_cast<int>(-std::floor(std::log10(power) + 1e-9))))});
+    return list;
+}
+
 std::vector<ScaleTick> ColourScale::ticks(double factor, int most) const
 {
     std::vector<ScaleTick> list;
-    const auto add = [&](double low, double high, int room) {
-        PlotAxis axis;
-        axis.label = {{}, {}, factor, isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear};
-        axis.setRange({low, high});
-        for (const AxisTick& tick : axis.ticks(std::max(2, room)))
-            if (tick.major && tick.value >= low && tick.value <= high) list.push_back({position(tick.value), tick.text});
-    };
+    const auto add = [&list](std::vector<ScaleTick> more) { list.insert(list.end(), more.begin(), more.end()); };
     switch (kind_) {
     case Kind::Linear:
-    case Kind::Logarithmic: add(low(), high(), most); break;
+    case Kind::Logarithmic: add(linearTicks(low(), high(), factor, most)); break;
     case Kind::AboutZero:
-        add(0.0, high(), most / 2);
+        add(linearTicks(0.0, high(), factor, most / 2));
         // The numbers of the upper half begin with the zero that both share.
-        add(low(), -1e-9 * (high() - low()), most / 2);
+        add(linearTicks(low(), -1e-9 * (high() - low()), factor, most / 2));
+        break;
+    case Kind::AboutZeroLogarithmic:
+        list.push_back({0.5, QStringLiteral("0")});
+        add(decadeTicks(high(), factor));
+        add(decadeTicks(low(), factor));
         break;
     case Kind::Levels:
         for (const double level : knots_) list.push_back({position(level), QLocale().toString(level / factor, 'g', 4)});

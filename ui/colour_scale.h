@@ -39,6 +39,9 @@ public:
     static ColourScale logarithmic(ColourMap map, double low, double high);
     /// Zero in the middle; each side is stretched to its own end, so that a weak side is seen beside a strong one.
     static ColourScale aboutZero(ColourMap map, double low, double high);
+    /// The same with each side even in log(1 + |value|/near), `near` > 0: what is weak shows on a side that has something
+    /// strong.
+    static ColourScale aboutZeroLogarithmic(ColourMap map, double low, double high, double near);
     /// Equal steps of colour between the levels, however far they are apart; ascending, one or more.
     static ColourScale throughLevels(ColourMap map, std::vector<double> levels);
 
@@ -49,6 +52,7 @@ public:
     double high() const { return knots_.back(); }
     /// The values at equal distances on the bar.
     const std::vector<double>& knots() const { return knots_; }
+    /// Even in the logarithm of the value itself.
     bool isLogarithmic() const { return kind_ == Kind::Logarithmic; }
 
     /// Where the value lies on the bar, 0 to 1.
@@ -60,11 +64,14 @@ public:
     std::vector<ScaleTick> ticks(double factor, int most) const;
 
 private:
-    enum class Kind { Linear, Logarithmic, AboutZero, Levels };
+    enum class Kind { Linear, Logarithmic, AboutZero, AboutZeroLogarithmic, Levels };
     ColourScale(Kind kind, ColourMap map, std::vector<double> knots);
+    std::vector<ScaleTick> linearTicks(double from, double to, double factor, int most) const;
+    std::vector<ScaleTick> decadeTicks(double end, double factor) const;
 
     Kind kind_;
     std::vector<double> knots_; // ascending
+    double near_ = 1.0;         // of AboutZeroLogarithmic
     std::array<QRgb, 512> colours_{};
 };
 

@@ -18,6 +18,8 @@ namespace touchdown {
 
 namespace {
 
+constexpr double nearAmbient = 1e3; // a pressure that a logarithmic scale does not tell from ambient [Pa]
+
 const std::vector<const char*>& unitsOf(MapsView::Quantity quantity)
 {
     static const std::vector<const char*> pressures{"kPa", "atm", "MPa"};
@@ -73,10 +75,12 @@ void MapsView::buildControls()
     layout->addWidget(unit_);
     unit_->setAccessibleName(tr("Unit"));
     unit_->setToolTip(tr("Unit of the map and its sections"));
-    logarithmic_->setToolTip(tr("Logarithmic scale of the gap"));
-    logarithmic_->setChecked(true);
+    logarithmic_->setToolTip(tr("Logarithmic scale: shows what is weak beside what is strong"));
     connect(unit_, &QComboBox::currentIndexChanged, this, &MapsView::showField);
-    connect(logarithmic_, &QCheckBox::toggled, this, &MapsView::showField);
+    connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
+        (quantity_ == Quantity::Gap ? logarithmicGap_ : logarithmicPressure_) = on;
+        showField();
+    });
 }
 
 void MapsView::setResult(const SteadyResult& result, const SliderCase& slider, double skew, double ambient)
@@ -87,10 +91,18 @@ void MapsView::setResult(const SteadyResult& result, const SliderCase& slider, d
     map_->setSkew(skew);
     const bool inside = sectionPoint_ && map_->onSlider(*sectionPoint_);
     if (!pinned_ || !inside) {
-        sectionPoint_ = result.minimumAt;
+        sectionPoint_ = nearestTheDisk();
         pinned_ = false;
     }
     showField();
+}
+
+/// The middle of the cell with the smallest gap: the point of minimum spacing itself lies on the border of a rail.
+std::optional<SurfacePoint> MapsView::nearestTheDisk() const
+{
+    if (result_.gap.empty()) return std::nullopt;
+    const auto cell = static_cast<int>(std::ranges::min_element(result_.gap) - result_.gap.begin());
+    return SurfacePoint{result_.grid.centreX(cell % result_.grid.nx()), result_.grid.centreY(cell / result_.grid.nx())};
 }
 
 void MapsView::clear()
@@ -120,8 +132,11 @@ void MapsView::showQuantity()
         unit_->clear();
         for (const char* unit : unitsOf(quantity_)) unit_->addItem(unitText(unit), QString::fromLatin1(unit));
     }
-    // A pressure about ambient has no logarithm.
-    logarithmic_->setVisible(quantity_ == Quantity::Gap);
+    {
+        const QSignalBlocker quiet(logarithmic_);
+        logarithmic_->setChecked(quantity_ == Quantity::Gap ? logarithmicGap_ : logarithmicPressure_);
+    }
+    logarithmic_->setVisible(quantity_ != Quantity::Recess); // on the pads it is zero
     showField();
 }
 
@@ -155,15 +170,17 @@ FieldLook MapsView::look(const std::vector<double>& values) const
         low = *least;
         high = *most;
     }
+    const ColourMap diverging = isDark(palette()) ? ColourMap::DivergingOnDark : ColourMap::DivergingOnLight;
     switch (quantity_) {
     case Quantity::Pressure:
         look.title = tr("Pressure above ambient");
-        look.scale = ColourScale::aboutZero(isDark(palette()) ? ColourMap::DivergingOnDark : ColourMap::DivergingOnLight, low, high);
+        look.scale = logarithmicPressure_ ? ColourScale::aboutZeroLogarithmic(diverging, low, high, nearAmbient)
+                                          : ColourScale::aboutZero(diverging, low, high);
         break;
     case Quantity::Gap:
         look.title = tr("Gap");
         // Bright is near the disk, as in the recess. In contact there is no logarithm.
-        look.scale = logarithmic_->isChecked() && low > 0.0 ? ColourScale::logarithmic(ColourMap::Viridis, low, high).reversed()
+        look.scale = logarithmicGap_ && low > 0.0 ? ColourScale::logarithmic(ColourMap::Viridis, low, high).reversed()
                                                             : ColourScale::linear(ColourMap::Viridis, low, high).reversed();
         break;
     case Quantity::Recess:

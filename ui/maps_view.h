@@ -54,11 +54,14 @@ private:
     void showQuantity();
     void showField();
     void moveSection(int cellsX, int cellsY);
+    std::optional<SurfacePoint> nearestTheDisk() const;
     FieldLook look(const std::vector<double>& values) const;
 
     SteadyResult result_;
     double ambient_ = 101325.0; // [Pa]
     Quantity quantity_ = Quantity::Pressure;
+    bool logarithmicGap_ = true;
+    bool logarithmicPressure_ = false;
     std::optional<SurfacePoint> sectionPoint_;
     bool pinned_ = false;
     QWidget* controls_;

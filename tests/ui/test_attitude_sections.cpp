@@ -101,8 +101,8 @@ void TestAttitudeSections::scalesTheStiffness()
     const Case c = sampleFilmCase();
     const auto sections = attitudeSections(c, sampleResult(c), QLocale::c());
     QCOMPARE(row(sections, "Stiffness of the film", "Force [mN]"), (QStringList{"2.500", "1.200", "0.003000"}));
-    QCOMPARE(row(sections, "Stiffness of the film", "Pitch torque [µN·m]").front(), minus + "0.3000");
-    QCOMPARE(row(sections, "Stiffness of the film", "Roll torque [µN·m]").back(), QStringLiteral("0.08000"));
+    QCOMPARE(row(sections, "Stiffness of the film", "Pitch [µN·m]").front(), minus + "0.3000");
+    QCOMPARE(row(sections, "Stiffness of the film", "Roll [µN·m]").back(), QStringLiteral("0.08000"));
 }
 
 void TestAttitudeSections::scalesSensitivitiesToTheUnitsOfTheFields()

@@ -30,6 +30,7 @@ private slots:
     void linearIsEven();
     void logarithmicIsEvenInDecades();
     void zeroIsInTheMiddle();
+    void weakPressuresShowOnALogarithm();
     void levelsStandAtEqualSteps();
     void beyondTheEndsTheEndsHold();
     void coloursAreTheMapsAtThePosition_data();
@@ -104,6 +105,20 @@ void TestColourScale::zeroIsInTheMiddle()
     QCOMPARE(scale.position(10.0), 0.75);
     // Nothing below zero: zero keeps its neutral colour.
     QCOMPARE(ColourScale::aboutZero(ColourMap::DivergingOnLight, 0.0, 4.0).position(0.0), 0.5);
+}
+
+// log(1 + 9) of log(1 + 999) is a third: 9 near, of 999 at the end, stands a third up the upper half.
+void TestColourScale::weakPressuresShowOnALogarithm()
+{
+    const auto scale = ColourScale::aboutZeroLogarithmic(ColourMap::DivergingOnLight, -99e3, 999e3, 1e3);
+    QCOMPARE(scale.position(0.0), 0.5);
+    QVERIFY(std::abs(scale.position(9e3) - (0.5 + 0.5 / 3.0)) < 1e-12);
+    QVERIFY(std::abs(scale.position(-9e3) - 0.25) < 1e-12); // log 10 of log 100
+    QCOMPARE(scale.position(999e3), 1.0);
+    QCOMPARE(scale.position(-2e5), 0.0);
+    QStringList numbers;
+    for (const ScaleTick& tick : scale.ticks(1e3, 9)) numbers << tick.text;
+    QCOMPARE(numbers, (QStringList{"0", "1", "10", "100", QStringLiteral("−1"), QStringLiteral("−10")}));
 }
 
 void TestColourScale::levelsStandAtEqualSteps()

@@ -103,6 +103,7 @@ void TestMapsView::sectionsAreSteps()
 void TestMapsView::beginsAtTheMinimumSpacing()
 {
     QVERIFY(view_->sectionPoint());
+    // The sample's minimum is the smallest of its cells, at its middle.
     QCOMPARE(view_->sectionPoint()->x, result_.minimumAt.x);
     QCOMPARE(view_->sectionPoint()->y, result_.minimumAt.y);
     QVERIFY(!view_->pinned());
@@ -154,8 +155,13 @@ void TestMapsView::logarithmOfTheGap()
     QVERIFY(!view_->map()->look().scale.isLogarithmic());
     QVERIFY(!view_->sections()->alongX()->yAxis().logarithmic());
     view_->setQuantity(Quantity::Pressure);
-    QVERIFY(view_->logarithmic()->isHidden());
+    // Of the pressure the choice is another, and the sections stay as they are.
+    QVERIFY(!view_->logarithmic()->isChecked());
+    view_->logarithmic()->setChecked(true);
+    QVERIFY(view_->map()->look().scale.position(3e5) > 0.85); // of 9e5
     QVERIFY(!view_->sections()->alongX()->yAxis().logarithmic());
+    view_->setQuantity(Quantity::Recess);
+    QVERIFY(view_->logarithmic()->isHidden());
 }
 
 void TestMapsView::aGapOfZeroHasNoLogarithm()
