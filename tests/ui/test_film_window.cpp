@@ -7,11 +7,14 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QFileInfo>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
 #include "tests/ui/sample_slider.h"
+#include "ui/plot_export.h"
 #include "ui/theme.h"
 
 using namespace touchdown;
@@ -40,6 +43,7 @@ private slots:
     void tabsChooseTheField();
     void theGridIsOnBoth();
     void copiesTheTables();
+    void exportsThePage();
     void ambientPressureOfTheAir();
 
 private:
@@ -260,6 +264,25 @@ void TestFilmWindow::copiesTheTables()
     const QString text = QGuiApplication::clipboard()->text();
     QVERIFY2(text.startsWith(QStringLiteral("Attitude\nTrailing edge height\t10.00\u00a0nm\n")), qPrintable(text.left(80)));
     QVERIFY(text.contains(QStringLiteral("Force [mN]\t2.500\t1.200\t0.003000")));
+}
+
+// What the page shows leaves as a picture of twice its pixels, in the colours of paper.
+void TestFilmWindow::exportsThePage()
+{
+    const QTemporaryDir folder;
+    QTRY_VERIFY(film_->view()->surface()->settled());
+    const QString file = folder.filePath(QStringLiteral("page.png"));
+    QCOMPARE(savePage(*film_->view(), file), QString());
+    const QImage image(file);
+    QCOMPARE(image.size(), 2 * film_->view()->size());
+    SurfaceView* surface = film_->view()->surface();
+    const QPointF pad = surface->mapTo(film_->view(), surface->toPixel({0.2e-3, 0.2e-3}));
+    QCOMPARE(image.pixelColor((2.0 * pad).toPoint()).rgb(), surface->scale().colour(0.0));
+    for (const char* ending : {"svg", "pdf"}) {
+        const QString other = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
+        QCOMPARE(savePage(*film_->view(), other), QString());
+        QVERIFY(QFileInfo(other).size() > 5000);
+    }
 }
 
 // The standard atmosphere at 3000 m: 101325 (1 - 0.0065 * 3000/288.16)^5.256 = 70109 Pa.

@@ -109,7 +109,8 @@ void TestMainWindow::runsTheDefaultCase()
 void TestMainWindow::runsEverySampleCase_data()
 {
     QTest::addColumn<QString>("name");
-    for (const SampleCase& sample : sampleCases()) QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
+    for (const SampleCase& sample : sampleCases())
+        if (openCase(sample.name).value.model == ModelKind::Springs) QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
 }
 
 void TestMainWindow::runsEverySampleCase()
