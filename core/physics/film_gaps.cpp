@@ -91,6 +91,24 @@ public:
         return largestStep <= 0.5 * (highest - lowest);
     }
 
+    /// Whether a vertical step stands in a cell; a wall, however steep, is none.
+    bool jumps(double x0, double x1, double y0, double y1)
+    {
+        constexpr double beside = 1e-11; // [m]
+        for (int axis = 0; axis < 2; ++axis) {
+            const double from = axis == 0 ? x0 : y0, to = axis == 0 ? x1 : y1;
+            for (const double share : {0.05, 0.35, 0.65, 0.95}) {
+                const double across = axis == 0 ? y0 + share * (y1 - y0) : x0 + share * (x1 - x0);
+                breaks(axis, across, from, to);
+                for (const double edge : breaks_) {
+                    const double below = at(axis, edge - beside, across), above = at(axis, edge + beside, across);
+                    if (isStep(std::min(below, above), std::max(below, above))) return true;
+                }
+            }
+        }
+        return false;
+    }
+
     /// Gaps that differ so much that flows do.
     static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
 
@@ -238,6 +256,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
     for (int axis = 0; axis < 2; ++axis) {
         Faces& f = faces[static_cast<std::size_t>(axis)];
         f.recess.assign(pad.size(), 0.0);
+        f.rise.assign(pad.size(), 0.0);
         const std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
         for (int j = 0; j < pad.ny + (axis == 1); ++j)
             for (int i = 0; i < pad.nx + (axis == 0); ++i) {
@@ -251,10 +270,12 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 const bool smooth = (axis == 0 ? recess.isSmooth(start, end, low, high)
                                                : recess.isSmooth(low, high, start, end)) ||
                                     sampler.isGentle(axis, start, end, low, high);
-                if (smooth)
-                    f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], 0.5 * (low + high))
-                                             : recess.at(0.5 * (low + high), f.pathMid[line]);
-                else f.cut.push_back(sampler.cutFace(at, axis, start, end, lines[line], low, high));
+                if (smooth) {
+                    const double middle = 0.5 * (low + high);
+                    const auto recessAt = [&](double along) { return axis == 0 ? recess.at(along, middle) : recess.at(middle, along); };
+                    f.recess[at] = recessAt(f.pathMid[line]);
+                    f.rise[at] = recessAt(end) - recessAt(start);
+                } else f.cut.push_back(sampler.cutFace(at, axis, start, end, lines[line], low, high));
             }
     }
     meanRecess.assign(pad.size(), 0.0);
@@ -268,15 +289,13 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 continue;
             }
             cutCells.push_back(sampler.cutCell(at, x0, x1, y0, y1));
-            double volume = 0.0, area = 0.0, lowest = pieces[rows.back().pieces].recess, highest = lowest;
+            double volume = 0.0, area = 0.0;
             for (std::uint32_t k = rows.back().pieces; k < rows.back().pieceEnd; ++k) {
                 volume += pieces[k].extent * pieces[k].recess;
                 area += pieces[k].extent;
-                lowest = std::min(lowest, pieces[k].recess);
-                highest = std::max(highest, pieces[k].recess);
             }
             meanRecess[at] = volume / area;
-            if (Sampler::isStep(lowest, highest)) steppedCells.push_back(at);
+            if (sampler.jumps(x0, x1, y0, y1)) steppedCells.push_back(at);
         }
 }
 

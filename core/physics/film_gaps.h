@@ -46,6 +46,7 @@ struct FilmGaps {
     /// Per axis and face: middle of the path, its length, the width of the face, the recess there.
     struct Faces {
         std::vector<double> recess;  // padded [m]
+        std::vector<double> rise;    // of the recess from end to end of a smooth path, padded [m]
         std::vector<double> pathMid; // along the axis, by line [m]; nx + 1 or ny + 1
         std::vector<double> pathLength; // by line [m]
         std::vector<double> upperShare; // by line: (face - lower centre)/path length [-]
@@ -54,7 +55,7 @@ struct FilmGaps {
     std::array<Faces, 2> faces;
     std::vector<double> meanRecess; // of each cell, padded [m]
     std::vector<CutPlace> cutCells;
-    std::vector<std::size_t> steppedCells; // cut cells in which the gap changes much, padded indices
+    std::vector<std::size_t> steppedCells; // cut cells in which a vertical step stands, padded indices
     std::vector<GapRow> rows;
     std::vector<GapPiece> pieces;
 
