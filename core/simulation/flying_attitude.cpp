@@ -190,7 +190,7 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
     bool again = false;
     for (;; ++result.iterations) {
         film_.setAttitude(attitude);
-        const FilmSolution film = newton_.solve(
+        const FilmSolution film = solveFilm(
             p, {.tolerance = std::max(options.filmTolerance, 1e-9), .maximumIterations = options.maximumIterations},
             [&](int, double residual) { return !monitor || monitor(result.iterations, residual, result.loadError, attitude); });
         result.solves += film.solves;
@@ -208,7 +208,7 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
             std::copy(best_.begin(), best_.end(), p.begin());
             film_.setAttitude(attitude);
             leading = std::max(4.0 * leading, 0.1);
-            newton_.solve(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations});
+            solveFilm(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations});
             linearise(p, attitude);
             result.loadError = best;
         } else if (again) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/physics/film_newton.h"
@@ -54,6 +55,14 @@ class FlyingAttitude {
 public:
     FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing);
 
+    /// Solves the film at the film's attitude; by Newton's method unless another way is set.
+    using FilmSolve = std::function<FilmSolution(std::span<double>, const FilmOptions&, const FilmMonitor&)>;
+    void setFilmSolve(FilmSolve solve) { solveFilm_ = std::move(solve); }
+    FilmSolution solveFilm(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor = {})
+    {
+        return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
+    }
+
     /// From far: the film is solved at each attitude, and the attitude led along the forces until Newton takes over.
     AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                               const AttitudeMonitor& monitor = {});
@@ -75,7 +84,6 @@ public:
     /// G at p and the film's attitude.
     Vector3 imbalance(std::span<const double> p) const;
     double loadError(const Vector3& imbalance) const;
-    FilmNewton& film() { return newton_; }
 
 private:
     /// Linearises everything at p; returns the film's residual norm.
@@ -93,6 +101,7 @@ private:
     SliderLoad load_;
     const MinimumSpacing& spacing_;
     FilmNewton newton_;
+    FilmSolve solveFilm_;
     GasFilm::ForceDerivatives forces_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;

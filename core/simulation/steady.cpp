@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/physics/film_line_multigrid.h"
 #include "core/simulation/film_setup.h"
 #include "core/simulation/sensitivity.h"
 
@@ -28,6 +29,7 @@ public:
             previous_ = std::move(level_);
             level_ = std::make_unique<FilmLevel>(case_, recess_, spacing_, grid(cells));
             if (previous_) level_->take(previous_->known(case_));
+            if (case_.film.solver == FilmSolver::LineMultigrid) takeLineMultigrid();
             const bool finest = cells[0] == case_.film.nodes[0] - 1;
             const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
             if (result_.status == SteadyStatus::Cancelled) return result_;
@@ -43,6 +45,15 @@ private:
         Attitude attitude;
         double minimumSpacing, load, positive;
     };
+
+    void takeLineMultigrid()
+    {
+        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps.grid, filmSetting(case_));
+        level_->flying.setFilmSolve([this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
+            lineMultigrid_->setAttitude(level_->film.attitude());
+            return lineMultigrid_->solve(p, options, monitor);
+        });
+    }
 
     CellGrid grid(const std::array<int, 2>& cells) const
     {
@@ -80,11 +91,13 @@ private:
     bool solveFilm(bool finest)
     {
         level_->film.setAttitude(attitude_);
-        const FilmSolution s = level_->flying.film().solve(
+        const FilmSolution s = level_->flying.solveFilm(
             level_->pressure,
             {.tolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
              .maximumIterations = case_.film.maximumIterations},
             [this](int iteration, double residual) { return tell(iteration, residual, 0.0, attitude_); });
+        std::vector<double> residual(level_->pressure.size());
+        level_->film.residual(level_->pressure, residual); // the flow through the outline is reported from it
         result_.iterations = s.iterations;
         result_.solves += s.solves;
         result_.residual = s.residual;
@@ -101,7 +114,8 @@ private:
             return tell(iteration, residual, loadError, attitude);
         };
         FlyingAttitude& flying = level_->flying;
-        const AttitudeSolution s = previous_ ? flying.solve(level_->pressure, attitude_, options, monitor)
+        const bool together = previous_ && case_.film.solver == FilmSolver::Newton;
+        const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor)
                                              : flying.approach(level_->pressure, attitude_, options, monitor);
         level_->film.setAttitude(attitude_);
         result_.iterations = s.iterations;
@@ -214,6 +228,7 @@ private:
     MinimumSpacing spacing_;
     Attitude attitude_;
     std::unique_ptr<FilmLevel> level_, previous_;
+    std::unique_ptr<FilmLineMultigrid> lineMultigrid_; // of the level, when it is chosen
     std::optional<LevelSummary> coarse_;
     SteadyResult result_;
 };

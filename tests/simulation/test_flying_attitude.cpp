@@ -99,7 +99,7 @@ void TestFlyingAttitude::stiffnessAgreesWithDifferences()
             const Attitude moved{at.height + (m == 0 ? d : 0.0), at.pitch + (m == 1 ? d : 0.0), at.roll + (m == 2 ? d : 0.0)};
             std::vector<double> p = solved.level.pressure;
             solved.level.film.setAttitude(moved);
-            QVERIFY(solved.level.flying.film().solve(p, {.tolerance = 1e-13, .maximumIterations = 30}).residual < 1e-11);
+            QVERIFY(solved.level.flying.solveFilm(p, {.tolerance = 1e-13, .maximumIterations = 30}).residual < 1e-11);
             loads[static_cast<std::size_t>(side)] = solved.level.film.load(p);
         }
         for (std::size_t k = 0; k < 3; ++k) {
