@@ -11,6 +11,8 @@ namespace {
 
 constexpr double tinyFlow = 1e-200; // keeps ratios of closed faces finite [Pa m^3/s]
 
+double tiltOf(double rise, double gap) { return gap > closedGap ? std::clamp(rise / gap, -1.0, 1.0) : 0.0; }
+
 } // namespace
 
 GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
@@ -20,7 +22,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const CellGrid& grid = gaps_.grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         AxisState& a = axes_[axis];
-        for (auto* field : {&a.gap, &a.speed}) field->assign(pad.size(), 0.0);
+        for (auto* field : {&a.gap, &a.tilt, &a.speed}) field->assign(pad.size(), 0.0);
         FilmFaces& f = faces_[axis];
         for (auto* field : {&f.flow, &f.lower, &f.upper, &f.below, &f.above, &f.belowByMean, &f.aboveByMean, &f.inflow,
                             &f.inflowByLower, &f.inflowByUpper, &f.ownLower, &f.ownUpper, &f.share, &f.inflowShare,
@@ -66,14 +68,18 @@ void GasFilm::setAttitude(const Attitude& attitude)
         for (int i = 0; i <= pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
             const double x = gaps_.faces[0].pathMid[static_cast<std::size_t>(i)];
-            axes_[0].gap[at] = std::max(0.0, gaps_.faces[0].recess[at] + gaps_.lift(attitude, x, y));
+            const double gap = std::max(0.0, gaps_.faces[0].recess[at] + gaps_.lift(attitude, x, y));
+            axes_[0].gap[at] = gap;
+            axes_[0].tilt[at] = tiltOf(gaps_.faces[0].rise[at] - attitude.pitch * gaps_.faces[0].pathLength[static_cast<std::size_t>(i)], gap);
         }
     }
     for (int j = 0; j <= pad.ny; ++j) {
         const double y = gaps_.faces[1].pathMid[static_cast<std::size_t>(j)];
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            axes_[1].gap[at] = std::max(0.0, gaps_.faces[1].recess[at] + gaps_.lift(attitude, grid.centreX(i), y));
+            const double gap = std::max(0.0, gaps_.faces[1].recess[at] + gaps_.lift(attitude, grid.centreX(i), y));
+            axes_[1].gap[at] = gap;
+            axes_[1].tilt[at] = tiltOf(gaps_.faces[1].rise[at] - attitude.roll * gaps_.faces[1].pathLength[static_cast<std::size_t>(j)], gap);
         }
     }
     for (std::size_t axis = 0; axis < 2; ++axis)

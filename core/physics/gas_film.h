@@ -131,12 +131,13 @@ public:
 private:
     struct AxisState {
         std::vector<double> gap;   // at smooth faces; zero at cut ones [m]
+        std::vector<double> tilt;  // change of the gap along the path against it, -1 to 1 [-]
         std::vector<double> speed; // of the disk along the axis, halved [m/s]
         std::vector<double> width; // of the face by cross index [m]
         std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
     };
     using ByPressure = Dual<1>;
-    using ByGap = Dual<1>;
+    using ByGap = Dual<2>; // gap, its change along the path
     using ByAttitude = Dual<3>;
     using ByAll = Dual<5>; // pressure below, above, attitude
 

@@ -42,7 +42,7 @@ void setFace(FilmFaces& f, std::size_t at, const PathFlow<ByPressure>& flow, boo
 /// One row of faces; those that are cut pass nothing here.
 struct FaceRow {
     std::size_t first, count, step; // of the row in padded arrays; from the cell below a face to the one above
-    std::span<const double> p, gap, speed;
+    std::span<const double> p, gap, tilt, speed;
     std::span<const double> length, lowerShare, width; // of the paths
     std::span<const double> mobility, mobilityByPressure;
     double viscosity;
@@ -53,6 +53,7 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
 {
     const double* p = row.p.data() + row.first - row.step;
     const double* gap = row.gap.data() + row.first;
+    const double* tilt = row.tilt.data() + row.first;
     const double* speed = row.speed.data() + row.first;
     const double *length = row.length.data(), *lowerShare = row.lowerShare.data(), *width = row.width.data();
     const double *G = row.mobility.data(), *byPressure = row.mobilityByPressure.data();
@@ -63,7 +64,7 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
         Number mobility(G[k]);
         if constexpr (!std::is_same_v<Number, double>) mobility.by[0] = byPressure[k];
         const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k],
-                                                         Number(gap[k]), mobility);
+                                                         Number(gap[k]), Number(tilt[k]), mobility);
         setFace(faces, first + k, flow, speed[k] < 0.0, p[k], p[k + step]);
     }
 }
@@ -178,7 +179,7 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
             mobility_[k] = g.mobility;
             mobilityByPressure_[k] = g.derivative * h;
         }
-        FaceRow row{first, count, step, p, a.gap, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
+        FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
                     mobilityByPressure_, setting_.air.viscosity};
         if (axis == 0) {
             std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
@@ -239,9 +240,13 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
             const std::array<double, 3> lift = axis == 0 ? liftDirections(middle, gaps_.grid.centreY(j))
                                                          : liftDirections(gaps_.grid.centreX(i), middle);
             const ByGap gap = ByGap::variable(a.gap[at], 0);
+            ByGap tilt(a.tilt[at]);
+            if (std::abs(tilt.value) < 1.0 && gap.value > closedGap) tilt = ByGap::variable(tilt.value * gap.value, 1) / gap;
+            const double length = paths.pathLength[line];
+            const std::array<double, 3> rise{0.0, axis == 0 ? -length : 0.0, axis == 0 ? 0.0 : -length};
             set(at, smoothFlow<scheme>(SmoothPath{paths.pathLength[line], paths.upperShare[line], width},
-                                       setting_.air.viscosity, a.speed[at], gap, mobility(ByGap(0.5 * (p1 + p2)), gap)),
-                p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k]; });
+                                       setting_.air.viscosity, a.speed[at], gap, tilt, mobility(ByGap(0.5 * (p1 + p2)), gap)),
+                p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k] + number.by[1] * rise[k]; });
         }
     PieceBlock block;
     block.resize(block_.gap.size());

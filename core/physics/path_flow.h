@@ -91,14 +91,20 @@ struct PathFlow {
     }
 };
 
-/// A path with one gap on all its length, across a face `width` wide; nothing passes a gap that is closed.
+/// A smooth path across a face `width` wide; nothing passes a gap that is closed.
 struct SmoothPath {
     double length, lowerShare, width; // [m], share of the length below the face, [m]
 };
 
 /// Speed: that of the disk along the axis, halved [m/s]; the mobility G at the path's mean pressure.
+///
+/// `tilt` is the change of the gap along the path against its middle value, e = (h2 - h1)/h, -1 to 1. Convection carries p h,
+/// not p: with v = p h, F = (U/2 + D h'/h^2) v - (D/h) dv/dx has constant coefficients where the one of p has not, so that
+/// F = (v1 - v2 exp(-Q - e))/(h (R/L) integral of exp(-(Q + e) x/L)), and what leaves a cell at a high Peclet number is what is
+/// in its middle. To first order in e, which leaves the error of second order: I - e int (x/L) w for I, upstream gap (1 - e/2) h.
 template <ConvectionScheme scheme, typename Number>
-PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap, const Number& mobility)
+PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap, const Number& tilt,
+                            const Number& mobility)
 {
     const bool open = valueOf(gap) > closedGap;
     const double width = open ? path.width : 0.0;
@@ -116,7 +122,12 @@ PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double spe
         integral.decay = first.decay * second.decay;
         integral.before = -before * before * path.length * R * first.chi;
         integral.after = after * after * path.length * R * first.decay * second.xi;
+        const Number e = (against ? -1.0 : 1.0) * tilt; // downstream
+        integral.I = integral.I - e * ((1.0 / path.length) * (integral.before + integral.after) + before * integral.I);
         flow.add(integral, width, open ? 1.0 : 0.0, against);
+        const Number upstreamGap = Number(1.0) - 0.5 * e; // against the middle one
+        flow.A = flow.A * upstreamGap;
+        flow.B = flow.B * upstreamGap;
     } else {
         flow.K = width / R;
         const Number convection = speed * width * h;
