@@ -10,7 +10,9 @@
 #include "app/case_commands.h"
 #include "app/convert_command.h"
 #include "app/describe_command.h"
+#include "app/modes_command.h"
 #include "app/run_command.h"
+#include "app/steady_command.h"
 
 namespace touchdown {
 namespace {
@@ -69,6 +71,20 @@ int commandLine(int argc, char** argv)
     run.add_flag("--progress", runArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(run);
 
+    SteadyArguments steadyArguments;
+    CLI::App& steady = *app.add_subcommand("steady", "Finds the static flying attitude of a film case");
+    addCase(steady, steadyArguments.caseArguments);
+    steady.add_option("--out", steadyArguments.out, "Writes forces and fields as HDF5")->type_name("FILE.h5");
+    steady.add_flag("--fixed-attitude", steadyArguments.fixedAttitude, "Solves the film at the initial attitude only");
+    steady.add_flag("--progress", steadyArguments.progress, "Shows progress even when standard error is no terminal");
+    addJson(steady);
+
+    ModesArguments modesArguments;
+    CLI::App& modes = *app.add_subcommand("modes", "Finds the air bearing modes about the static attitude");
+    addCase(modes, modesArguments.caseArguments);
+    modes.add_flag("--progress", modesArguments.progress, "Shows progress even when standard error is no terminal");
+    addJson(modes);
+
     std::string from;
     std::string to;
     CLI::App& convert = *app.add_subcommand(
@@ -93,12 +109,16 @@ int commandLine(int argc, char** argv)
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
         if (run.parsed()) findCase(run, runArguments.caseArguments);
+        if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
+        if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
+    if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
+    if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));

@@ -73,8 +73,7 @@ std::string modesJson(const Case& c, const ModesResult& result)
 std::string modesText(const Case& c, const ModesResult& result)
 {
     std::string text = c.title + "\n";
-    text +=
-        reportRow("status", std::string(name(result.status)) + (result.message.empty() ? "" : ": " + result.message));
+    text += reportRow("status", statusText(result.status, result.message));
     const Attitude& a = result.steady.attitude;
     if (result.steady.grid.x.size() > 1)
         text += reportRow("static attitude", displayed(a.height, "nm", 5) + ", " + displayed(a.pitch, "urad", 5) +

@@ -105,6 +105,14 @@ std::string withError(double value, double error, const std::string& unit)
     return shown(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
 }
 
+// What is round-off beside the other is zero.
+std::string pairText(const std::string& first, double a, const std::string& second, double b, const std::string& unit)
+{
+    const double noise = 1e-9 * std::max(std::abs(a), std::abs(b));
+    const auto clean = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
+    return first + ' ' + shown(clean(a), unit) + ", " + second + ' ' + shown(clean(b), unit);
+}
+
 std::string forcesText(const SteadyResult& r)
 {
     const FilmForces& f = r.forces;
@@ -112,11 +120,9 @@ std::string forcesText(const SteadyResult& r)
     text += reportRow("  above ambient", shown(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
     if (f.negative < 0.0)
         text += reportRow("  below ambient", shown(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
-    text += reportRow("pressure torques",
-                      "pitch " + shown(f.pitchTorque, "uN m") + ", roll " + shown(f.rollTorque, "uN m"));
-    text += reportRow("shear force", "x " + shown(f.shearX, "mN") + ", y " + shown(f.shearY, "mN"));
-    text += reportRow("shear torques",
-                      "pitch " + shown(r.shearPitchTorque, "uN m") + ", roll " + shown(r.shearRollTorque, "uN m"));
+    text += reportRow("pressure torques", pairText("pitch", f.pitchTorque, "roll", f.rollTorque, "uN m"));
+    text += reportRow("shear force", pairText("x", f.shearX, "y", f.shearY, "mN"));
+    text += reportRow("shear torques", pairText("pitch", r.shearPitchTorque, "roll", r.shearRollTorque, "uN m"));
     text += reportRow("highest pressure", shown(f.maximumPressure, "kPa") + " at " + placeText(f.maximumAt));
     text += reportRow("lowest pressure", shown(f.minimumPressure, "kPa") + " at " + placeText(f.minimumAt));
     return text;
@@ -124,7 +130,7 @@ std::string forcesText(const SteadyResult& r)
 
 std::string oneText(const Case& c, const SteadyResult& r)
 {
-    std::string text = reportRow("status", std::string(name(r.status)) + (r.message.empty() ? "" : ": " + r.message));
+    std::string text = reportRow("status", statusText(r.status, r.message));
     if (!isKnown(r)) return text;
     text += reportRow("solution", std::to_string(r.iterations) + " iterations on " + std::to_string(r.grid.x.size()) +
                                       " x " + std::to_string(r.grid.y.size()) + " nodes, " +
@@ -201,6 +207,13 @@ std::string worstMessage(const std::vector<SteadyState>& states)
     for (const SteadyState& state : states)
         if (state.result.status == worst) return state.result.message;
     return {};
+}
+
+std::string statusText(SteadyStatus status, const std::string& message)
+{
+    const std::string said(name(status));
+    if (message.starts_with(said)) return message;
+    return message.empty() ? said : said + ": " + message;
 }
 
 Json steadyObject(const Case& c, const SteadyResult& r)

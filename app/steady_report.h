@@ -21,6 +21,9 @@ struct SteadyState {
 SteadyStatus worstStatus(const std::vector<SteadyState>& states);
 std::string worstMessage(const std::vector<SteadyState>& states);
 
+/// "not converged: why", for a person; a message that begins with the status says it once.
+std::string statusText(SteadyStatus status, const std::string& message);
+
 /// The keys of one state; numbers in SI, what is not known as null with the reason in the message.
 Json steadyObject(const Case& c, const SteadyResult& result);
 
