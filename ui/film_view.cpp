@@ -56,6 +56,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
     connect(gridShown_, &QCheckBox::toggled, surface_, &SurfaceView::setGridShown);
     connect(gridShown_, &QCheckBox::toggled, maps_->map(), &FieldMap::setGridShown);
+    setSolving(false);
     showPage();
 }
 
@@ -64,14 +65,14 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
     auto* page = new QWidget(this);
     page->setAutoFillBackground(true);
     page->setBackgroundRole(QPalette::Base); // as the plans and plots that will stand there
-    auto* text = new QLabel(tr("There is no solution yet."), page);
+    emptyText_ = new QLabel(page);
     auto* button = new QToolButton(page);
     button->setDefaultAction(solve);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setFocusPolicy(Qt::StrongFocus);
     auto* layout = new QVBoxLayout(page);
     layout->addStretch(1);
-    layout->addWidget(text, 0, Qt::AlignHCenter);
+    layout->addWidget(emptyText_, 0, Qt::AlignHCenter);
     layout->addWidget(button, 0, Qt::AlignHCenter);
     layout->addStretch(2);
     return page;
@@ -110,6 +111,8 @@ void FilmView::setStale(bool stale)
     stale_ = stale;
     showPage();
 }
+
+void FilmView::setSolving(bool solving) { emptyText_->setText(solving ? tr("Solving…") : tr("There is no solution yet.")); }
 
 void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
 

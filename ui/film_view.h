@@ -34,6 +34,9 @@ public:
     /// The case is no longer the one that was solved.
     void setStale(bool stale);
 
+    /// A solution is under way: says so where there is no result yet.
+    void setSolving(bool solving);
+
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     void fit();
@@ -52,6 +55,7 @@ private:
     QStackedWidget* pages_;
     SurfaceView* surface_;
     MapsView* maps_;
+    QLabel* emptyText_ = nullptr;
     QWidget* empty_;
     bool solved_ = false;
     bool stale_ = false;

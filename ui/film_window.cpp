@@ -28,6 +28,8 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
       progress_(new SteadyProgressLine(parent))
 {
     connect(&controller_, &SteadyController::stateChanged, progress_, &SteadyProgressLine::setState);
+    connect(&controller_, &SteadyController::stateChanged, view_,
+            [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
     connect(&controller_, &SteadyController::progressed, this,
             [this](int, const SteadyProgress& progress) { progress_->advance(progress); });
     connect(&controller_, &SteadyController::finished, this,

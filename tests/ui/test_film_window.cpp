@@ -226,10 +226,18 @@ void TestFilmWindow::reportsProgress()
 {
     waiting_ = true;
     film_->solve(case_, false);
+    film_->view()->setPage(Page::Gap);
+    const auto says = [this](const QString& text) {
+        for (const QLabel* label : film_->view()->findChildren<QLabel*>())
+            if (label->isVisible() && label->text() == text) return true;
+        return false;
+    };
+    QVERIFY(says(QStringLiteral("Solving…")));
     QTRY_VERIFY2(film_->progress()->text().startsWith(QStringLiteral("grid 97 × 97 · iteration ")), qPrintable(film_->progress()->text()));
     QVERIFY(film_->progress()->text().contains(QStringLiteral("residual 2.0e−05")));
     QVERIFY(film_->progress()->text().contains(QStringLiteral("height 9\u00a0nm")));
     film_->controller().stopAndWait();
+    QVERIFY(says(QStringLiteral("There is no solution yet.")));
 }
 
 void TestFilmWindow::tabsChooseTheField()
