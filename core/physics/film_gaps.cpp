@@ -2,7 +2,6 @@
 #include "core/physics/film_gaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,104 +14,73 @@ namespace {
 class Sampler {
     /// Gaps of flying sliders are some ten nanometres above the recess [m].
     static constexpr double typicalLift = 20e-9;
-    /// Pieces whose gaps differ by less than this count as one, and rows of such pieces whose lengths differ by less than
-    /// this of the path: what is lost is of second order in it [-].
-    static constexpr double alike = 0.05;
+    /// A range of recesses counts as one recess where it is below this share of the lowest, plus this much [-], [m].
+    static constexpr double alikeShare = 0.15, alikeRange = 0.5e-9;
+    /// Rows count as one where their pieces are alike and their lengths differ by less than this of the path [-].
+    static constexpr double alikeLength = 0.05;
+
+    static constexpr double largest = std::numeric_limits<double>::infinity();
 
 public:
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
 
-    /// A path along `axis` from `start` to `end`, across a face from `low` to `high` at `face`.
-    CutPlace cutFace(std::size_t at, int axis, double start, double end, double face, double low, double high)
+    /// A path along `axis` from `start` to `end`, across a face from `low` to `high` at `face`: adds its rows, unless
+    /// it is so gentle that one number stands for it: small change over its length and width, and no jump.
+    bool divideFace(int axis, double start, double end, double face, double low, double high)
     {
-        CutPlace place{at, size(gaps_.rows), 0};
+        const std::size_t firstRow = gaps_.rows.size(), firstPiece = gaps_.pieces.size();
+        lowest_ = largest;
+        highest_ = -largest;
+        largestJump_ = 0.0;
+        stepBelow_ = stepAbove_ = false;
         breaks(1 - axis, face, low, high);
         const auto addRow = [&](double position, double width) {
             const std::uint32_t first = size(gaps_.pieces);
-            addPieces(axis, position, start, end, face, 1.0);
+            addPieces(axis, position, start, end, face);
             gaps_.rows.push_back({width, first, size(gaps_.pieces)});
-            if (gaps_.rows.size() - place.rows > 1) joinRows(end - start);
+            if (gaps_.rows.size() - firstRow > 1) joinRows(end - start);
         };
+        const double width = high - low;
         if (breaks_.empty()) {
             // An edge meets the path beside the face: where it does so alike at both ends, it does so everywhere.
-            const double width = high - low;
             addRow(low + 0.125 * width, 0.25 * width);
             addRow(high - 0.125 * width, 0.25 * width);
-            if (gaps_.rows.size() - place.rows == 1) gaps_.rows.back().width = width;
+            if (gaps_.rows.size() - firstRow == 1) gaps_.rows.back().width = width;
             else {
                 addRow(low + 0.375 * width, 0.25 * width);
                 addRow(high - 0.375 * width, 0.25 * width);
             }
-        } else
-            forRows(low, high, addRow);
-        place.rowEnd = size(gaps_.rows);
-        return place;
-    }
-
-    CutPlace cutCell(std::size_t at, double x0, double x1, double y0, double y1)
-    {
-        CutPlace place{at, size(gaps_.rows), 0};
-        const std::uint32_t first = size(gaps_.pieces);
-        // Corners and oblique edges are met where they enter and leave.
-        std::vector<double> all;
-        for (const double x : {x0, 0.5 * (x0 + x1), x1}) {
-            breaks(1, x, y0, y1);
-            all.insert(all.end(), breaks_.begin(), breaks_.end());
-        }
-        std::sort(all.begin(), all.end());
-        breaks_ = all;
-        forRows(y0, y1, [&](double position, double width) { addPieces(0, position, x0, x1, x0, width); });
-        gaps_.rows.push_back({1.0, first, size(gaps_.pieces)});
-        place.rowEnd = size(gaps_.rows);
-        return place;
-    }
-
-    /// A wall so gentle that one sample stands for the path: small change over its length and width, and no jump.
-    bool isGentle(int axis, double start, double end, double low, double high) const
-    {
-        constexpr std::size_t samples = 9, rowSamples = 5;
-        std::array<std::array<double, samples>, rowSamples> s;
-        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-        for (const std::size_t k : {0u, 8u, 4u, 2u, 6u, 1u, 3u, 5u, 7u}) // far ones first: most walls show there that they are steep
-            for (const std::size_t row : {0u, 4u, 2u, 1u, 3u}) {
-                const double share = static_cast<double>(k) / (samples - 1), shareAcross = static_cast<double>(row) / (rowSamples - 1);
-                const double value = at(axis, start + (end - start) * share, low + (high - low) * shareAcross);
-                s[row][k] = value;
-                lowest = std::min(lowest, value);
-                highest = std::max(highest, value);
-                if (isStep(lowest, highest)) return false;
-            }
-        double largestStep = 0.0;
-        for (std::size_t row = 0; row < rowSamples; ++row)
-            for (std::size_t k = 0; k < samples; ++k) {
-                if (k > 0) largestStep = std::max(largestStep, std::abs(s[row][k] - s[row][k - 1]));
-                if (row > 0) largestStep = std::max(largestStep, std::abs(s[row][k] - s[row - 1][k]));
-            }
-        return largestStep <= 0.5 * (highest - lowest);
-    }
-
-    /// Whether a vertical step stands in a cell; a wall, however steep, is none.
-    bool jumps(double x0, double x1, double y0, double y1)
-    {
-        constexpr double beside = 1e-11; // [m]
-        for (int axis = 0; axis < 2; ++axis) {
-            const double from = axis == 0 ? x0 : y0, to = axis == 0 ? x1 : y1;
-            for (const double share : {0.05, 0.35, 0.65, 0.95}) {
-                const double across = axis == 0 ? y0 + share * (y1 - y0) : x0 + share * (x1 - x0);
-                breaks(axis, across, from, to);
-                for (const double edge : breaks_) {
-                    const double below = at(axis, edge - beside, across), above = at(axis, edge + beside, across);
-                    if (isStep(std::min(below, above), std::max(below, above))) return true;
-                }
+        } else {
+            // Between neighbouring breaks two rows at Gauss points.
+            ends_ = breaks_;
+            ends_.push_back(high);
+            double from = low, meanBefore = 0.0;
+            for (const double to : ends_) {
+                const double part = to - from;
+                if (part <= 1e-9 * width) continue;
+                constexpr double gauss = 0.21132486540518708; // (1 - 1/sqrt(3))/2
+                addRow(from + gauss * part, 0.5 * part);
+                if (from > low) largestJump_ = std::max(largestJump_, std::abs(mean_ - meanBefore));
+                addRow(to - gauss * part, 0.5 * part);
+                meanBefore = mean_;
+                from = to;
             }
         }
+        const bool gentle = !isStep(lowest_, highest_) && largestJump_ <= std::max(0.5 * (highest_ - lowest_), alikeRange);
+        if (!gentle) return true;
+        gaps_.rows.resize(firstRow);
+        gaps_.pieces.resize(firstPiece);
         return false;
     }
 
+    /// Whether a vertical step crosses the last path below its face, above it; a wall, however steep, is none.
+    bool stepsBelow() const { return stepBelow_; }
+    bool stepsAbove() const { return stepAbove_; }
+
+private:
     /// Gaps that differ so much that flows do.
     static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
 
-private:
     template <typename Container>
     static std::uint32_t size(const Container& container)
     {
@@ -130,78 +98,83 @@ private:
         else recess_.breaksAlongY(across, from, to, breaks_);
     }
 
-    /// Rows across: between neighbouring breaks two at Gauss points.
-    template <typename AddRow>
-    void forRows(double low, double high, AddRow&& addRow)
-    {
-        ends_.assign(breaks_.begin(), breaks_.end());
-        ends_.push_back(high);
-        double from = low;
-        for (const double to : ends_) {
-            const double width = to - from;
-            if (width <= 1e-9 * (high - low)) continue;
-            constexpr double gauss = 0.21132486540518708; // (1 - 1/sqrt(3))/2
-            addRow(from + gauss * width, 0.5 * width);
-            addRow(to - gauss * width, 0.5 * width);
-            from = to;
-        }
-    }
-
-    void addPieces(int axis, double across, double start, double end, double face, double scale)
+    void addPieces(int axis, double across, double start, double end, double face)
     {
         breaks(axis, across, start, end);
         if (face > start && face < end) breaks_.insert(std::upper_bound(breaks_.begin(), breaks_.end(), face), face);
         breaks_.push_back(end);
         samples_.clear();
-        double from = start;
+        double from = start, before = 0.0, sum = 0.0;
         for (const double to : breaks_) {
             const double length = to - from;
             if (length <= 1e-9 * (end - start)) continue;
             // Nearly straight from break to break.
             const double low = at(axis, from + 0.02 * length, across);
             const double high = at(axis, to - 0.02 * length, across);
+            if (from > start) {
+                largestJump_ = std::max(largestJump_, std::abs(low - before));
+                if (isStep(std::min(low, before), std::max(low, before))) {
+                    stepBelow_ = stepBelow_ || from < face;
+                    stepAbove_ = stepAbove_ || from > face;
+                }
+            }
+            before = high;
+            sum += 0.5 * (low + high) * length;
+            lowest_ = std::min({lowest_, low, high});
+            highest_ = std::max({highest_, low, high});
             // A slope is followed by samples so near that the gap changes little from one to the next.
             const double whole = gap(std::max(low, high)) / gap(std::min(low, high)) - 1.0;
             const int count = whole < 0.02 ? 1 : std::clamp(static_cast<int>(std::ceil(2.0 * whole)), 2, 4);
             for (int k = 0; k < count; ++k) {
                 const double share = (k + 0.5) / count, along = from + share * length;
                 const double recess = low + (share - 0.02) / 0.96 * (high - low);
-                samples_.push_back({scale * length / count, recess, axis == 0 ? along : across, axis == 0 ? across : along,
+                samples_.push_back({length / count, recess, axis == 0 ? along : across, axis == 0 ? across : along,
                                     from - face + k * length / count});
             }
             from = to;
         }
+        mean_ = sum / (end - start);
         joinSamples();
     }
 
-    /// As it may be in flight; never closed.
-    static double gap(double recess) { return std::max(recess + typicalLift, 0.25 * typicalLift); }
-    static bool areAlike(double narrow, double wide) { return wide < (1.0 + alike) * narrow; }
+    /// A gap as it may be in flight [m].
+    static double gap(double recess) { return std::max(0.0, recess) + typicalLift; }
+    /// Whether one number can stand for a range of recesses.
+    static bool areAlike(double lowest, double highest) { return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange; }
 
-    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike.
+    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike. Its gap h resists as they do in
+    /// series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
     void joinSamples()
     {
         const std::size_t first = gaps_.pieces.size();
-        double narrow = 0.0, wide = 0.0; // of the last piece
+        double lowest = 0.0, highest = 0.0; // of the last piece
         for (const GapPiece& sample : samples_) {
-            const double h = gap(sample.recess);
+            lowest = std::min(lowest, sample.recess);
+            highest = std::max(highest, sample.recess);
             if (gaps_.pieces.size() > first && (sample.start < 0.0) == (gaps_.pieces.back().start < 0.0) &&
-                areAlike(std::min(narrow, h), std::max(wide, h))) {
+                areAlike(lowest, highest)) {
                 GapPiece& piece = gaps_.pieces.back();
                 const double share = sample.extent / (piece.extent + sample.extent);
-                for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y})
-                    piece.*member += share * (sample.*member - piece.*member);
                 piece.extent += sample.extent;
-                narrow = std::min(narrow, h);
-                wide = std::max(wide, h);
+                moveTo(piece, sample, share, -2.0);
             } else {
                 gaps_.pieces.push_back(sample);
-                narrow = wide = h;
+                lowest = highest = sample.recess;
             }
         }
     }
 
-    /// Makes one of the last two rows where their pieces are alike.
+    /// Position and recess between those of two pieces, and `spread` times their variance over the gap added.
+    static void moveTo(GapPiece& a, const GapPiece& b, double share, double spread)
+    {
+        const double difference = b.recess - a.recess;
+        for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y})
+            a.*member += share * (b.*member - a.*member);
+        a.recess += spread * share * (1.0 - share) * difference * difference / gap(a.recess);
+    }
+
+    /// Makes one of the last two rows where their pieces are alike: side by side they let through the mean of h^3, that of
+    /// mean(h) + variance(h)/mean(h).
     void joinRows(double pathLength)
     {
         GapRow &a = gaps_.rows[gaps_.rows.size() - 2], &b = gaps_.rows.back();
@@ -209,15 +182,17 @@ private:
         if (b.pieceEnd - b.pieces != count) return;
         for (std::uint32_t k = 0; k < count; ++k) {
             const GapPiece &p = gaps_.pieces[a.pieces + k], &q = gaps_.pieces[b.pieces + k];
-            const double h1 = gap(p.recess), h2 = gap(q.recess);
-            if (!areAlike(std::min(h1, h2), std::max(h1, h2)) || std::abs(p.extent - q.extent) > alike * pathLength) return;
+            if (!areAlike(std::min(p.recess, q.recess), std::max(p.recess, q.recess)) ||
+                std::abs(p.extent - q.extent) > alikeLength * pathLength)
+                return;
         }
         const double share = b.width / (a.width + b.width);
         for (std::uint32_t k = 0; k < count; ++k) {
             GapPiece& p = gaps_.pieces[a.pieces + k];
             const GapPiece& q = gaps_.pieces[b.pieces + k];
-            for (double GapPiece::*member : {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
-                p.*member += share * (q.*member - p.*member);
+            moveTo(p, q, share, 1.0);
+            p.extent += share * (q.extent - p.extent);
+            p.start += share * (q.start - p.start);
         }
         a.width += b.width;
         gaps_.pieces.resize(a.pieceEnd);
@@ -228,6 +203,9 @@ private:
     FilmGaps& gaps_;
     std::vector<double> breaks_, ends_;
     std::vector<GapPiece> samples_;
+    double mean_ = 0.0;                                          // recess of the last row [m]
+    double lowest_ = 0.0, highest_ = 0.0, largestJump_ = 0.0;    // of the face [m]
+    bool stepBelow_ = false, stepAbove_ = false;
 };
 
 /// Paths between cell centres; the outermost end at the outline.
@@ -253,49 +231,89 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
     Sampler sampler(recess, *this);
     setPaths(faces[0], grid.x);
     setPaths(faces[1], grid.y);
+    // At the cells' centres; in the rings, at the outline beside them.
+    meanRecess.assign(pad.size(), 0.0);
+    for (int j = -1; j <= pad.ny; ++j)
+        for (int i = -1; i <= pad.nx; ++i) {
+            const auto place = [](const std::vector<double>& lines, int k, int count) {
+                const std::size_t line = static_cast<std::size_t>(std::clamp(k, 0, count));
+                return k < 0 || k == count ? lines[line] : 0.5 * (lines[line] + lines[line + 1]);
+            };
+            meanRecess[pad.at(i, j)] = recess.at(place(grid.x, i, pad.nx), place(grid.y, j, pad.ny));
+        }
+    std::vector<bool> stepped(pad.size(), false);
     for (int axis = 0; axis < 2; ++axis) {
         Faces& f = faces[static_cast<std::size_t>(axis)];
         f.recess.assign(pad.size(), 0.0);
         f.rise.assign(pad.size(), 0.0);
         const std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
+        const std::vector<double>& acrossLines = axis == 0 ? grid.y : grid.x;
         for (int j = 0; j < pad.ny + (axis == 1); ++j)
             for (int i = 0; i < pad.nx + (axis == 0); ++i) {
                 const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
                 const std::size_t across = static_cast<std::size_t>(axis == 0 ? j : i);
-                const std::vector<double>& acrossLines = axis == 0 ? grid.y : grid.x;
-                const double low = acrossLines[across], high = acrossLines[across + 1];
+                const double low = acrossLines[across], high = acrossLines[across + 1], middle = 0.5 * (low + high);
                 const double start = f.pathMid[line] - 0.5 * f.pathLength[line];
                 const double end = start + f.pathLength[line];
-                const std::size_t at = pad.at(i, j);
-                const bool smooth = (axis == 0 ? recess.isSmooth(start, end, low, high)
-                                               : recess.isSmooth(low, high, start, end)) ||
-                                    sampler.isGentle(axis, start, end, low, high);
-                if (smooth) {
-                    const double middle = 0.5 * (low + high);
-                    const auto recessAt = [&](double along) { return axis == 0 ? recess.at(along, middle) : recess.at(middle, along); };
-                    f.recess[at] = recessAt(f.pathMid[line]);
-                    f.rise[at] = recessAt(end) - recessAt(start);
-                } else f.cut.push_back(sampler.cutFace(at, axis, start, end, lines[line], low, high));
+                const std::size_t at = pad.at(i, j), before = at - pad.step(axis);
+                const std::uint32_t firstRow = static_cast<std::uint32_t>(rows.size());
+                const bool smooth = axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
+                if (smooth || !sampler.divideFace(axis, start, end, lines[line], low, high)) {
+                    f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], middle) : recess.at(middle, f.pathMid[line]);
+                    f.rise[at] = meanRecess[at] - meanRecess[before];
+                    continue;
+                }
+                f.cut.push_back({at, firstRow, static_cast<std::uint32_t>(rows.size())});
+                if (sampler.stepsBelow()) stepped[before] = true;
+                if (sampler.stepsAbove()) stepped[at] = true;
             }
     }
-    meanRecess.assign(pad.size(), 0.0);
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i)
+            if (stepped[pad.at(i, j)]) steppedCells.push_back(pad.at(i, j));
+    setCutCells();
+}
+
+/// A cell is the upper half of the path below it and the lower half of the one above.
+void FilmGaps::setCutCells()
+{
+    auto place = faces[0].cut.begin();
+    const auto end = faces[0].cut.end();
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t cx = static_cast<std::size_t>(i), cy = static_cast<std::size_t>(j);
-            const double x0 = grid.x[cx], x1 = grid.x[cx + 1], y0 = grid.y[cy], y1 = grid.y[cy + 1];
             const std::size_t at = pad.at(i, j);
-            if (recess.isSmooth(x0, x1, y0, y1)) {
-                meanRecess[at] = recess.at(0.5 * (x0 + x1), 0.5 * (y0 + y1));
-                continue;
-            }
-            cutCells.push_back(sampler.cutCell(at, x0, x1, y0, y1));
+            while (place != end && place->at < at) ++place;
+            const bool cutBelow = place != end && place->at == at;
+            const auto above = cutBelow ? place + 1 : place;
+            const bool cutAbove = above != end && above->at == at + 1;
+            if (!cutBelow && !cutAbove) continue;
+            const std::uint32_t first = static_cast<std::uint32_t>(pieces.size());
+            const auto addHalf = [&](bool cut, const CutPlace* half, bool upper) {
+                if (!cut) {
+                    const double x = grid.centreX(i) + (upper ? -0.25 : 0.25) * grid.widthX(i);
+                    pieces.push_back({0.5 * grid.widthX(i) * grid.widthY(j), faces[0].recess[upper ? at : at + 1], x,
+                                      grid.centreY(j), 0.0});
+                    return;
+                }
+                for (std::uint32_t r = half->rows; r < half->rowEnd; ++r)
+                    for (std::uint32_t k = rows[r].pieces; k < rows[r].pieceEnd; ++k) {
+                        GapPiece piece = pieces[k];
+                        if ((piece.start < 0.0) == upper) continue;
+                        piece.extent *= rows[r].width;
+                        pieces.push_back(piece);
+                    }
+            };
+            addHalf(cutBelow, cutBelow ? &*place : nullptr, true);
+            addHalf(cutAbove, cutAbove ? &*above : nullptr, false);
+            const std::uint32_t last = static_cast<std::uint32_t>(pieces.size());
+            cutCells.push_back({at, static_cast<std::uint32_t>(rows.size()), static_cast<std::uint32_t>(rows.size()) + 1});
+            rows.push_back({1.0, first, last});
             double volume = 0.0, area = 0.0;
-            for (std::uint32_t k = rows.back().pieces; k < rows.back().pieceEnd; ++k) {
+            for (std::uint32_t k = first; k < last; ++k) {
                 volume += pieces[k].extent * pieces[k].recess;
                 area += pieces[k].extent;
             }
             meanRecess[at] = volume / area;
-            if (sampler.jumps(x0, x1, y0, y1)) steppedCells.push_back(at);
         }
 }
 

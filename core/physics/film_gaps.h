@@ -64,6 +64,9 @@ struct FilmGaps {
     {
         return attitude.height + attitude.pitch * (length - x) - attitude.roll * (y - 0.5 * width);
     }
+
+private:
+    void setCutCells();
 };
 
 } // namespace touchdown
