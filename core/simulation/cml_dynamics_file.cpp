@@ -82,9 +82,10 @@ void readSolution(CmlPart& part)
     fields.set("film.tolerance", n[1]);
     fields.set("steady.load_tolerance", n[2]);
     const int scheme = wholeCmlNumber(n[3], "the scheme", 1, 4);
-    static constexpr std::array<std::string_view, 4> schemes{"power-law", "power-law", "upwind", "hybrid"};
+    static constexpr std::array<std::string_view, 4> schemes{"complete-flux", "complete-flux", "upwind", "hybrid"};
     fields.choose("film.scheme", schemes[static_cast<std::size_t>(scheme - 1)], n[3].line);
-    if (scheme == 2) part.leaveOut("central differences; the power law is taken");
+    if (scheme <= 2)
+        part.leaveOut(scheme == 1 ? "the power law as such; complete-flux is taken" : "central differences; complete-flux is taken");
 }
 
 void readGrid(CmlPart& part)

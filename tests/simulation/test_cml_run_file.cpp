@@ -142,7 +142,7 @@ private slots:
         row("adapted grid", "istiff", "0 1 0 1 1", "film.grid", "adapted");
         row("adapted anew for each run", "istiff", "0 1 0 2 1", "film.grid", "adapted");
         row("upwind", "ischeme", "0 1 1e-8 6 6", "film.scheme", "upwind");
-        row("power law", "ischeme", "2 1 1e-8 6 6", "film.scheme", "power-law");
+        row("power law", "ischeme", "2 1 1e-8 6 6", "film.scheme", "complete-flux");
         row("continuum", "ischeme", "2 0 1e-8 6 6", "air.slip", "continuum");
         row("second order", "ischeme", "2 2 1e-8 6 6", "air.slip", "second-order");
         row("Fukui-Kaneko", "ischeme", "2 3 1e-8 6 6 1 4", "air.slip", "fukui-kaneko");
