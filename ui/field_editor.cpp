@@ -35,6 +35,9 @@ QString labelOf(const Field& field)
     return field.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(field.symbol);
 }
 
+/// Texts and lists have a line of their own below their label.
+bool isWide(const Field& field) { return field.kind == FieldKind::Text || field.kind == FieldKind::List; }
+
 } // namespace
 
 FieldEditor::FieldEditor(const Field& field, QWidget* parent)
@@ -72,10 +75,11 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     grid->setContentsMargins(4, 1, 0, 1);
     grid->setHorizontalSpacing(spacing);
     grid->setVerticalSpacing(1);
-    const bool wide = field.kind == FieldKind::Text;
+    const bool wide = isWide(field);
     grid->addWidget(label_, 0, 0, 1, wide ? 4 : 1);
     if (wide) {
         grid->addWidget(input(), 1, 0, 1, 3);
+        if (field.kind == FieldKind::List) grid->addWidget(unit_, 1, 3);
         grid->addWidget(reset_, 1, 4);
     } else {
         grid->addWidget(assumed_, 0, 1);
@@ -122,7 +126,7 @@ void FieldEditor::buildInput()
     case FieldKind::List:
     case FieldKind::Text:
         line_ = new QLineEdit(this);
-        if (field_.kind != FieldKind::Text) {
+        if (!isWide(field_)) {
             line_->setAlignment(Qt::AlignRight);
             line_->setFixedWidth(inputWidth());
         }
@@ -176,7 +180,7 @@ void FieldEditor::show(const CaseEdits& edits)
         shown_ = bad ? bad->text : editorText(value, field_);
         if (line_->text() != shown_) line_->setText(shown_);
         line_->setModified(false);
-        if (field_.kind == FieldKind::Text) line_->setCursorPosition(0);
+        if (isWide(field_)) line_->setCursorPosition(0);
     }
 
     QString reason = bad ? bad->reason : QString();
@@ -230,7 +234,7 @@ void FieldEditor::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colour();
-    if (event->type() == QEvent::FontChange && line_ && field_.kind != FieldKind::Text)
+    if (event->type() == QEvent::FontChange && line_ && !isWide(field_))
         line_->setFixedWidth(inputWidth());
 }
 

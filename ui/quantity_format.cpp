@@ -34,6 +34,29 @@ QString withPrefix(double value, const QString& unit, const QLocale& locale)
     return {};
 }
 
+bool separatesByComma(const QLocale& locale) { return locale.decimalPoint() != QLatin1String(","); }
+
+/// A number as it may be typed, as the core reads it.
+QString numberEntry(QString text, const Field& field, const QLocale& locale)
+{
+    text.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
+    text.replace(QChar(0x00A0), QLatin1Char(' '));
+    text.replace(QChar(0x00B5), QLatin1Char('u')); // micro sign
+    text.replace(QChar(0x03BC), QLatin1Char('u')); // Greek mu
+    text.replace(QStringLiteral("²"), QLatin1String("^2"));
+    text.replace(QStringLiteral("³"), QLatin1String("^3"));
+    text.replace(QStringLiteral("·"), QLatin1String(" "));
+    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1
+        && !text.contains(QLatin1Char('.')))
+        text.replace(locale.decimalPoint(), QLatin1String("."));
+
+    // In a form, a bare number means the unit that stands beside it; in a case file it means SI.
+    static const QRegularExpression bareNumber(QStringLiteral("^[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?$"));
+    if (!field.displayUnit.empty() && bareNumber.match(text).hasMatch())
+        text += QLatin1Char(' ') + QString::fromStdString(field.displayUnit);
+    return text;
+}
+
 } // namespace
 
 QString unitText(std::string_view unit)
@@ -84,40 +107,39 @@ QString sentence(std::string_view reason)
 
 QString editorText(const Case& c, const Field& field, const QLocale& locale)
 {
-    if (field.kind == FieldKind::Number) {
-        const double value = std::get<double>(field.get(c));
-        return withDecimalPointOf(locale, QString::fromStdString(formatNumber(value, field.displayUnit)));
+    const FieldValue value = field.get(c);
+    const auto number = [&](double each) {
+        return withDecimalPointOf(locale, QString::fromStdString(formatNumber(each, field.displayUnit)));
+    };
+    if (field.kind == FieldKind::Number) return number(std::get<double>(value));
+    if (field.kind == FieldKind::List) {
+        QStringList elements;
+        for (const double each : std::get<std::vector<double>>(value)) elements << number(each);
+        return elements.join(separatesByComma(locale) ? QStringLiteral(", ") : QStringLiteral("; "));
     }
     return QString::fromStdString(toText(c, field));
 }
 
 std::string entryText(const QString& typed, const Field& field, const QLocale& locale)
 {
-    QString text = typed.trimmed();
-    if (field.kind != FieldKind::Number) return text.toStdString();
-
-    text.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
-    text.replace(QChar(0x00A0), QLatin1Char(' '));
-    text.replace(QChar(0x00B5), QLatin1Char('u')); // micro sign
-    text.replace(QChar(0x03BC), QLatin1Char('u')); // Greek mu
-    text.replace(QStringLiteral("²"), QLatin1String("^2"));
-    text.replace(QStringLiteral("³"), QLatin1String("^3"));
-    text.replace(QStringLiteral("·"), QLatin1String(" "));
-    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1
-        && !text.contains(QLatin1Char('.')))
-        text.replace(locale.decimalPoint(), QLatin1String("."));
-
-    // In a form, a bare number means the unit that stands beside it; in a case file it means SI.
-    static const QRegularExpression bareNumber(QStringLiteral("^[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?$"));
-    if (!field.displayUnit.empty() && bareNumber.match(text).hasMatch())
-        text += QLatin1Char(' ') + QString::fromStdString(field.displayUnit);
-    return text.toStdString();
+    const QString text = typed.trimmed();
+    if (field.kind == FieldKind::Number) return numberEntry(text, field, locale).toStdString();
+    if (field.kind != FieldKind::List) return text.toStdString();
+    // Where the comma is the decimal point, one with a blank behind it still parts two numbers.
+    static const QRegularExpression commas(QStringLiteral("[,;]"));
+    static const QRegularExpression semicolons(QStringLiteral(";|,\\s"));
+    QStringList elements;
+    if (!text.isEmpty())
+        for (const QString& element : text.split(separatesByComma(locale) ? commas : semicolons))
+            elements << numberEntry(element.trimmed(), field, locale);
+    return elements.join(QStringLiteral(", ")).toStdString();
 }
 
 QString valueText(const Case& c, const Field& field, const QLocale& locale)
 {
     const QString text = editorText(c, field, locale);
-    if (field.kind != FieldKind::Number || field.displayUnit.empty()) return text;
+    const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
+    if (!numbers || field.displayUnit.empty() || text.isEmpty()) return text;
     return text + QChar(0x00A0) + unitText(field.displayUnit);
 }
 

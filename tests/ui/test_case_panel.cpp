@@ -16,12 +16,12 @@ namespace {
 
 constexpr const char* flyingHeight = "springs.flying_height";
 
-/// A panel on the case of Fig. 10 (a).
+/// A panel on a sample case, that of Fig. 10 (a) if none is named.
 struct Fixture {
-    Fixture()
+    explicit Fixture(const char* sample = "fig10a")
     {
-        edits.open(openCase("fig10a").value);
-        panel.setPreset(QStringLiteral("fig10a"));
+        edits.open(openCase(sample).value);
+        panel.setPreset(QString::fromLatin1(sample));
         panel.resize(360, 800);
         panel.show();
         QApplication::setActiveWindow(&panel);
@@ -56,6 +56,9 @@ private slots:
     void cleanup() { QLocale::setDefault(QLocale::system()); }
     void takesEntries_data();
     void takesEntries();
+    void takesLists_data();
+    void takesLists();
+    void saysWhyAListIsBad();
     void showsEveryUsedField();
     void hidesFieldsThatTheModelDoesNotUse();
     void showsWhyAnEntryIsBad_data();
@@ -102,6 +105,48 @@ void TestCasePanel::takesEntries()
     QCOMPARE(f.line(flyingHeight)->text(), localised(shown));
     QCOMPARE(f.panel.editor(flyingHeight)->reason(), QString());
     QVERIFY(f.edits.reasonNotToRun().isEmpty());
+}
+
+void TestCasePanel::takesLists_data()
+{
+    QTest::addColumn<QLocale>("locale");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("shown");
+    const QLocale english(QLocale::English, QLocale::UnitedStates);
+    const QLocale german(QLocale::German, QLocale::Germany);
+    QTest::newRow("bare numbers are in the unit beside the field") << english << "20.5, 30" << "20.5, 30";
+    QTest::newRow("with units") << english << "0.0205 m,3cm" << "20.5, 30";
+    QTest::newRow("semicolons") << english << "20.5; 30" << "20.5, 30";
+    QTest::newRow("decimal commas") << german << "20,5; 30" << "20,5; 30";
+    QTest::newRow("decimal commas parted by a comma and a blank") << german << "20,5, 30 mm" << "20,5; 30";
+    QTest::newRow("a decimal point where commas are usual") << german << "20.5; 30" << "20,5; 30";
+}
+
+void TestCasePanel::takesLists()
+{
+    QFETCH(const QLocale, locale);
+    QFETCH(const QString, typed);
+    QFETCH(const QString, shown);
+    QLocale::setDefault(locale);
+    Fixture f("film_pico");
+    f.type("steady.radii", typed);
+    QCOMPARE(f.panel.editor("steady.radii")->reason(), QString());
+    QCOMPARE(f.edits.value().steady.radii, (std::vector<double>{20.5e-3, 30e-3}));
+    QCOMPARE(f.line("steady.radii")->text(), shown);
+    f.line("steady.radii")->clear();
+    QTest::keyClick(f.line("steady.radii"), Qt::Key_Return);
+    QVERIFY(f.edits.value().steady.radii.empty());
+}
+
+void TestCasePanel::saysWhyAListIsBad()
+{
+    Fixture f("film_pico");
+    f.type("film.nodes", QStringLiteral("97; 100"));
+    QVERIFY2(f.panel.editor("film.nodes")->reason().contains(QLatin1String("100 is not possible")),
+             qPrintable(f.panel.editor("film.nodes")->reason()));
+    f.type("film.nodes", QStringLiteral("97; 129"));
+    QCOMPARE(f.panel.editor("film.nodes")->reason(), QString());
+    QCOMPARE(f.edits.value().film.nodes, (std::array<int, 2>{97, 129}));
 }
 
 void TestCasePanel::showsEveryUsedField()
