@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recess_picture.h"
 
-#include <algorithm>
+#include <utility>
 
-#include <QMetaObject>
+#include <QCoreApplication>
+#include <QEvent>
 
 namespace touchdown {
 
 namespace {
 
 constexpr int coarse = 4; // pixels of the screen across one of the first picture
+constexpr auto mailEvent = QEvent::User;
 
 /// A null image when stopped.
 QImage draw(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels,
@@ -31,14 +33,13 @@ QImage draw(const Recess& recess, const ColourScale& scale, const QRectF& part, 
 void RecessPicture::request(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels)
 {
     worker_ = {}; // stops and joins: within a row of pixels
-    const int number = ++number_;
     if (part.isEmpty() || pixels.isEmpty()) return;
-    worker_ = std::jthread([this, recess, scale, part, pixels, number](const std::stop_token& stop) {
+    worker_ = std::jthread([this, recess, scale, part, pixels](const std::stop_token& stop) {
         for (const int step : {coarse, 1}) {
             const QSize size((pixels.width() + step - 1) / step, (pixels.height() + step - 1) / step);
             const QImage image = draw(recess, scale, part, size, stop);
             if (image.isNull()) return;
-            QMetaObject::invokeMethod(this, [this, number, image, part] { take(number, image, part); }, Qt::QueuedConnection);
+            send(image, part);
         }
     });
 }
@@ -46,16 +47,30 @@ void RecessPicture::request(const Recess& recess, const ColourScale& scale, cons
 void RecessPicture::clear()
 {
     worker_ = {};
-    ++number_;
+    sentImage_ = {};
     image_ = {};
     emit drawn();
 }
 
-void RecessPicture::take(int number, const QImage& image, const QRectF& part)
+void RecessPicture::send(const QImage& image, const QRectF& part)
 {
-    if (number != number_) return;
-    image_ = image;
-    part_ = part;
+    {
+        const std::lock_guard lock(mailbox_);
+        sentImage_ = image;
+        sentPart_ = part;
+    }
+    QCoreApplication::postEvent(this, new QEvent(mailEvent));
+}
+
+void RecessPicture::customEvent(QEvent* event)
+{
+    if (event->type() != mailEvent) return;
+    {
+        const std::lock_guard lock(mailbox_);
+        if (sentImage_.isNull()) return;
+        image_ = std::exchange(sentImage_, {});
+        part_ = sentPart_;
+    }
     emit drawn();
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The recess of a part of a slider as a picture, made on a thread of its own: coarse at first, then pixel by pixel. A new
-// request ends the one before.
+// request ends the one before. Pictures cross the thread border by value under a mutex; only the news that there is one
+// goes through Qt's queue.
 #pragma once
 
+#include <mutex>
 #include <thread>
 
 #include <QImage>
@@ -34,13 +36,18 @@ signals:
     /// There is a picture, a finer one, or one of another part.
     void drawn();
 
+protected:
+    void customEvent(QEvent* event) override;
+
 private:
-    void take(int number, const QImage& image, const QRectF& part);
+    void send(const QImage& image, const QRectF& part);
 
     QImage image_;
     QRectF part_;
-    int number_ = 0; // of the latest request
-    std::jthread worker_;
+    std::mutex mailbox_;
+    QImage sentImage_; // null: nothing new
+    QRectF sentPart_;
+    std::jthread worker_; // last, so that it ends before what it uses
 };
 
 } // namespace touchdown
