@@ -5,9 +5,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,8 +30,14 @@ class Gmres {
 public:
     /// `size` of the vectors; restarts after `restart` iterations.
     explicit Gmres(std::size_t size, int restart = 20)
-        : restart_(restart), basis_(static_cast<std::size_t>(restart) + 1, std::vector<T>(size)), work_(size), step_(size)
+        : restart_(restart), basis_(static_cast<std::size_t>(restart) + 1), work_(size), step_(size)
     {
+        // Memory that is never used costs nothing: the system hands it out when it is first touched.
+        for (auto& vector : basis_) vector = std::make_unique_for_overwrite<T[]>(size);
+        const std::size_t m = static_cast<std::size_t>(restart);
+        hessenberg_.resize(m * (m + 1));
+        for (auto* column : {&cosine_, &sine_}) column->resize(m);
+        right_.resize(m + 1);
     }
 
     /// Solves A x = b. `apply(v, out)`: out = A v; `precondition(v, out)`: out = approximately A^-1 v. x holds the first guess.
@@ -48,10 +56,10 @@ public:
         const bool guess = std::any_of(x.begin(), x.end(), [](const T& value) { return value != T{}; });
         bool first = !guess;
         while (true) {
-            std::vector<T>& v0 = basis_[0];
+            const std::span<T> v0 = basis(0);
             if (first) std::copy(b.begin(), b.end(), v0.begin());
             else {
-                apply(std::span<const T>(x.data(), n), std::span<T>(v0));
+                apply(std::span<const T>(x.data(), n), v0);
                 for (std::size_t i = 0; i < n; ++i) v0[i] = b[i] - v0[i];
             }
             first = false;
@@ -59,7 +67,7 @@ public:
             result.residual = start / scale;
             result.converged = result.residual <= options.tolerance;
             if (result.converged || result.iterations >= options.maximumIterations || !std::isfinite(start)) return result;
-            for (T& value : v0) value /= start;
+            for (T& value : v0) value *= 1.0 / start;
             const std::size_t used = expand(apply, precondition, start, scale, options, result);
             combine(precondition, used, x);
             if (used == 0) return result;
@@ -67,11 +75,26 @@ public:
     }
 
 private:
+    std::span<T> basis(std::size_t k)
+    {
+        const std::span<T> vector(basis_[k].get(), work_.size());
+        for (; cleared_ <= k; ++cleared_) std::fill_n(basis_[cleared_].get(), work_.size(), T{});
+        return vector;
+    }
+
     static double norm(std::span<const T> v)
     {
-        double sum = 0.0;
-        for (const T& value : v) sum += std::norm(value);
-        return std::sqrt(sum);
+        return std::sqrt(std::abs(product(v, v)));
+    }
+    /// Of the conjugate of a with b. Eight sums side by side: a single one would wait for itself at each number.
+    static T product(std::span<const T> a, std::span<const T> b)
+    {
+        std::array<T, 8> sums{};
+        std::size_t i = 0;
+        for (; i + 8 <= a.size(); i += 8)
+            for (std::size_t k = 0; k < 8; ++k) sums[k] += conjugate(a[i + k]) * b[i + k];
+        for (; i < a.size(); ++i) sums[0] += conjugate(a[i]) * b[i];
+        return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
     }
     static T conjugate(const T& value)
     {
@@ -85,28 +108,24 @@ private:
                        GmresResult& result)
     {
         const std::size_t m = static_cast<std::size_t>(restart_);
-        hessenberg_.assign(m * (m + 1), T{});
-        cosine_.assign(m, T{});
-        sine_.assign(m, T{});
-        right_.assign(m + 1, T{});
+        for (auto* field : {&hessenberg_, &cosine_, &sine_, &right_}) std::fill(field->begin(), field->end(), T{});
         right_[0] = start;
         std::size_t k = 0;
         while (k < m && result.iterations < options.maximumIterations) {
-            precondition(std::span<const T>(basis_[k]), std::span<T>(work_));
-            std::vector<T>& next = basis_[k + 1];
-            apply(std::span<const T>(work_), std::span<T>(next));
+            precondition(std::span<const T>(basis(k)), std::span<T>(work_));
+            const std::span<T> next = basis(k + 1);
+            apply(std::span<const T>(work_), next);
             ++result.iterations;
             const auto h = [&](std::size_t row) -> T& { return hessenberg_[k * (m + 1) + row]; };
             for (std::size_t j = 0; j <= k; ++j) {
-                T product{};
-                for (std::size_t i = 0; i < next.size(); ++i) product += conjugate(basis_[j][i]) * next[i];
-                h(j) = product;
-                for (std::size_t i = 0; i < next.size(); ++i) next[i] -= product * basis_[j][i];
+                const T part = h(j) = product(basis(j), next);
+                const T* direction = basis_[j].get();
+                for (std::size_t i = 0; i < next.size(); ++i) next[i] -= part * direction[i];
             }
             const double length = norm(next);
             h(k + 1) = length;
             if (length > 0.0)
-                for (T& value : next) value /= length;
+                for (T& value : next) value *= 1.0 / length;
             for (std::size_t j = 0; j < k; ++j) rotate(j, h(j), h(j + 1));
             const double size = std::sqrt(std::norm(h(k)) + length * length);
             if (!(size > 0.0)) return k;
@@ -140,14 +159,18 @@ private:
             for (std::size_t j = k + 1; j < used; ++j) value -= hessenberg_[j * (m + 1) + k] * right_[j];
             right_[k] = value / hessenberg_[k * (m + 1) + k];
         }
-        for (std::size_t k = 0; k < used; ++k)
-            for (std::size_t i = 0; i < step_.size(); ++i) step_[i] += right_[k] * basis_[k][i];
+        for (std::size_t k = 0; k < used; ++k) {
+            const T part = right_[k];
+            const T* direction = basis_[k].get();
+            for (std::size_t i = 0; i < step_.size(); ++i) step_[i] += part * direction[i];
+        }
         precondition(std::span<const T>(step_), std::span<T>(work_));
         for (std::size_t i = 0; i < work_.size(); ++i) x[i] += work_[i];
     }
 
     int restart_;
-    std::vector<std::vector<T>> basis_;
+    std::vector<std::unique_ptr<T[]>> basis_;
+    std::size_t cleared_ = 0; // vectors of the basis that have been set to zero once
     std::vector<T> work_, step_, hessenberg_, cosine_, sine_, right_;
 };
 

@@ -2,10 +2,12 @@
 #include "core/numerics/multigrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
 #include "core/numerics/convection.h"
+#include "core/numerics/vector_clones.h"
 
 namespace touchdown {
 
@@ -22,11 +24,16 @@ Multigrid<T>::Multigrid(const PaddedGrid& pad)
             level.pivot[static_cast<std::size_t>(axis)].assign(next.size(), T{});
         }
         for (auto* field : {&level.west, &level.east, &level.south, &level.north}) field->assign(next.size(), 0.0);
-        for (auto* field : {&level.centre, &level.mass, &level.v, &level.b, &level.r}) field->assign(next.size(), T{});
+        for (auto* field : {&level.centre, &level.mass}) field->assign(next.size(), T{});
+        if (levels_.size() > 1)
+            for (auto* field : {&level.ownValue, &level.ownRight}) field->assign(next.size(), T{});
+        level.v = level.ownValue.data();
+        level.b = level.ownRight.data();
         if (std::min(next.nx, next.ny) <= 4) break;
         next = {(next.nx + 1) / 2, (next.ny + 1) / 2};
     }
     for (auto& field : effective_) field.assign(pad.size(), 0.0);
+    row_.assign(pad.stride(), T{});
 }
 
 template <typename T>
@@ -82,19 +89,31 @@ void Multigrid<T>::stencil(Level& level, const std::array<std::span<const double
     // The rings hold zero: what multiplies them is never needed.
 }
 
+/// 1/pivots of lines along x, several at once.
+template <int lines, typename T>
+void factorLines(std::size_t first, std::size_t apart, std::size_t n, const double* west, const double* east, const T* centre,
+                 T* pivot)
+{
+    std::array<T, lines> last{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = first + k * apart + i;
+            const double couple = i > 0 ? west[at] * east[at - 1] : 0.0;
+            pivot[at] = last[k] = 1.0 / (centre[at] - couple * last[k]);
+        }
+}
+
 template <typename T>
 void Multigrid<T>::factor(Level& level)
 {
     const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    for (int j = 0; j < pad.ny; ++j) {
-        T before{};
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            const T pivot = level.centre[at] - level.west[at] * (i > 0 ? level.east[at - 1] : 0.0) * before;
-            before = level.pivot[0][at] = 1.0 / pivot;
-        }
-    }
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    const auto factor = [&]<int lines>(int j) {
+        factorLines<lines>(pad.at(0, j), up, n, level.west.data(), level.east.data(), level.centre.data(), level.pivot[0].data());
+    };
+    int first = 0;
+    for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
+    for (; first < pad.ny; ++first) factor.template operator()<1>(first);
     for (int i = 0; i < pad.nx; ++i) level.pivot[1][pad.at(i, 0)] = 1.0 / level.centre[pad.at(i, 0)];
     for (int j = 1; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
@@ -146,28 +165,59 @@ void Multigrid<T>::coarsen(const Level& fine, Level& coarse)
         }
 }
 
+/// Solves `lines` lines along x at once, `apart` from each other: each waits for its last result, others fill the time.
+template <int lines, typename T>
+void solveLines(std::size_t first, std::size_t apart, std::size_t n, std::size_t up, const double* west, const double* east,
+                const double* south, const double* north, const T* pivot, const T* b, T* v)
+{
+    std::array<T, lines> last{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = first + k * apart + i;
+            const T rest = b[at] - south[at] * v[at - up] - north[at] * v[at + up];
+            v[at] = last[k] = (rest - west[at] * last[k]) * pivot[at];
+        }
+    for (std::size_t i = n - 1; i-- > 0;)
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = first + k * apart + i;
+            v[at] = last[k] = v[at] - east[at] * pivot[at] * last[k];
+        }
+}
+
 template <typename T>
 void Multigrid<T>::sweepX(Level& level, int colour)
 {
     const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    const std::size_t n = static_cast<std::size_t>(pad.nx);
-    for (int j = colour; j < pad.ny; j += 2) {
-        const std::size_t row = pad.at(0, j);
-        const double* west = level.west.data() + row;
-        const double* east = level.east.data() + row;
-        const double* south = level.south.data() + row;
-        const double* north = level.north.data() + row;
-        const T* pivot = level.pivot[0].data() + row;
-        const T* b = level.b.data() + row;
-        T* v = level.v.data() + row;
-        T before{};
-        for (std::size_t i = 0; i < n; ++i) {
-            const T rest = b[i] - south[i] * v[i - up] - north[i] * v[i + up];
-            before = (rest - west[i] * before) * pivot[i];
-            v[i] = before;
-        }
-        for (std::size_t i = n - 1; i-- > 0;) v[i] -= east[i] * pivot[i] * v[i + 1];
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    const auto solve = [&]<int lines>(int j) {
+        solveLines<lines>(pad.at(0, j), 2 * up, n, up, level.west.data(), level.east.data(), level.south.data(),
+                          level.north.data(), level.pivot[0].data(), level.b, level.v);
+    };
+    int j = colour;
+    for (; j + 6 < pad.ny; j += 8) solve.template operator()<4>(j);
+    for (; j < pad.ny; j += 2) solve.template operator()<1>(j);
+}
+
+/// Rows of the lines along y, from the first to the last: v = (b - west and east - south) pivot in every second column.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void forwardRow(std::size_t n, std::size_t colour, std::size_t up, const double* west,
+                                        const double* east, const double* south, const T* pivot, const T* b, T* v)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const T below = v[i - up], old = v[i];
+        const T value = (b[i] - west[i] * v[i - 1] - east[i] * v[i + 1] - south[i] * below) * pivot[i];
+        v[i] = (i & 1) == colour ? value : old;
+    }
+}
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void backwardRow(std::size_t n, std::size_t colour, std::size_t up, const double* north,
+                                         const T* pivot, T* v)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const T above = v[i + up], old = v[i];
+        v[i] = (i & 1) == colour ? old - north[i] * pivot[i] * above : old;
     }
 }
 
@@ -175,40 +225,57 @@ template <typename T>
 void Multigrid<T>::sweepY(Level& level, int colour)
 {
     const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    const std::vector<T>& pivot = level.pivot[1];
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = colour; i < pad.nx; i += 2) {
-            const std::size_t at = pad.at(i, j);
-            T rest = level.b[at] - level.west[at] * level.v[at - 1] - level.east[at] * level.v[at + 1];
-            if (j > 0) rest -= level.south[at] * level.v[at - up];
-            level.v[at] = rest * pivot[at];
-        }
-    for (int j = pad.ny - 2; j >= 0; --j)
-        for (int i = colour; i < pad.nx; i += 2) {
-            const std::size_t at = pad.at(i, j);
-            level.v[at] -= level.north[at] * pivot[at] * level.v[at + up];
-        }
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx), c = static_cast<std::size_t>(colour);
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j); // below the first row the ring holds zero
+        forwardRow(n, c, up, &level.west[at], &level.east[at], &level.south[at], &level.pivot[1][at], level.b + at, level.v + at);
+    }
+    for (int j = pad.ny - 2; j >= 0; --j) {
+        const std::size_t at = pad.at(0, j);
+        backwardRow(n, c, up, &level.north[at], &level.pivot[1][at], level.v + at);
+    }
 }
 
 template <typename T>
-void Multigrid<T>::sweep(Level& level, int axis)
+void Multigrid<T>::sweep(Level& level)
 {
-    for (int colour = 0; colour < 2; ++colour) axis == 0 ? sweepX(level, colour) : sweepY(level, colour);
+    for (int colour = 0; colour < 2; ++colour) sweepX(level, colour);
+    for (int colour = 0; colour < 2; ++colour) sweepY(level, colour);
 }
 
+/// After a sweep nothing is left in the odd columns, which were solved last.
 template <typename T>
-void Multigrid<T>::residual(Level& level)
+void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse)
 {
-    const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            level.r[at] = level.b[at] - level.centre[at] * level.v[at] - level.west[at] * level.v[at - 1] -
-                          level.east[at] * level.v[at + 1] - level.south[at] * level.v[at - up] -
-                          level.north[at] * level.v[at + up];
+    const std::size_t up = fine.pad.stride();
+    for (int j = 0; j < coarse.pad.ny; ++j) {
+        T* out = coarse.ownRight.data() + coarse.pad.at(0, j);
+        std::fill(out, out + coarse.pad.nx, T{});
+        for (int b = 2 * j; b < std::min(2 * j + 2, fine.pad.ny); ++b) {
+            std::size_t at = fine.pad.at(0, b);
+            for (int i = 0; i < coarse.pad.nx; ++i, at += 2)
+                out[i] += fine.b[at] - fine.centre[at] * fine.v[at] - fine.west[at] * fine.v[at - 1] -
+                          fine.east[at] * fine.v[at + 1] - fine.south[at] * fine.v[at - up] - fine.north[at] * fine.v[at + up];
         }
+    }
+}
+
+/// Bilinear: a fine cell takes nine, three, three and one sixteenths of the four coarse cells around its centre.
+template <typename T>
+void Multigrid<T>::prolong(const Level& coarse, Level& fine)
+{
+    const int n = coarse.pad.nx;
+    for (int j = 0; j < fine.pad.ny; ++j) {
+        const T* own = coarse.v + coarse.pad.at(-1, j / 2);
+        const T* next = coarse.v + coarse.pad.at(-1, j % 2 == 0 ? j / 2 - 1 : j / 2 + 1);
+        for (int i = 0; i < n + 2; ++i) row_[static_cast<std::size_t>(i)] = 0.1875 * own[i] + 0.0625 * next[i];
+        const T* row = row_.data() + 1;
+        T* v = fine.v + fine.pad.at(0, j);
+        for (int i = 0; i < n; ++i) {
+            v[2 * i] += 3.0 * row[i] + row[i - 1];
+            if (2 * i + 1 < fine.pad.nx) v[2 * i + 1] += 3.0 * row[i] + row[i + 1];
+        }
+    }
 }
 
 template <typename T>
@@ -216,49 +283,25 @@ void Multigrid<T>::cycle(std::size_t l)
 {
     Level& level = levels_[l];
     if (l + 1 == levels_.size()) {
-        for (int k = 0; k < 6; ++k) {
-            sweep(level, 0);
-            sweep(level, 1);
-        }
+        for (int k = 0; k < 6; ++k) sweep(level);
         return;
     }
-    sweep(level, 0);
-    sweep(level, 1);
-    residual(level);
     Level& coarse = levels_[l + 1];
-    const PaddedGrid& fine = level.pad;
-    for (int j = 0; j < coarse.pad.ny; ++j)
-        for (int i = 0; i < coarse.pad.nx; ++i) {
-            T sum{};
-            for (int b = 2 * j; b < std::min(2 * j + 2, fine.ny); ++b)
-                for (int a = 2 * i; a < std::min(2 * i + 2, fine.nx); ++a) sum += level.r[fine.at(a, b)];
-            coarse.b[coarse.pad.at(i, j)] = sum;
-        }
-    std::fill(coarse.v.begin(), coarse.v.end(), T{});
+    sweep(level);
+    restrictResidual(level, coarse);
+    std::fill(coarse.ownValue.begin(), coarse.ownValue.end(), T{});
     cycle(l + 1);
-    // Bilinear: a fine cell takes nine, three, three and one sixteenths of the four coarse cells around its centre.
-    for (int j = 0; j < fine.ny; ++j) {
-        const int J = j / 2, nextJ = j % 2 == 0 ? J - 1 : J + 1;
-        for (int i = 0; i < fine.nx; ++i) {
-            const int I = i / 2, nextI = i % 2 == 0 ? I - 1 : I + 1;
-            const auto& v = coarse.v;
-            const PaddedGrid& pad = coarse.pad;
-            level.v[fine.at(i, j)] += 0.5625 * v[pad.at(I, J)] + 0.1875 * (v[pad.at(nextI, J)] + v[pad.at(I, nextJ)]) +
-                                      0.0625 * v[pad.at(nextI, nextJ)];
-        }
-    }
-    sweep(level, 0);
-    sweep(level, 1);
+    prolong(coarse, level);
+    sweep(level);
 }
 
 template <typename T>
 void Multigrid<T>::precondition(std::span<const T> b, std::span<T> v)
 {
-    Level& finest = levels_.front();
-    std::copy(b.begin(), b.end(), finest.b.begin());
-    std::fill(finest.v.begin(), finest.v.end(), T{});
+    levels_.front().b = b.data();
+    levels_.front().v = v.data();
+    std::fill(v.begin(), v.end(), T{});
     cycle(0);
-    std::copy(finest.v.begin(), finest.v.end(), v.begin());
 }
 
 template class Multigrid<double>;

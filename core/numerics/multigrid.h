@@ -44,7 +44,9 @@ private:
         std::vector<T> centre;
         std::vector<T> mass;                                        // extra diagonal
         std::array<std::vector<T>, 2> pivot;                        // 1/pivot of the lines along x, along y
-        std::vector<T> v, b, r;
+        std::vector<T> ownValue, ownRight;
+        T* v = nullptr;       // of the finest level, the caller's
+        const T* b = nullptr;
     };
 
     void factor(Level& level);
@@ -52,11 +54,13 @@ private:
     void stencil(Level& level, const std::array<std::span<const double>, 2>& effective);
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
-    void sweep(Level& level, int axis);
-    void residual(Level& level);
+    void sweep(Level& level);
+    void restrictResidual(const Level& fine, Level& coarse);
+    void prolong(const Level& coarse, Level& fine);
     void cycle(std::size_t l);
 
     std::vector<Level> levels_;
+    std::vector<T> row_; // of a coarse level, with a ring
     std::array<std::vector<double>, 2> effective_;
 };
 
