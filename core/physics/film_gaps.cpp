@@ -22,6 +22,9 @@ class Sampler {
     static constexpr double largest = std::numeric_limits<double>::infinity();
 
 public:
+    /// Gaps that differ so much that flows do.
+    static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
+
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
 
     /// A path along `axis` from `start` to `end`, across a face from `low` to `high` at `face`: adds its rows, unless
@@ -78,9 +81,6 @@ public:
     bool stepsAbove() const { return stepAbove_; }
 
 private:
-    /// Gaps that differ so much that flows do.
-    static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
-
     template <typename Container>
     static std::uint32_t size(const Container& container)
     {
@@ -261,6 +261,12 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
                 if (smooth || !sampler.divideFace(axis, start, end, lines[line], low, high)) {
                     f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], middle) : recess.at(middle, f.pathMid[line]);
                     f.rise[at] = meanRecess[at] - meanRecess[before];
+                    if (Sampler::isStep(std::min(meanRecess[at], meanRecess[before]), std::max(meanRecess[at], meanRecess[before]))) {
+                        // A ramp, or an edge at the very end of the path, which is beside it.
+                        const double inset = 1e-6 * f.pathLength[line];
+                        f.rise[at] = axis == 0 ? recess.at(end - inset, middle) - recess.at(start + inset, middle)
+                                               : recess.at(middle, end - inset) - recess.at(middle, start + inset);
+                    }
                     continue;
                 }
                 f.cut.push_back({at, firstRow, static_cast<std::uint32_t>(rows.size())});
@@ -286,7 +292,15 @@ void FilmGaps::setCutCells()
             const bool cutBelow = place != end && place->at == at;
             const auto above = cutBelow ? place + 1 : place;
             const bool cutAbove = above != end && above->at == at + 1;
-            if (!cutBelow && !cutAbove) continue;
+            if (!cutBelow && !cutAbove) {
+                // An edge may run through the very centre, between the paths.
+                const double below = faces[0].recess[at], beyond = faces[0].recess[at + 1];
+                const double mean = 0.5 * (below + beyond);
+                if (std::abs(meanRecess[at] - mean) > 0.25 * std::abs(beyond - below) &&
+                    Sampler::isStep(std::min(below, beyond), std::max(below, beyond)))
+                    meanRecess[at] = mean;
+                continue;
+            }
             const std::uint32_t first = static_cast<std::uint32_t>(pieces.size());
             const auto addHalf = [&](bool cut, const CutPlace* half, bool upper) {
                 if (!cut) {
