@@ -26,11 +26,35 @@ bool report(const QString& problem, const QString& file)
     return problem.isEmpty();
 }
 
+/// Lets every refresh that is due take place.
+void settle(QWidget& window)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 400) QApplication::processEvents(QEventLoop::AllEvents, 20);
+    window.repaint();
+}
+
+bool exportFilm(MainWindow& window, const QDir& directory)
+{
+    using Page = FilmView::Page;
+    bool good = true;
+    for (const auto& [page, name] : {std::pair(Page::Surface, "surface"), std::pair(Page::Pressure, "pressure"),
+                                     std::pair(Page::Gap, "gap"), std::pair(Page::Recess, "recess")}) {
+        window.film().view()->setPage(page);
+        settle(window);
+        const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
+        good = report(savePage(*window.page(), file), file) && good;
+    }
+    return good;
+}
+
 bool exportPlots(MainWindow& window, const QString& folder)
 {
     const QDir directory(folder);
     if (!directory.mkpath(QStringLiteral(".")))
         return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
+    if (window.edits().value().model == ModelKind::Film) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
     bool good = report(savePage(*window.page(), page), page);
     for (const LivePlots::Entry& entry : window.plots().plots()) {
@@ -40,15 +64,6 @@ bool exportPlots(MainWindow& window, const QString& folder)
     }
     const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
     return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
-}
-
-/// Lets every refresh that is due take place.
-void settle(QWidget& window)
-{
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < 400) QApplication::processEvents(QEventLoop::AllEvents, 20);
-    window.repaint();
 }
 
 } // namespace

@@ -57,13 +57,14 @@ bool isFree(const QRectF& box, const TakenRoom& taken)
 
 } // namespace
 
-void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken)
+bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken)
 {
     QRectF box({}, boxSize(painter, text));
     box.moveCenter(centre);
-    if (!isFree(box, taken)) return;
+    if (!isFree(box, taken)) return false;
     taken.push_back(box);
     paintBox(painter, box, text, theme);
+    return true;
 }
 
 void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const PlotTheme& theme, TakenRoom& taken)

@@ -15,8 +15,8 @@ namespace touchdown {
 /// Where text stands already: what is painted later keeps clear of it.
 using TakenRoom = std::vector<QRectF>;
 
-/// A small box of paper about `centre` with the text in it, unless other text stands there.
-void paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken);
+/// A small box of paper about `centre` with the text in it; false, and nothing, where other text stands.
+bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken);
 
 /// A circle for a point of interest, a triangle downwards for a minimum and upwards for a maximum.
 struct PlanMark {

@@ -173,8 +173,15 @@ void SurfaceView::paintNumbers(QPainter& painter, const PlotTheme& theme, TakenR
     for (std::size_t i = 0; i < numberPoints_.size(); ++i) {
         const QRectF box = railPolygon(surface_.rails[i]).boundingRect();
         const QRectF drawn(toPixel({box.left(), box.bottom()}), toPixel({box.right(), box.top()}));
-        if (std::min(drawn.width(), drawn.height()) > 0.8 * height)
-            paintPlanLabel(painter, toPixel(numberPoints_[i]), QString::number(i + 1), theme, taken);
+        if (std::min(drawn.width(), drawn.height()) <= 0.8 * height) continue;
+        // Beside its place where a mark stands there, as long as it is still on its rail.
+        const double step = 1.3 * height;
+        for (const QPointF& aside : {QPointF(), QPointF(0.0, -step), QPointF(0.0, step), QPointF(-step, 0.0), QPointF(step, 0.0),
+                                     QPointF(-2.0 * step, 0.0), QPointF(2.0 * step, 0.0)}) {
+            const QPointF at = toPixel(numberPoints_[i]) + aside;
+            if (!aside.isNull() && railAt(surface_, toSlider(at)) != i) continue;
+            if (paintPlanLabel(painter, at, QString::number(i + 1), theme, taken)) break;
+        }
     }
 }
 
