@@ -126,9 +126,11 @@ private:
             h(k + 1) = length;
             if (length > 0.0)
                 for (T& value : next) value *= 1.0 / length;
+            double column = length * length; // |A M^-1 v|^2
+            for (std::size_t j = 0; j <= k; ++j) column += std::norm(h(j));
             for (std::size_t j = 0; j < k; ++j) rotate(j, h(j), h(j + 1));
             const double size = std::sqrt(std::norm(h(k)) + length * length);
-            if (!(size > 0.0)) return k;
+            if (!(size > 1e-14 * std::sqrt(column))) return k; // singular, but for rounding
             cosine_[k] = h(k) / size;
             sine_[k] = length / size;
             h(k) = size;
