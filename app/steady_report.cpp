@@ -6,6 +6,7 @@
 
 #include "app/progress_line.h"
 #include "app/report_row.h"
+#include "core/simulation/fields.h"
 #include "core/simulation/steady_quantities.h"
 #include "core/simulation/units.h"
 
@@ -128,6 +129,29 @@ std::string forcesText(const SteadyResult& r)
     return text;
 }
 
+// In the units in which people change the parameters.
+std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
+{
+    if (sensitivities.empty()) return {};
+    const auto number = [](double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%14.4g", value);
+        return std::string(text);
+    };
+    std::string text = reportRow("sensitivity to", "   height [nm]  pitch [urad]   roll [urad]  spacing [nm]   per");
+    for (const Sensitivity& s : sensitivities) {
+        const Field* field = findField(s.parameter);
+        const std::string unit = field ? field->displayUnit : s.unit == "m" ? "nm" : s.unit;
+        const double one = unit.empty() ? 1.0 : unitFactor(unit);
+        const double nm = unitFactor("nm"), urad = unitFactor("urad");
+        std::string name = "  " + s.parameter;
+        if (name.size() > 21) name = "  " + s.parameter.substr(s.parameter.find('.') + 1); // without its table
+        text += reportRow(name, number(s.height * one / nm) + number(s.pitch * one / urad) +
+                                    number(s.roll * one / urad) + number(s.minimumSpacing * one / nm) + "   1 " + unit);
+    }
+    return text;
+}
+
 std::string oneText(const Case& c, const SteadyResult& r)
 {
     std::string text = reportRow("status", statusText(r.status, r.message));
@@ -151,12 +175,7 @@ std::string oneText(const Case& c, const SteadyResult& r)
         text += reportRow(i == 0 ? "other equilibria" : "",
                           shown(a.height, "nm") + ", " + shown(a.pitch, "urad") + ", " + shown(a.roll, "urad"));
     }
-    for (std::size_t i = 0; i < r.sensitivities.size(); ++i) {
-        const Sensitivity& s = r.sensitivities[i];
-        if (i == 0) text += reportRow("sensitivity to", "height, pitch, roll, minimum spacing per SI unit");
-        text += reportRow("  " + s.parameter, displayed(s.height, "") + ", " + displayed(s.pitch, "") + ", " +
-                                                  displayed(s.roll, "") + ", " + displayed(s.minimumSpacing, ""));
-    }
+    text += sensitivitiesText(r.sensitivities);
     return text;
 }
 

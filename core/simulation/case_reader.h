@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a TOML text becomes a case: each value where its field puts it, each problem with its line. For the files that read
-// cases; see core/simulation/case_file.h.
+// How a TOML text becomes a case: each value where its field puts it, each problem with its line. For the files that
+// read cases; see core/simulation/case_file.h.
 #pragma once
 
 #include "core/simulation/case_file.h"

@@ -2,10 +2,11 @@
 //
 // Static states on disk (HDF5):
 //
-//   /                         attributes format ("touchdown-steady"), format_version, software_version, date, title, status, message
+//   /                         attributes format ("touchdown-steady"), format_version, software_version, date, title,
+//                             status, message
 //   /case/text, parameters    the input, as in a results file of a run
-//   /states/<n>/              one for each state, from 1: attributes status, message, iterations, wall_seconds, residual
-//       <quantity>            numbers with unit and long_name: nominal_trailing_edge_height, pitch, roll, minimum_spacing, ...
+//   /states/<n>/              one for each state, from 1: attributes status, message, iterations, wall_seconds, ...
+//       <quantity>            numbers with unit and long_name: nominal_trailing_edge_height, pitch, roll, ...
 //       minimum_spacing_at    x, y [m]; also maximum_pressure_at, ..., centre_of_positive_pressure, ...
 //       stiffness             3 x 3, if it was asked for
 //       points_of_interest    x, y, spacing [m], row by row

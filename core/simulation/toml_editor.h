@@ -24,7 +24,8 @@ public:
 
     /// Takes away the table [[name]] number `number`, from 1, that is counted in the text.
     void removeTable(std::string_view name, std::size_t number);
-    /// Adds a table "[[name]]\n..." behind number `after` of that name; 0: before the first one, or at the end of the text.
+    /// Adds a table "[[name]]\n..." behind number `after` of that name; 0: before the first one, or at the end of the
+    /// text.
     void insertTable(std::string_view name, std::size_t after, const std::string& table);
 
     /// The text with all changes.

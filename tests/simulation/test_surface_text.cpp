@@ -70,8 +70,7 @@ AirBearingSurface anySurface(std::mt19937& generator)
         rail.recess[0] = length();
         if (rail.kind == RailKind::Ramp) rail.recess = {length(), length(), 1.0 / 3.0 * length()};
         const int wall = whole(0, static_cast<int>(surface.walls.size()));
-        for (int i = whole(3, 12); i > 0; --i)
-            rail.points.push_back({length(), length(), whole(0, 1) == 0 ? wall : 0});
+        for (int i = whole(3, 12); i > 0; --i) rail.points.push_back({length(), length(), whole(0, 1) == 0 ? wall : 0});
     }
     for (int i = whole(0, 3); i > 0; --i) surface.pointsOfInterest.push_back({length(), length()});
     return surface;
@@ -104,11 +103,10 @@ private slots:
                         {{1.0e-3, 0.4e-3, 1}, {1.2e-3, 0.4e-3, 0}, {1.2e-3, 0.6e-3, 2}, {1.0e-3, 0.6e-3, 0}},
                         {0.0, 0.0, 0.0}};
         QVERIFY(surface.rails[0] == step);
-        const Rail ramp{
-            RailKind::Ramp, {{0.0, 0.0, 0}, {0.2e-3, 0.0, 0}, {0.0, 1e-3, 0}}, {0.0, 1e-6, 200e-9}};
+        const Rail ramp{RailKind::Ramp, {{0.0, 0.0, 0}, {0.2e-3, 0.0, 0}, {0.0, 1e-3, 0}}, {0.0, 1e-6, 200e-9}};
         QVERIFY(surface.rails[1] == ramp);
-        QVERIFY((surface.walls == std::vector<WallProfile>{{{-1e-6, 0.0, 3e-6}, {0.0, 1e-6, 2.5e-6}},
-                                                           {{0.0, 30e-6}, {0.0, 2.5e-6}}}));
+        QVERIFY((surface.walls ==
+                 std::vector<WallProfile>{{{-1e-6, 0.0, 3e-6}, {0.0, 1e-6, 2.5e-6}}, {{0.0, 30e-6}, {0.0, 2.5e-6}}}));
     }
     void readsTablesInALine()
     {
@@ -132,7 +130,8 @@ private slots:
         const QByteArray wall = "[[abs.wall]]\ndistance = [0,1e-6]\nrecess = [0,1e-6]\n";
         row("a table instead of tables", "[abs.rail]\nrecess = 0",
             "2: abs.rail: is one table; write [[abs.rail]] for each rail");
-        row("a value instead of tables", "[abs]\nwall = 3", "3: abs.wall: is no table; write [[abs.wall]] for each wall");
+        row("a value instead of tables", "[abs]\nwall = 3",
+            "3: abs.wall: is no table; write [[abs.wall]] for each wall");
         row("a list instead of tables", "[abs]\nrail = [1, 2]",
             "3: abs.rail: is no table; write [[abs.rail]] for each rail");
         row("an unknown key", rail + "reces = 0", "4: abs.rail[1].reces: unknown key; did you mean recess?");
@@ -171,10 +170,12 @@ private slots:
         row("a wall that does not exist", rail + "walls = [0, 2,\n 0]\n" + wall,
             "4: abs.rail[1].walls: wall 2 does not exist: there is 1 wall");
         row("a wall of none", rail + "walls = 1", "4: abs.rail[1].walls: wall 1 does not exist: there are 0 walls");
-        row("a negative wall", rail + "walls = -1\n" + wall, "4: abs.rail[1].walls: wall -1 does not exist: there is 1 wall");
+        row("a negative wall", rail + "walls = -1\n" + wall,
+            "4: abs.rail[1].walls: wall -1 does not exist: there is 1 wall");
         row("half a wall", rail + "walls = 0.5\n" + wall,
             "4: abs.rail[1].walls: has the wrong type; the number of a wall is needed, 0 for none");
-        row("a wall without a recess", "[[abs.wall]]\ndistance = [0, 1e-6]", "2: abs.wall[1]: needs a distance and a recess");
+        row("a wall without a recess", "[[abs.wall]]\ndistance = [0, 1e-6]",
+            "2: abs.wall[1]: needs a distance and a recess");
         row("fewer recesses than distances", "[[abs.wall]]\ndistance = [0, 1e-6]\nrecess = [0]",
             "4: abs.wall[1].recess: has 1 number for 2 distances");
         row("a word among distances", "[[abs.wall]]\ndistance = [0, 'far']\nrecess = [0, 1]",
@@ -187,7 +188,8 @@ private slots:
             "3: abs.points_of_interest: a point is a list of two, such as [\"0.1 mm\", \"0.5 mm\"]");
         row("too many points of interest", "[abs]\npoints_of_interest = [" + QByteArray("[0,0],").repeated(101) + "]",
             "3: abs.points_of_interest: 101 points are too many; at most 100 are possible");
-        row("rails from nowhere", "[abs]\nrails = 'rail.dat'", "3: abs.rails: names a file, but this text stands in no folder");
+        row("rails from nowhere", "[abs]\nrails = 'rail.dat'",
+            "3: abs.rails: names a file, but this text stands in no folder");
         row("a number of rails", "[abs]\nrails = 3",
             "3: abs.rails: has the wrong type; the name of a file in quotation marks is needed");
         row("rails from both", "[abs]\nrails = 'rail.dat'\n" + rail,
@@ -251,8 +253,8 @@ private slots:
     }
     void warnsOfWhatMayNotBeMeant()
     {
-        const CaseDocument document = parseCase(
-            "model = 'film'\n[[abs.rail]]\npoints = [[0,0],['1 mm',0],['1 mm','1.1 mm']]\n", "a.toml");
+        const CaseDocument document =
+            parseCase("model = 'film'\n[[abs.rail]]\npoints = [[0,0],['1 mm',0],['1 mm','1.1 mm']]\n", "a.toml");
         QCOMPARE(problemsOf(document), QStringList());
         QCOMPARE(document.warnings.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(document.warnings.front().text()),
@@ -271,17 +273,18 @@ private slots:
     void formattedTextIsReadable()
     {
         const std::string text = formatSurface(parseCase(written, "").value.surface);
-        QCOMPARE(QString::fromStdString(text),
-                 QString("points_of_interest = [[\"1.24 mm\", \"0.5 mm\"], [\"1 mm\", \"0 mm\"]]\n"
-                         "\n[[abs.rail]]\nrecess = \"0 um\"\n"
-                         "points = [[\"1 mm\", \"0.4 mm\"], [\"1.2 mm\", \"0.4 mm\"], [\"1.2 mm\", \"0.6 mm\"], "
-                         "[\"1 mm\", \"0.6 mm\"]]\n"
-                         "walls = [1, 0, 2, 0]\n"
-                         "\n[[abs.rail]]\nrecess = [\"0 um\", \"1 um\", \"0.2 um\"]\n"
-                         "points = [[\"0 mm\", \"0 mm\"], [\"0.2 mm\", \"0 mm\"], [\"0 mm\", \"1 mm\"]]\nwalls = 0\n"
-                         "\n# wall 1\n[[abs.wall]]\ndistance = [\"-1 um\", \"0 um\", \"3 um\"]\n"
-                         "recess = [\"0 um\", \"1 um\", \"2.5 um\"]\n"
-                         "\n# wall 2\n[[abs.wall]]\ndistance = [\"0 um\", \"30 um\"]\nrecess = [\"0 um\", \"2.5 um\"]\n"));
+        QCOMPARE(
+            QString::fromStdString(text),
+            QString("points_of_interest = [[\"1.24 mm\", \"0.5 mm\"], [\"1 mm\", \"0 mm\"]]\n"
+                    "\n[[abs.rail]]\nrecess = \"0 um\"\n"
+                    "points = [[\"1 mm\", \"0.4 mm\"], [\"1.2 mm\", \"0.4 mm\"], [\"1.2 mm\", \"0.6 mm\"], "
+                    "[\"1 mm\", \"0.6 mm\"]]\n"
+                    "walls = [1, 0, 2, 0]\n"
+                    "\n[[abs.rail]]\nrecess = [\"0 um\", \"1 um\", \"0.2 um\"]\n"
+                    "points = [[\"0 mm\", \"0 mm\"], [\"0.2 mm\", \"0 mm\"], [\"0 mm\", \"1 mm\"]]\nwalls = 0\n"
+                    "\n# wall 1\n[[abs.wall]]\ndistance = [\"-1 um\", \"0 um\", \"3 um\"]\n"
+                    "recess = [\"0 um\", \"1 um\", \"2.5 um\"]\n"
+                    "\n# wall 2\n[[abs.wall]]\ndistance = [\"0 um\", \"30 um\"]\nrecess = [\"0 um\", \"2.5 um\"]\n"));
     }
     void linesStayShort()
     {
@@ -313,16 +316,19 @@ private slots:
         row("points of interest", 5, "[[\"1.24 mm\", \"0.5 mm\"], [1e-3, 0]]", "[[\"1 mm\", \"0 mm\"]]");
         row("the last wall goes", 6, "[[abs.wall]] # flat\ndistance = [0, \"30 um\"]\nrecess = [0, \"2.5 um\"]\n", "");
         row("a wall comes", 7, "recess = [0, \"2.5 um\"]\n",
-            "recess = [0, \"2.5 um\"]\n\n[[abs.wall]]\ndistance = [\"0 um\", \"1 um\"]\nrecess = [\"0 um\", \"2.5 um\"]\n");
+            "recess = [0, \"2.5 um\"]\n\n[[abs.wall]]\ndistance = [\"0 um\", \"1 um\"]\nrecess = [\"0 um\", \"2.5 "
+            "um\"]\n");
         row("the first rail goes", 8,
             "[[abs.rail]]\nrecess = \"0 um\" # the zero plane\npoints = [[\"1.0 mm\", \"0.4 mm\"], [\"1.2 mm\", \"0.4 "
             "mm\"],\n    [\"1.2 mm\", \"0.6 mm\"], [\"1.0 mm\", \"0.6 mm\"]] # square\nwalls = [1, 0, 2, 0]\n",
             "");
         row("a rail comes first", 9, "[[abs.rail]]\nrecess = \"0 um\" # the",
-            "[[abs.rail]]\nrecess = \"0 um\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], [\"0 mm\", \"1 mm\"]]\n"
+            "[[abs.rail]]\nrecess = \"0 um\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], [\"0 mm\", \"1 "
+            "mm\"]]\n"
             "walls = 0\n\n[[abs.rail]]\nrecess = \"0 um\" # the");
         row("a rail comes between", 10, "walls = [1, 0, 2, 0]\n",
-            "walls = [1, 0, 2, 0]\n\n[[abs.rail]]\nrecess = \"0 um\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], "
+            "walls = [1, 0, 2, 0]\n\n[[abs.rail]]\nrecess = \"0 um\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 "
+            "mm\"], "
             "[\"0 mm\", \"1 mm\"]]\nwalls = 0\n");
         row("the crown, which is new to [abs]", 11, "points_of_interest = [[\"1.24 mm\", \"0.5 mm\"], [1e-3, 0]]\n",
             "points_of_interest = [[\"1.24 mm\", \"0.5 mm\"], [1e-3, 0]]\ncrown = \"20 nm\"\n");
@@ -345,7 +351,10 @@ private slots:
             break;
         case 4: surface.walls[0].recess[1] = 1.5e-6; break;
         case 5: surface.pointsOfInterest = {{1e-3, 0.0}}; break;
-        case 6: surface.walls.pop_back(); surface.rails[0].points[2].wall = 0; break;
+        case 6:
+            surface.walls.pop_back();
+            surface.rails[0].points[2].wall = 0;
+            break;
         case 7: surface.walls.push_back({{0.0, 1e-6}, {0.0, 2.5e-6}}); break;
         case 8: surface.rails.erase(surface.rails.begin()); break;
         case 9: surface.rails.insert(surface.rails.begin(), fresh); break;
@@ -362,9 +371,11 @@ private slots:
         Case c = defaultsOf(ModelKind::Film);
         c.surface.crown = 20e-9;
         c.surface.rails.push_back({RailKind::Step, {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}}, {}});
-        QCOMPARE(QString::fromStdString(updateCaseText("# notes\r\nmodel = 'film'\r\n", c)),
-                 QString("# notes\r\nmodel = 'film'\r\n\r\n[abs]\r\ncrown = \"20 nm\"\r\n\r\n[[abs.rail]]\r\nrecess = \"0 um\"\r\n"
-                         "points = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], [\"0 mm\", \"1 mm\"]]\r\nwalls = 0\r\n"));
+        QCOMPARE(
+            QString::fromStdString(updateCaseText("# notes\r\nmodel = 'film'\r\n", c)),
+            QString("# notes\r\nmodel = 'film'\r\n\r\n[abs]\r\ncrown = \"20 nm\"\r\n\r\n[[abs.rail]]\r\nrecess = \"0 "
+                    "um\"\r\n"
+                    "points = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"], [\"0 mm\", \"1 mm\"]]\r\nwalls = 0\r\n"));
     }
     /// [abs] may follow its rails, which imply it.
     void aCrownComesToRailsWithoutATable()
@@ -379,8 +390,8 @@ private slots:
         QTest::addColumn<QByteArray>("text");
         QTest::newRow("tables") << QByteArray::fromStdString(written);
         QTest::newRow("tables with Windows lines") << QByteArray::fromStdString(written).replace("\n", "\r\n");
-        QTest::newRow("tables in lines")
-            << QByteArray("# a slider of mine\nmodel = 'film'\nabs.rail = [{ points = [[0, 0], [1e-3, 0], [0, 1e-3]] }]\n");
+        QTest::newRow("tables in lines") << QByteArray(
+            "# a slider of mine\nmodel = 'film'\nabs.rail = [{ points = [[0, 0], [1e-3, 0], [0, 1e-3]] }]\n");
         QTest::newRow("no surface") << QByteArray("# a slider of mine\n");
         QTest::newRow("an empty list") << QByteArray("# a slider of mine\nabs.rail = []\n");
     }
@@ -416,7 +427,8 @@ private slots:
         surface.crown = 25e-9;
         putRails(surface);
         const auto file = path("case.toml");
-        const std::string text = "# notes\nmodel = \"film\"\n[abs]\nrails = \"rail.dat\" # measured\ncamber = \"3 nm\"\n";
+        const std::string text =
+            "# notes\nmodel = \"film\"\n[abs]\nrails = \"rail.dat\" # measured\ncamber = \"3 nm\"\n";
         QCOMPARE(writeCaseFile(file, text), std::string());
         const CaseDocument document = readCaseFile(file);
         QCOMPARE(problemsOf(document), QStringList());
@@ -472,8 +484,8 @@ private:
     static bool sameInText(const std::string& text, const Case& c)
     {
         const CaseDocument document = parseCase(text, "");
-        return document.valid() && document.value.surface == c.surface && document.value.slider.length == c.slider.length &&
-               document.value.slider.thickness == c.slider.thickness;
+        return document.valid() && document.value.surface == c.surface &&
+               document.value.slider.length == c.slider.length && document.value.slider.thickness == c.slider.thickness;
     }
     void putRails(const AirBearingSurface& surface) const
     {
