@@ -22,15 +22,18 @@ FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
     : film_(film), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size(), 0.0)
 {
     work_.resize(film.pad().size());
+    for (auto* pair : {&effective_, &convection_})
+        for (auto& field : *pair) field.assign(film.pad().size(), 0.0);
 }
 
 void FilmLinearSolver::prepare(double shift)
 {
     shift_ = shift;
-    for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = shift * film_.volumes()[at];
+    for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
     const auto& faces = film_.faces();
-    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
-                            FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
+    for (std::size_t axis = 0; axis < 2; ++axis) film_.ownOperator(axis, effective_[axis], convection_[axis]);
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
+                            FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
                            diagonal_);
 }
 
@@ -39,7 +42,7 @@ GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double>
     const auto apply = [this](std::span<const double> v, std::span<double> out) {
         film_.applyJacobian(v, out, work_);
         if (shift_ == 0.0) return;
-        for (std::size_t at = 0; at < v.size(); ++at) out[at] += diagonal_[at] * v[at];
+        for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
     };
     const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
     return gmres_.solve(apply, precondition, b, x, options);
@@ -54,14 +57,14 @@ void FilmLinearSolver::prepareTransposed()
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            diagonal_[at] = (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]);
+            diagonal_[at] = (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]) +
+                            film_.storagePerTime() * film_.volumes()[at];
         }
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        reversed_[axis].resize(pad.size());
-        for (std::size_t at = 0; at < pad.size(); ++at) reversed_[axis][at] = -faces[axis].convection[at];
+        for (std::size_t at = 0; at < pad.size(); ++at) convection_[axis][at] = -faces[axis].convection[at];
     }
-    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, reversed_[0]},
-                            FaceOperator{faces[1].diffusion, faces[1].effective, reversed_[1]}},
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
+                            FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
                            diagonal_);
 }
 

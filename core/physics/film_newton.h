@@ -52,7 +52,7 @@ private:
     Gmres<double> gmres_;
     FaceFlows<double> work_;
     std::vector<double> diagonal_;
-    std::array<std::vector<double>, 2> reversed_;
+    std::array<std::vector<double>, 2> effective_, convection_; // what multigrid takes
     double shift_ = 0.0;
 };
 

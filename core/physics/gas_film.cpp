@@ -44,6 +44,9 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, grid.centreX(i), y);
             axes_[1].speed[pad.at(i, j)] = 0.5 * v.y;
         }
+    const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
+    const double square = v.x * v.x + v.y * v.y;
+    if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     flows_.resize(pad.size());
     std::size_t mostPieces = 0; // of one face
     for (const FilmGaps::Faces& f : gaps_.faces)
@@ -90,11 +93,24 @@ void GasFilm::setAttitude(const Attitude& attitude)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
             volume_[at] = area_[at] * std::max(0.0, meanGap(i, j));
-            totalVolume_ += volume_[at];
         }
+    // Where part of a cut cell is closed, the rest holds the air.
+    for (const CutPlace& cell : gaps_.cutCells) {
+        double volume = 0.0;
+        for (std::uint32_t k = gaps_.rows[cell.rows].pieces; k < gaps_.rows[cell.rows].pieceEnd; ++k)
+            volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k]));
+        volume_[cell.at] = volume;
+    }
+    for (const double volume : volume_) totalVolume_ += volume;
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
     flowScale_ = 0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;
+}
+
+void GasFilm::setStorage(double perTime, std::span<const double> history)
+{
+    storagePerTime_ = perTime;
+    history_ = history;
 }
 
 double GasFilm::meanGap(int i, int j) const
@@ -127,6 +143,8 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     setFaceFlows<Number>(p);
     for (std::size_t axis = 0; axis < 2; ++axis)
         std::copy(faces_[axis].flow.begin(), faces_[axis].flow.end(), flows_.flow[axis].begin());
+    setStored(p, flows_);
+    for (std::size_t at = 0; at < flows_.stored.size(); ++at) flows_.stored[at] -= history_[at];
     if (complete()) {
         setSlopes(flows_);
         completeFlows(flows_);

@@ -11,6 +11,9 @@
 // limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone would send: a change of third order where the
 // pressure is smooth, and no cell is emptied below zero.
 //
+// In time, cells store R = V dp/dt + p dV/dt besides, by a formula alpha V p - history; the complete flux scheme counts it among
+// what feeds and drains the flow along a path.
+//
 // No air where the gap is closed: such faces pass nothing, and a cell without an open face keeps its pressure.
 #pragma once
 
@@ -52,10 +55,11 @@ struct FilmFaces {
     std::vector<double> convection;    // lower + upper [m^3/s]
 };
 
-/// Flows through the faces across x and across y, with what each cell's slopes are: padded work space.
+/// Flows through the faces across x and across y, with each cell's slopes and what it stores: padded work space.
 template <typename T>
 struct FaceFlows {
     std::array<std::vector<T>, 2> flow, slope;
+    std::vector<T> stored; // empty: nothing
     void resize(std::size_t size)
     {
         for (auto* pair : {&flow, &slope})
@@ -93,11 +97,19 @@ public:
 
     void setAttitude(const Attitude& attitude);
 
+    /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime zero,
+    /// nothing. The history (padded) is read at each residual and must last.
+    void setStorage(double perTime, std::span<const double> history);
+    double storagePerTime() const { return storagePerTime_; }
+
     /// R(p) alone, and R(p) with the linearisation at p.
     void residual(std::span<const double> p, std::span<double> out);
     void linearise(std::span<const double> p, std::span<double> out);
     /// The linearisation of the last call.
     const std::array<FilmFaces, 2>& faces() const { return faces_; }
+    /// The part of the linearisation that a face has from its two cells, with what their storage takes off the flow: F = lower v1
+    /// + upper v2 = c (v1 + v2)/2 - E (v2 - v1); padded [m^3/s].
+    void ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const;
     /// out = dR/dp v, exactly (v zero in its rings).
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const;
@@ -172,7 +184,11 @@ private:
     template <ConvectionScheme scheme>
     void setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
                           std::array<std::array<std::vector<double>, 2>, 3>& own) const;
-    /// Slopes of the flow along each axis in each cell, from the flow across: what must leave the one way came the other.
+    void setAttitudeStorage(std::span<const double> p, std::array<FaceFlows<double>, 3>& flows) const;
+    /// alpha V v.
+    template <typename T>
+    void setStored(std::span<const T> v, FaceFlows<T>& flows) const;
+    /// Slopes of the flow along each axis in each cell: what leaves the one way came the other, or out of what was stored.
     template <typename T>
     void setSlopes(FaceFlows<T>& flows) const;
     /// Takes the limited corrections off the flows; their derivatives are kept for the linear maps below.
@@ -190,6 +206,9 @@ private:
     FlowTable table_;
     Attitude attitude_;
     double flowScale_ = 0.0, totalVolume_ = 0.0;
+    double storagePerTime_ = 0.0;       // [1/s]
+    std::span<const double> history_;   // [Pa m^3/s]
+    std::array<double, 2> motionShare_{}; // square of the disk's direction along x, y under the centre [-]
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;

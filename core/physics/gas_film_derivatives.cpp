@@ -9,6 +9,13 @@
 namespace touchdown {
 
 template <typename T>
+void GasFilm::setStored(std::span<const T> v, FaceFlows<T>& flows) const
+{
+    flows.stored.resize(storagePerTime_ != 0.0 ? v.size() : 0);
+    for (std::size_t at = 0; at < flows.stored.size(); ++at) flows.stored[at] = storagePerTime_ * volume_[at] * v[at];
+}
+
+template <typename T>
 void GasFilm::setSlopes(FaceFlows<T>& flows) const
 {
     const PaddedGrid& pad = gaps_.pad;
@@ -21,6 +28,14 @@ void GasFilm::setSlopes(FaceFlows<T>& flows) const
             flows.slope[1][at] = (flows.flow[0][at] - flows.flow[0][at + 1]) * perWidthY;
         }
     }
+    // Both slopes in full would take a cell's storage from it twice: each axis counts what is its own of the motion's square.
+    if (!flows.stored.empty())
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i) {
+                const std::size_t at = pad.at(i, j);
+                flows.slope[0][at] -= flows.stored[at] * (motionShare_[0] * axes_[0].perWidth[static_cast<std::size_t>(i)]);
+                flows.slope[1][at] -= flows.stored[at] * (motionShare_[1] * axes_[1].perWidth[static_cast<std::size_t>(j)]);
+            }
     // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
     for (const std::size_t at : gaps_.steppedCells) flows.slope[0][at] = flows.slope[1][at] = T{};
 }
@@ -52,11 +67,35 @@ void GasFilm::divergence(const FaceFlows<T>& flows, std::span<T> out) const
             const std::size_t at = pad.at(i, j);
             out[at] = (x[at + 1] - x[at]) + (y[at + up] - y[at]);
         }
+    for (std::size_t at = 0; at < flows.stored.size(); ++at) out[at] += flows.stored[at];
 }
 
+template void GasFilm::setStored(std::span<const double>, FaceFlows<double>&) const;
 template void GasFilm::setSlopes(FaceFlows<double>&) const;
 template void GasFilm::completeChanges(FaceFlows<double>&) const;
 template void GasFilm::divergence(const FaceFlows<double>&, std::span<double>) const;
+
+void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const FilmFaces& f = faces_[axis];
+    std::copy(f.effective.begin(), f.effective.end(), effective.begin());
+    std::copy(f.convection.begin(), f.convection.end(), convection.begin());
+    if (!complete() || storagePerTime_ == 0.0) return;
+    const std::size_t step = pad.step(static_cast<int>(axis));
+    const std::vector<double>& perWidth = axes_[axis].perWidth;
+    const int last = (axis == 0 ? pad.nx : pad.ny) - 1;
+    for (int j = 0; j < pad.ny + (axis == 1); ++j)
+        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+            const std::size_t at = pad.at(i, j);
+            const int line = axis == 0 ? i : j;
+            const double scale = f.share[at] * storagePerTime_ * motionShare_[axis]; // volumes in the rings are zero
+            const double below = scale * f.below[at] * volume_[at - step] * perWidth[static_cast<std::size_t>(std::max(line - 1, 0))];
+            const double above = scale * f.above[at] * volume_[at] * perWidth[static_cast<std::size_t>(std::min(line, last))];
+            convection[at] += below + above;
+            effective[at] += 0.5 * (below - above);
+        }
+}
 
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const
@@ -71,6 +110,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
                 work.flow[axis][at] = f.lower[at] * v[at - step] + f.upper[at] * v[at];
             }
     }
+    setStored(v, work);
     if (complete()) {
         setSlopes(work);
         completeChanges(work);
@@ -128,12 +168,14 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
                 work.flow[1][at + up] -= alongX;
                 work.flow[0][at] += alongY;
                 work.flow[0][at + 1] -= alongY;
+                out[at] -= storagePerTime_ * volume_[at] * (motionShare_[0] * alongX + motionShare_[1] * alongY);
             }
     forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
         const FilmFaces& f = faces_[axis];
         out[before] += f.lower[at] * work.flow[axis][at];
         out[at] += f.upper[at] * work.flow[axis][at];
     });
+    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volume_[at] * v[at];
     clearRings(out);
     for (auto& slope : work.slope) clearRings(slope);
 }

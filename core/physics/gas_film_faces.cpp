@@ -256,6 +256,27 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
     });
 }
 
+void GasFilm::setAttitudeStorage(std::span<const double> p, std::array<FaceFlows<double>, 3>& flows) const
+{
+    for (FaceFlows<double>& f : flows) f.stored.assign(p.size(), 0.0);
+    const auto add = [&](std::size_t at, double area, double x, double y) {
+        const std::array<double, 3> lift = liftDirections(x, y);
+        for (std::size_t k = 0; k < 3; ++k) flows[k].stored[at] += storagePerTime_ * p[at] * area * lift[k];
+    };
+    for (int j = 0; j < gaps_.pad.ny; ++j)
+        for (int i = 0; i < gaps_.pad.nx; ++i) {
+            const std::size_t at = gaps_.pad.at(i, j);
+            if (volume_[at] > 0.0) add(at, area_[at], gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+        }
+    for (const CutPlace& cell : gaps_.cutCells) {
+        for (FaceFlows<double>& f : flows) f.stored[cell.at] = 0.0;
+        for (std::uint32_t k = gaps_.rows[cell.rows].pieces; k < gaps_.rows[cell.rows].pieceEnd; ++k) {
+            const GapPiece& piece = gaps_.pieces[k];
+            if (gapOf<double>(piece) > 0.0) add(cell.at, piece.extent, piece.x, piece.y);
+        }
+    }
+}
+
 void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
 {
     const std::size_t size = gaps_.pad.size();
@@ -274,6 +295,7 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
         case Exponential: setAttitudeFlows<Exponential>(axis, p, flows, own); break;
         case CompleteFlux: setAttitudeFlows<CompleteFlux>(axis, p, flows, own); break;
         }
+    if (storagePerTime_ != 0.0) setAttitudeStorage(p, flows);
     for (std::size_t k = 0; k < 3; ++k) {
         if (complete()) {
             setSlopes(flows[k]);
