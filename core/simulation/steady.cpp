@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "core/physics/film_line_multigrid.h"
@@ -167,6 +168,15 @@ private:
         result_.pressure = std::move(fields.pressure);
         result_.gap = std::move(fields.gap);
         result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+        if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
+            result_.status = SteadyStatus::Failed;
+            char text[200];
+            std::snprintf(text, sizeof text,
+                          "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
+                          "the slider touches, and contact is no part of this model",
+                          -result_.minimumSpacing * 1e9);
+            result_.message = text;
+        }
     }
 
     /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second order; half

@@ -315,13 +315,15 @@ private slots:
     {
         Case c = defaultsOf(ModelKind::Film);
         c.steady.shearArm = 1.0;
-        c.film.scheme = ConvectionScheme::PowerLaw;
+        c.film.scheme = ConvectionScheme::CompleteFlux; // as the power law of the files is read
         c.film.grid = GridKind::Uniform;
         c.air.slip.model = SlipModel::FukuiKaneko;
         QVERIFY(formatCmlCase(c).keptKeys.empty());
         c.slider.mass = 2e-6;
         c.air.slip.model = SlipModel::NewSecondOrder;
         QCOMPARE(formatCmlCase(c).keptKeys, (std::vector<std::string>{"slider.mass", "air.slip"}));
+        c.film.scheme = ConvectionScheme::PowerLaw;
+        QCOMPARE(formatCmlCase(c).keptKeys, (std::vector<std::string>{"slider.mass", "air.slip", "film.scheme"}));
     }
     void whatHasNoFiles()
     {

@@ -124,7 +124,7 @@ private slots:
         row("roll velocity", withValues("hm(m)", "1e-8 1.6e-4 2e-6 0 0 1"),
             "dynamics.def:18: Initial Condition Menu: not modelled: a roll velocity at the start");
         row("central differences", withValues("iqpo", "5 1e-7 1e-4 2"),
-            "dynamics.def:21: Solution Control Menu: not modelled: central differences; the power law is taken");
+            "dynamics.def:21: Solution Control Menu: not modelled: central differences; complete-flux is taken");
         row("track profile", withValues("inwave", "1 500 0 3"),
             "dynamics.def:41: Disk Track Profile Menu: not modelled: the whole section, which is switched on");
         row("asperities on the disk", withValues("nwave", "0 0 2"),

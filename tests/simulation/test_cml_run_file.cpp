@@ -222,7 +222,8 @@ private slots:
         row("refined bands", withValues("numXRegions", "1"),
             "run.dat:50: Mesh Refinement in X Direction: not modelled: refined bands (1)");
         row("accommodation", withValues("ischeme", "2 3 1e-8 6 6 0.8 4"),
-            "run.dat:58: Reynolds Equation: not modelled: the accommodation coefficient = 0.8 with this slip model");
+            "run.dat:58: Reynolds Equation: not modelled: the power law as such; complete-flux is taken, film.scheme = "
+            "power-law compares, the accommodation coefficient = 0.8 with this slip model");
         row("asperity contact", withValues("icmodel", "1 3e-10 1e12 1e-19 1e-76"),
             "run.dat:61: Partial Contact: not modelled: partial contact (icmodel = 1)");
         row("electric potential", withValues("rdsasp", "1e-8 1e10 1e12 0.5"),
@@ -398,7 +399,7 @@ private slots:
         c.air.slip.model = SlipModel::NewFirstOrder;
         c.film.grid = GridKind::Graded;
         const Case read = Reading(formatCmlRun(c, "")).value;
-        QCOMPARE(read.film.scheme, ConvectionScheme::PowerLaw);
+        QCOMPARE(read.film.scheme, ConvectionScheme::CompleteFlux);
         QCOMPARE(read.air.slip.model, SlipModel::FukuiKaneko);
         QCOMPARE(read.film.grid, GridKind::Uniform);
     }

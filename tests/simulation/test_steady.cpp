@@ -23,6 +23,7 @@ private slots:
     void progressNamesTheGrids();
     void cancelling();
     void notConverging();
+    void aLoadThatOnlyContactCarries();
 };
 
 void TestSteady::forcesBalanceTheLoad()
@@ -208,6 +209,16 @@ void TestSteady::notConverging()
     QCOMPARE(r.status, SteadyStatus::NotConverged);
     QVERIFY(QString::fromStdString(r.message).contains("not converged"));
     QVERIFY(std::isfinite(r.minimumSpacing));
+}
+
+void TestSteady::aLoadThatOnlyContactCarries()
+{
+    Case c = test::smallSlider(33);
+    c.film.grid = GridKind::Uniform;
+    c.suspension.preload = 30.0;
+    const SteadyResult r = steady(c);
+    QVERIFY(r.status != SteadyStatus::Converged);
+    QVERIFY(!r.message.empty());
 }
 
 QTEST_GUILESS_MAIN(TestSteady)
