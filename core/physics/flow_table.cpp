@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/numerics/vector_clones.h"
 #include "core/physics/kinetic_flow_rate.h"
 
 namespace touchdown {
@@ -15,6 +16,22 @@ namespace {
 
 /// From 2^-14 to 2^20 times p0 lambda0: Kn from 16000 to 1e-6.
 constexpr int octavesBelow = 14, octavesAbove = 20;
+
+/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; all w within the table.
+template <int shift>
+TOUCHDOWN_VECTOR_CLONES void evaluate(std::size_t n, const double* w, const double* coefficients, std::uint64_t firstPiece,
+                                      double* mobility, double* derivative)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::uint64_t piece = std::bit_cast<std::uint64_t>(w[k]) >> shift;
+        const double d = w[k] - std::bit_cast<double>(piece << shift);
+        const std::int64_t at = static_cast<std::int64_t>(piece - firstPiece) * 4;
+        const double c0 = coefficients[at], c1 = coefficients[at + 1], c2 = coefficients[at + 2], c3 = coefficients[at + 3];
+        mobility[k] = c0 + d * (c1 + d * (c2 + d * c3));
+        derivative[k] = c1 + d * (2.0 * c2 + d * (3.0 * c3));
+    }
+}
 
 } // namespace
 
@@ -44,6 +61,21 @@ Mobility::Mobility(SlipModel model, double accommodation, const Air& air)
     }
 }
 
+void Mobility::at(std::span<const double> w, std::span<double> mobility, std::span<double> derivative) const
+{
+    static_assert(sizeof(Piece) == 4 * sizeof(double));
+    const std::uint64_t count = pieces_.size();
+    std::size_t inside = 0;
+    for (const double number : w) inside += (std::bit_cast<std::uint64_t>(number) >> pieceShift) - firstPiece_ < count ? 1 : 0;
+    if (inside == w.size() && inside > 0)
+        return evaluate<pieceShift>(w.size(), w.data(), &pieces_[0].c0, firstPiece_, mobility.data(), derivative.data());
+    for (std::size_t k = 0; k < w.size(); ++k) {
+        const Value value = at(w[k]);
+        mobility[k] = value.mobility;
+        derivative[k] = value.derivative;
+    }
+}
+
 Mobility::Value Mobility::direct(double w) const
 {
     if (std::isnan(w)) return {w, w};
@@ -70,6 +102,17 @@ FlowTable::FlowTable(const Slip& slip, const Air& air)
     narrow_ = Mobility(SlipModel::NewSecondOrder, slip.accommodation, air);
     blendStart_ = slip.switchGap - 0.5 * slip.blendWidth;
     blendEnd_ = slip.switchGap + 0.5 * slip.blendWidth;
+}
+
+void FlowTable::at(std::span<const double> w, std::span<const double> gap, std::span<double> mobility,
+                   std::span<double> derivative) const
+{
+    if (blendEnd_ == noGap) return wide_.at(w, mobility, derivative);
+    for (std::size_t k = 0; k < w.size(); ++k) {
+        const Value value = at(w[k], gap[k]);
+        mobility[k] = value.mobility;
+        derivative[k] = value.derivative;
+    }
 }
 
 /// Weight of the wide gap's model: 3 s^2 - 2 s^3 with s the fraction of the blend, so that G is continuously differentiable.

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/physics/air.h"
@@ -40,6 +41,9 @@ public:
         return {c.c0 + d * (c.c1 + d * (c.c2 + d * c.c3)), c.c1 + d * (2.0 * c.c2 + d * (3.0 * c.c3))};
     }
 
+    /// The same for many w at once.
+    void at(std::span<const double> w, std::span<double> mobility, std::span<double> derivative) const;
+
     /// The formula that the table holds.
     Value direct(double w) const;
 
@@ -69,6 +73,10 @@ public:
 
     /// w = p h [Pa m], the gap [m]; the derivative by w holds the gap.
     Value at(double w, double gap) const { return gap > blendEnd_ ? wide_.at(w) : narrow(w, gap); }
+
+    /// The same for many at once.
+    void at(std::span<const double> w, std::span<const double> gap, std::span<double> mobility,
+            std::span<double> derivative) const;
 
     /// dG/dgap at constant w [Pa]: zero but within the combination's blend.
     double gapDerivative(double w, double gap) const

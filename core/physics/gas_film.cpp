@@ -4,12 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/vector_clones.h"
 
 namespace touchdown {
 
 namespace {
 
 constexpr double tinyFlow = 1e-200; // keeps ratios of closed faces finite [Pa m^3/s]
+
+/// Takes the limited corrections off the flows of a row of faces.
+TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double>& slope, std::vector<double>& flow,
+                                      std::size_t first, std::size_t count, std::size_t step)
+{
+    const double *after = slope.data() + first, *before = after - step;
+    const double *below = faces.below.data() + first, *above = faces.above.data() + first;
+    const double* inflow = faces.inflow.data() + first;
+    double *out = flow.data() + first, *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double full = before[k] * below[k] + after[k] * above[k];
+        const double ratio = full / (inflow[k] + tinyFlow), inverse = 1.0 / std::sqrt(1.0 + ratio * ratio);
+        out[k] -= full * inverse;
+        share[k] = inverse * inverse * inverse;
+        inflowShare[k] = ratio * ratio * ratio * share[k];
+    }
+}
 
 double tiltOf(double rise, double gap) { return gap > closedGap ? std::clamp(rise / gap, -1.0, 1.0) : 0.0; }
 
@@ -53,7 +72,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
         for (const CutPlace& place : f.cut)
             mostPieces = std::max<std::size_t>(mostPieces, gaps_.rows[place.rowEnd - 1].pieceEnd - gaps_.rows[place.rows].pieces);
     block_.resize(PieceBlock::enough + mostPieces);
-    for (auto* row : {&mobility_, &mobilityByPressure_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
+    for (auto* row : {&mobility_, &mobilityByPressure_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
@@ -121,20 +140,10 @@ double GasFilm::meanGap(int i, int j) const
 void GasFilm::completeFlows(FaceFlows<double>& flows)
 {
     const PaddedGrid& pad = gaps_.pad;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const std::size_t step = pad.step(static_cast<int>(axis));
-        const std::vector<double>& slope = flows.slope[axis];
-        FilmFaces& f = faces_[axis];
+    for (std::size_t axis = 0; axis < 2; ++axis)
         for (int j = 0; j < pad.ny + (axis == 1); ++j)
-            for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-                const std::size_t at = pad.at(i, j);
-                const double full = slope[at - step] * f.below[at] + slope[at] * f.above[at];
-                const double ratio = full / (f.inflow[at] + tinyFlow), inverse = 1.0 / std::sqrt(1.0 + ratio * ratio);
-                flows.flow[axis][at] -= full * inverse;
-                f.share[at] = inverse * inverse * inverse;
-                f.inflowShare[at] = ratio * ratio * ratio * f.share[at];
-            }
-    }
+            limitRow(faces_[axis], flows.slope[axis], flows.flow[axis], pad.at(0, j),
+                     static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)));
 }
 
 template <typename Number>

@@ -70,11 +70,12 @@ struct FaceFlows {
 /// Pieces of cut faces whose flow functions are evaluated together: work space.
 struct PieceBlock {
     static constexpr std::size_t enough = 512;
-    std::vector<double> gap, mobility, mobilityBy, speed, extent, start;
+    std::vector<double> gap, mean, product; // the mean pressure along the path, and that times the gap
+    std::vector<double> mobility, mobilityBy, speed, extent, start;
     std::array<std::vector<double>, 4> value, by; // of R, I, moment, decay (core/physics/path_flow.h)
     void resize(std::size_t size)
     {
-        for (auto* column : {&gap, &mobility, &mobilityBy, &speed, &extent, &start}) column->resize(size);
+        for (auto* column : {&gap, &mean, &product, &mobility, &mobilityBy, &speed, &extent, &start}) column->resize(size);
         for (auto& column : value) column.resize(size);
         for (auto& column : by) column.resize(size);
     }
@@ -213,6 +214,7 @@ private:
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
     std::vector<double> mobility_, mobilityByPressure_; // of a row of faces [Pa m], [m]
+    std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
     std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
     PieceBlock block_;
     FaceFlows<double> flows_; // at the last pressure, complete

@@ -123,15 +123,19 @@ void GasFilm::forCutFaces(std::size_t axis, std::span<const double> p, PieceBloc
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
                 forPieces(gaps_.rows[r], against, count, [&](const GapPiece& piece, std::size_t k) {
                     const double h = piece.recess + gaps_.lift(attitude_, piece.x, piece.y);
-                    const FlowTable::Value g = table_.at(pm * h, h);
                     block.gap[k] = h;
-                    block.mobility[k] = g.mobility;
-                    block.mobilityBy[k] = byAttitude ? g.derivative * pm + table_.gapDerivative(pm * h, h) : g.derivative * h;
+                    block.mean[k] = pm;
+                    block.product[k] = pm * (h > closedGap ? h : 1e-6);
                     block.speed[k] = std::abs(speed);
                     block.extent[k] = piece.extent;
                     block.start[k] = against ? -piece.start - piece.extent : piece.start;
                 });
         }
+        table_.at({block.product.data(), count}, block.gap, block.mobility, block.mobilityBy);
+        for (std::size_t k = 0; k < count; ++k)
+            if constexpr (byAttitude)
+                block.mobilityBy[k] = block.mobilityBy[k] * block.mean[k] + table_.gapDerivative(block.product[k], block.gap[k]);
+            else block.mobilityBy[k] *= block.gap[k];
         setPieces<Single>(block, count, setting_.air.viscosity, byAttitude ? 1.0 : 0.0);
         count = 0;
         for (std::size_t n = begin; n < end; ++n) {
@@ -173,12 +177,11 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
     const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
     for (int j = 0; j < pad.ny + (axis == 1); ++j) {
         const std::size_t first = pad.at(0, j);
-        for (std::size_t k = 0; k < count; ++k) {
-            const double h = a.gap[first + k];
-            const FlowTable::Value g = table_.at(0.5 * (p[first + k - step] + p[first + k]) * h, h);
-            mobility_[k] = g.mobility;
-            mobilityByPressure_[k] = g.derivative * h;
-        }
+        const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
+        for (std::size_t k = 0; k < count; ++k) // any number where the gap is closed
+            rowProduct_[k] = 0.5 * (below[k] + above[k]) * (gap[k] > closedGap ? gap[k] : 1e-6);
+        table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByPressure_);
+        for (std::size_t k = 0; k < count; ++k) mobilityByPressure_[k] *= gap[k];
         FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
                     mobilityByPressure_, setting_.air.viscosity};
         if (axis == 0) {
