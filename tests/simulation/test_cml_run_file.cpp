@@ -26,14 +26,6 @@ struct Reading {
     }
     QByteArray problems() const { return joined(fields.problems); }
     QByteArray warnings() const { return joined(fields.warnings); }
-
-private:
-    static QByteArray joined(const std::vector<InputProblem>& list)
-    {
-        QByteArrayList lines;
-        for (const InputProblem& each : list) lines << QByteArray::fromStdString(each.text());
-        return lines.join('\n');
-    }
 };
 
 /// The line below the first one that begins with a heading.

@@ -6,8 +6,12 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <QByteArrayList>
 
 #include "core/physics/air_bearing_surface.h"
+#include "core/simulation/case_file.h"
 
 namespace touchdown::test {
 
@@ -258,6 +262,14 @@ inline std::string replaced(std::string text, std::string_view what, std::string
 {
     text.replace(text.find(what), what.size(), by);
     return text;
+}
+
+/// Problems or warnings, one a line.
+inline QByteArray joined(const std::vector<InputProblem>& list)
+{
+    QByteArrayList lines;
+    for (const InputProblem& each : list) lines << QByteArray::fromStdString(each.text());
+    return lines.join('\n');
 }
 
 } // namespace touchdown::test
