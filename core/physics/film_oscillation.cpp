@@ -10,21 +10,8 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
 {
     work_.resize(film.pad().size());
     film.attitudeColumns(p, columns_);
-    const FilmGaps& gaps = film.gaps();
-    const PaddedGrid& pad = film.pad();
-    for (std::size_t k = 0; k < 3; ++k) {
-        response_[k].assign(pad.size(), Complex{});
-        storage_[k].assign(pad.size(), 0.0);
-    }
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            if (!(film.volumes()[at] > 0.0)) continue;
-            const double content = p[at] * film.areas()[at];
-            storage_[0][at] = content;
-            storage_[1][at] = content * (gaps.length - gaps.grid.centreX(i));
-            storage_[2][at] = content * (0.5 * gaps.width - gaps.grid.centreY(j));
-        }
+    film.attitudeStorageColumns(p, storage_);
+    for (auto& response : response_) response.assign(film.pad().size(), Complex{});
 }
 
 ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,
@@ -36,10 +23,7 @@ ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vecto
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
                             FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
                            diagonal_);
-    const auto apply = [this](std::span<const Complex> v, std::span<Complex> out) {
-        film_.applyJacobian(v, out, work_);
-        for (std::size_t at = 0; at < v.size(); ++at) out[at] += diagonal_[at] * v[at];
-    };
+    const auto apply = [this, s](std::span<const Complex> v, std::span<Complex> out) { film_.applyJacobian(v, out, work_, s); };
     const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) { multigrid_.precondition(v, out); };
     ComplexMatrix3 result{};
     for (std::size_t m = 0; m < 3; ++m) {

@@ -2,10 +2,12 @@
 //
 // A film about its steady state, linearised, for motions of the slider that grow or decay as exp(s t), s complex:
 //
-//   (J + s V) dp + (dR/da + s p dV/da) da = 0
+//   (J + s S) dp + (dR/da + s T) da = 0
 //
-// J the film's Jacobian, V the volumes of the cells, a the attitude. The dynamic stiffness is what the film answers:
-// Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure and attitude; Z(i omega) = K + i omega C.
+// J the film's Jacobian, a the attitude. S and T are what the residual answers to a rate of storage d(p V)/dt = s (V dp + p dV/da
+// da) in the cells: itself, and with the complete flux scheme what it feeds the flow along each path. The dynamic stiffness is
+// what the film answers: Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure and attitude;
+// Z(i omega) = K + i omega C.
 #pragma once
 
 #include <array>
@@ -21,7 +23,7 @@ using ComplexMatrix3 = std::array<std::array<std::complex<double>, 3>, 3>;
 
 class FilmOscillation {
 public:
-    /// The film must be linearised at p (padded), its steady state.
+    /// The film must be linearised at p (padded), its steady state, without storage.
     FilmOscillation(const GasFilm& film, std::span<const double> p);
 
     /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces' derivatives.
@@ -31,7 +33,7 @@ public:
 
 private:
     const GasFilm& film_;
-    std::array<std::vector<double>, 3> columns_, storage_; // dR/da and p dV/da
+    std::array<std::vector<double>, 3> columns_, storage_; // dR/da and T
     Multigrid<std::complex<double>> multigrid_;
     Gmres<std::complex<double>> gmres_;
     FaceFlows<std::complex<double>> work_;

@@ -152,7 +152,7 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     setFaceFlows<Number>(p);
     for (std::size_t axis = 0; axis < 2; ++axis)
         std::copy(faces_[axis].flow.begin(), faces_[axis].flow.end(), flows_.flow[axis].begin());
-    setStored(p, flows_);
+    setStored(p, storagePerTime_, flows_);
     for (std::size_t at = 0; at < flows_.stored.size(); ++at) flows_.stored[at] -= history_[at];
     if (complete()) {
         setSlopes(flows_);

@@ -111,13 +111,20 @@ public:
     /// The part of the linearisation that a face has from its two cells, with what their storage takes off the flow: F = lower v1
     /// + upper v2 = c (v1 + v2)/2 - E (v2 - v1); padded [m^3/s].
     void ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const;
-    /// out = dR/dp v, exactly (v zero in its rings).
+    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of setStorage.
     template <typename T>
-    void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const;
+    void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
+    template <typename T>
+    void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const
+    {
+        applyJacobian(v, out, work, T(storagePerTime_));
+    }
     /// out = (dR/dp)^T v.
     void applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const;
     /// dR/dheight [Pa m^2/s], dR/dpitch, dR/droll [Pa m^3/s per rad] at p, the pressure of the last linearisation.
     void attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const;
+    /// What these have of storage, against its rate: d^2R/(da dperTime) [Pa m^2], [Pa m^3 per rad].
+    void attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const;
 
     /// Volume of air under each cell, at least zero [m^3]; padded.
     const std::vector<double>& volumes() const { return volume_; }
@@ -185,10 +192,10 @@ private:
     template <ConvectionScheme scheme>
     void setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
                           std::array<std::array<std::vector<double>, 2>, 3>& own) const;
-    void setAttitudeStorage(std::span<const double> p, std::array<FaceFlows<double>, 3>& flows) const;
-    /// alpha V v.
+    void setAttitudeStorage(std::span<const double> p, double perTime, std::array<FaceFlows<double>, 3>& flows) const;
+    /// perTime V v.
     template <typename T>
-    void setStored(std::span<const T> v, FaceFlows<T>& flows) const;
+    void setStored(std::span<const T> v, T perTime, FaceFlows<T>& flows) const;
     /// Slopes of the flow along each axis in each cell: what leaves the one way came the other, or out of what was stored.
     template <typename T>
     void setSlopes(FaceFlows<T>& flows) const;

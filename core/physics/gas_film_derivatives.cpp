@@ -9,10 +9,10 @@
 namespace touchdown {
 
 template <typename T>
-void GasFilm::setStored(std::span<const T> v, FaceFlows<T>& flows) const
+void GasFilm::setStored(std::span<const T> v, T perTime, FaceFlows<T>& flows) const
 {
-    flows.stored.resize(storagePerTime_ != 0.0 ? v.size() : 0);
-    for (std::size_t at = 0; at < flows.stored.size(); ++at) flows.stored[at] = storagePerTime_ * volume_[at] * v[at];
+    flows.stored.resize(perTime != T{} ? v.size() : 0);
+    for (std::size_t at = 0; at < flows.stored.size(); ++at) flows.stored[at] = perTime * volume_[at] * v[at];
 }
 
 template <typename T>
@@ -70,7 +70,7 @@ void GasFilm::divergence(const FaceFlows<T>& flows, std::span<T> out) const
     for (std::size_t at = 0; at < flows.stored.size(); ++at) out[at] += flows.stored[at];
 }
 
-template void GasFilm::setStored(std::span<const double>, FaceFlows<double>&) const;
+template void GasFilm::setStored(std::span<const double>, double, FaceFlows<double>&) const;
 template void GasFilm::setSlopes(FaceFlows<double>&) const;
 template void GasFilm::completeChanges(FaceFlows<double>&) const;
 template void GasFilm::divergence(const FaceFlows<double>&, std::span<double>) const;
@@ -98,7 +98,7 @@ void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::sp
 }
 
 template <typename T>
-void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work) const
+void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {
     const PaddedGrid& pad = gaps_.pad;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -110,7 +110,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
                 work.flow[axis][at] = f.lower[at] * v[at - step] + f.upper[at] * v[at];
             }
     }
-    setStored(v, work);
+    setStored(v, perTime, work);
     if (complete()) {
         setSlopes(work);
         completeChanges(work);
@@ -127,9 +127,9 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     divergence<T>(work, out);
 }
 
-template void GasFilm::applyJacobian(std::span<const double>, std::span<double>, FaceFlows<double>&) const;
+template void GasFilm::applyJacobian(std::span<const double>, std::span<double>, FaceFlows<double>&, double) const;
 template void GasFilm::applyJacobian(std::span<const std::complex<double>>, std::span<std::complex<double>>,
-                                     FaceFlows<std::complex<double>>&) const;
+                                     FaceFlows<std::complex<double>>&, std::complex<double>) const;
 
 void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const
 {

@@ -259,12 +259,12 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
     });
 }
 
-void GasFilm::setAttitudeStorage(std::span<const double> p, std::array<FaceFlows<double>, 3>& flows) const
+void GasFilm::setAttitudeStorage(std::span<const double> p, double perTime, std::array<FaceFlows<double>, 3>& flows) const
 {
     for (FaceFlows<double>& f : flows) f.stored.assign(p.size(), 0.0);
     const auto add = [&](std::size_t at, double area, double x, double y) {
         const std::array<double, 3> lift = liftDirections(x, y);
-        for (std::size_t k = 0; k < 3; ++k) flows[k].stored[at] += storagePerTime_ * p[at] * area * lift[k];
+        for (std::size_t k = 0; k < 3; ++k) flows[k].stored[at] += perTime * p[at] * area * lift[k];
     };
     for (int j = 0; j < gaps_.pad.ny; ++j)
         for (int i = 0; i < gaps_.pad.nx; ++i) {
@@ -298,13 +298,28 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
         case Exponential: setAttitudeFlows<Exponential>(axis, p, flows, own); break;
         case CompleteFlux: setAttitudeFlows<CompleteFlux>(axis, p, flows, own); break;
         }
-    if (storagePerTime_ != 0.0) setAttitudeStorage(p, flows);
+    if (storagePerTime_ != 0.0) setAttitudeStorage(p, storagePerTime_, flows);
     for (std::size_t k = 0; k < 3; ++k) {
         if (complete()) {
             setSlopes(flows[k]);
             completeChanges(flows[k]);
             for (std::size_t axis = 0; axis < 2; ++axis)
                 for (std::size_t at = 0; at < size; ++at) flows[k].flow[axis][at] += own[k][axis][at];
+        }
+        divergence<double>(flows[k], out[k]);
+    }
+}
+
+void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
+{
+    std::array<FaceFlows<double>, 3> flows;
+    setAttitudeStorage(p, 1.0, flows);
+    for (std::size_t k = 0; k < 3; ++k) {
+        flows[k].resize(p.size());
+        out[k].assign(p.size(), 0.0);
+        if (complete()) {
+            setSlopes(flows[k]);
+            completeChanges(flows[k]);
         }
         divergence<double>(flows[k], out[k]);
     }

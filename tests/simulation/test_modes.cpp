@@ -41,7 +41,9 @@ void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
 
 void TestModes::threeModesAreFound()
 {
-    const ModesResult r = modes(test::smallSlider(65));
+    // Fine enough for the waves that the disk drags along at the highest mode, 31 um at 300 kHz: on a coarse grid their phases
+    // under the rear pad are wrong, and the sign of its damping with them.
+    const ModesResult r = modes(test::smallSlider(129));
     QCOMPARE(r.status, SteadyStatus::Converged);
     QCOMPARE(r.modes.size(), std::size_t(3));
     for (const AirBearingMode& mode : r.modes) {
