@@ -5,8 +5,15 @@ namespace touchdown {
 
 using Complex = std::complex<double>;
 
+namespace {
+
+// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again and again.
+constexpr int restart = 50;
+
+} // namespace
+
 FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
-    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size()), right_(film.pad().size())
+    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size(), restart), diagonal_(film.pad().size()), right_(film.pad().size())
 {
     work_.resize(film.pad().size());
     film.attitudeColumns(p, columns_);
