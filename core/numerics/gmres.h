@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted; for real and complex
-// unknowns. Vectors of any storage: what is outside the unknowns must stay zero.
+// unknowns. What the preconditioner gave is kept (as in Saad 1993), so that the solution needs none of it anew. Vectors of any
+// storage: what is outside the unknowns must stay zero.
 #pragma once
 
 #include <algorithm>
@@ -30,10 +31,11 @@ class Gmres {
 public:
     /// `size` of the vectors; restarts after `restart` iterations.
     explicit Gmres(std::size_t size, int restart = 20)
-        : restart_(restart), basis_(static_cast<std::size_t>(restart) + 1), work_(size), step_(size)
+        : size_(size), restart_(restart), basis_(static_cast<std::size_t>(restart) + 1), preconditioned_(basis_.size() - 1)
     {
         // Memory that is never used costs nothing: the system hands it out when it is first touched.
-        for (auto& vector : basis_) vector = std::make_unique_for_overwrite<T[]>(size);
+        for (auto* vectors : {&basis_, &preconditioned_})
+            for (auto& vector : *vectors) vector = std::make_unique_for_overwrite<T[]>(size);
         const std::size_t m = static_cast<std::size_t>(restart);
         hessenberg_.resize(m * (m + 1));
         for (auto* column : {&cosine_, &sine_}) column->resize(m);
@@ -45,7 +47,7 @@ public:
     GmresResult solve(Apply&& apply, Precondition&& precondition, std::span<const T> b, std::span<T> x,
                       const GmresOptions& options)
     {
-        const std::size_t n = work_.size();
+        const std::size_t n = size_;
         const double scale = norm(b);
         GmresResult result;
         if (!(scale > 0.0)) {
@@ -69,7 +71,7 @@ public:
             if (result.converged || result.iterations >= options.maximumIterations || !std::isfinite(start)) return result;
             for (T& value : v0) value *= 1.0 / start;
             const std::size_t used = expand(apply, precondition, start, scale, options, result);
-            combine(precondition, used, x);
+            combine(used, x);
             if (used == 0) return result;
         }
     }
@@ -77,9 +79,11 @@ public:
 private:
     std::span<T> basis(std::size_t k)
     {
-        const std::span<T> vector(basis_[k].get(), work_.size());
-        for (; cleared_ <= k; ++cleared_) std::fill_n(basis_[cleared_].get(), work_.size(), T{});
-        return vector;
+        for (; cleared_ <= k; ++cleared_) {
+            std::fill_n(basis_[cleared_].get(), size_, T{});
+            if (cleared_ < preconditioned_.size()) std::fill_n(preconditioned_[cleared_].get(), size_, T{});
+        }
+        return {basis_[k].get(), size_};
     }
 
     static double norm(std::span<const T> v)
@@ -112,20 +116,18 @@ private:
         right_[0] = start;
         std::size_t k = 0;
         while (k < m && result.iterations < options.maximumIterations) {
-            precondition(std::span<const T>(basis(k)), std::span<T>(work_));
-            const std::span<T> next = basis(k + 1);
-            apply(std::span<const T>(work_), next);
+            const std::span<T> next = basis(k + 1), direction(preconditioned_[k].get(), size_);
+            precondition(std::span<const T>(basis(k)), direction);
+            apply(std::span<const T>(direction), next);
             ++result.iterations;
             const auto h = [&](std::size_t row) -> T& { return hessenberg_[k * (m + 1) + row]; };
             for (std::size_t j = 0; j <= k; ++j) {
                 const T part = h(j) = product(basis(j), next);
-                const T* direction = basis_[j].get();
-                for (std::size_t i = 0; i < next.size(); ++i) next[i] -= part * direction[i];
+                const T* old = basis_[j].get();
+                for (std::size_t i = 0; i < next.size(); ++i) next[i] -= part * old[i];
             }
             const double length = norm(next);
             h(k + 1) = length;
-            if (length > 0.0)
-                for (T& value : next) value *= 1.0 / length;
             double column = length * length; // |A M^-1 v|^2
             for (std::size_t j = 0; j <= k; ++j) column += std::norm(h(j));
             for (std::size_t j = 0; j < k; ++j) rotate(j, h(j), h(j + 1));
@@ -138,6 +140,7 @@ private:
             right_[k] = conjugate(cosine_[k]) * right_[k];
             ++k;
             if (std::abs(right_[k]) <= options.tolerance * scale || length == 0.0) break;
+            for (T& value : next) value *= 1.0 / length;
         }
         return k;
     }
@@ -149,13 +152,10 @@ private:
         below = -sine_[j] * old + cosine_[j] * below;
     }
 
-    /// x += M^-1 (basis times the least-squares solution).
-    template <typename Precondition>
-    void combine(Precondition& precondition, std::size_t used, std::span<T> x)
+    /// x += what is preconditioned of the basis, times the least-squares solution.
+    void combine(std::size_t used, std::span<T> x)
     {
-        if (used == 0) return;
         const std::size_t m = static_cast<std::size_t>(restart_);
-        std::fill(step_.begin(), step_.end(), T{});
         for (std::size_t k = used; k-- > 0;) {
             T value = right_[k];
             for (std::size_t j = k + 1; j < used; ++j) value -= hessenberg_[j * (m + 1) + k] * right_[j];
@@ -163,17 +163,16 @@ private:
         }
         for (std::size_t k = 0; k < used; ++k) {
             const T part = right_[k];
-            const T* direction = basis_[k].get();
-            for (std::size_t i = 0; i < step_.size(); ++i) step_[i] += part * direction[i];
+            const T* direction = preconditioned_[k].get();
+            for (std::size_t i = 0; i < size_; ++i) x[i] += part * direction[i];
         }
-        precondition(std::span<const T>(step_), std::span<T>(work_));
-        for (std::size_t i = 0; i < work_.size(); ++i) x[i] += work_[i];
     }
 
+    std::size_t size_;
     int restart_;
-    std::vector<std::unique_ptr<T[]>> basis_;
+    std::vector<std::unique_ptr<T[]>> basis_, preconditioned_;
     std::size_t cleared_ = 0; // vectors of the basis that have been set to zero once
-    std::vector<T> work_, step_, hessenberg_, cosine_, sine_, right_;
+    std::vector<T> hessenberg_, cosine_, sine_, right_;
 };
 
 } // namespace touchdown
