@@ -304,6 +304,15 @@ void Multigrid<T>::precondition(std::span<const T> b, std::span<T> v)
     cycle(0);
 }
 
+template <typename T>
+void Multigrid<T>::relax(std::span<const T> b, std::span<T> v)
+{
+    levels_.front().b = b.data();
+    levels_.front().v = v.data();
+    std::fill(v.begin(), v.end(), T{});
+    sweep(levels_.front());
+}
+
 template class Multigrid<double>;
 template class Multigrid<std::complex<double>>;
 

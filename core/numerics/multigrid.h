@@ -35,6 +35,8 @@ public:
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
+    /// The same by one sweep of the finest level alone.
+    void relax(std::span<const T> b, std::span<T> v);
 
 private:
     struct Level {

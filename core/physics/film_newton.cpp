@@ -37,13 +37,16 @@ void FilmLinearSolver::prepare(double shift)
                            diagonal_);
 }
 
+void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)
+{
+    film_.applyJacobian(v, out, work_);
+    if (shift_ == 0.0) return;
+    for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
+}
+
 GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)
 {
-    const auto apply = [this](std::span<const double> v, std::span<double> out) {
-        film_.applyJacobian(v, out, work_);
-        if (shift_ == 0.0) return;
-        for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
-    };
+    const auto apply = [this](std::span<const double> v, std::span<double> out) { this->apply(v, out); };
     const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
     return gmres_.solve(apply, precondition, b, x, options);
 }

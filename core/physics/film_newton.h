@@ -39,6 +39,12 @@ public:
 
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
+    /// out = J v; padded, zero rings.
+    void apply(std::span<const double> v, std::span<double> out);
+    /// v = roughly J^-1 b, by lines of cells along x, then along y, each exactly; padded.
+    void relax(std::span<const double> b, std::span<double> v) { multigrid_.relax(b, v); }
+    /// The same by one cycle of multigrid.
+    void cycle(std::span<const double> b, std::span<double> v) { multigrid_.precondition(b, v); }
     /// x = J^-1 b from the guess x; padded.
     GmresResult solve(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace touchdown {
+
+namespace {
+
+constexpr double linearShare = 0.7;       // of what may be left, for the rest of the linear systems
+constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
+constexpr int mostIterations = 6, mostRepeats = 4, longestUnmeasured = 20;
+
+} // namespace
 
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &history_}) field->assign(size, 0.0);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &correction_, &history_}) field->assign(size, 0.0);
     for (Past& past : past_)
         for (auto* field : {&past.pressure, &past.content}) field->assign(size, 0.0);
 }
@@ -18,22 +25,29 @@ FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(
 void FilmStepper::start(std::span<const double> p)
 {
     std::copy(p.begin(), p.end(), p_.begin());
+    for (Past& past : past_) past.dt = 0.0;
     dt_ = 0.0;
-    accept();
-    past_[1] = past_[0];
+    remember();
     linearisedPerTime_ = 0.0;
 }
 
-void FilmStepper::accept()
+bool FilmStepper::accept()
 {
-    std::swap(past_[0], past_[1]);
+    if (!converged_) return false;
+    remember();
+    return true;
+}
+
+void FilmStepper::remember()
+{
+    std::rotate(past_.begin(), past_.end() - 1, past_.end());
     Past& last = past_[0];
     last.dt = dt_;
     for (std::size_t at = 0; at < p_.size(); ++at) {
         last.pressure[at] = p_[at];
         last.content[at] = film_.volumes()[at] * p_[at];
     }
-    tried_ = false;
+    converged_ = false;
 }
 
 void FilmStepper::setHistory(double dt)
@@ -48,58 +62,131 @@ void FilmStepper::setHistory(double dt)
     film_.setStorage(perTime_, history_);
 }
 
-/// Straight on from the last two pressures, each at most doubled or halved.
+/// Through the last three pressures (Newton's divided differences), or as many as there are; each at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
-    const double r = past_[0].dt > 0.0 ? dt / past_[0].dt : 0.0;
+    const double h1 = past_[0].dt, h2 = past_[1].dt;
+    const double slope = h1 > 0.0 ? dt / h1 : 0.0;
+    const double bend = h1 > 0.0 && h2 > 0.0 ? dt * (dt + h1) / (h1 + h2) : 0.0;
+    extrapolated_ = bend > 0.0;
+    const double byLast = bend > 0.0 ? slope + bend / h1 : slope, byBefore = bend > 0.0 ? bend / h2 : 0.0;
     for (std::size_t at = 0; at < p_.size(); ++at) {
-        const double last = past_[0].pressure[at];
-        p_[at] = std::clamp(last + r * (last - past_[1].pressure[at]), 0.5 * last, 2.0 * last);
+        const double p1 = past_[0].pressure[at], p2 = past_[1].pressure[at], p3 = past_[2].pressure[at];
+        p_[at] = std::clamp(p1 + byLast * (p1 - p2) - byBefore * (p2 - p3), 0.5 * p1, 2.0 * p1);
     }
 }
 
-double FilmStepper::residualAt(std::span<const double> p)
+double FilmStepper::size(std::span<const double> change) const
 {
-    film_.residual(p, residual_);
-    return residualNorm(film_, residual_);
+    double sum = 0.0;
+    for (const double value : change) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(film_.pad().cells())) / film_.ambient();
 }
 
 void FilmStepper::linearise(FilmStepResult& result)
 {
     film_.linearise(p_, residual_);
-    result.residual = residualNorm(film_, residual_);
     linear_.prepare();
     linearisedPerTime_ = perTime_;
+    age_ = measuredAge_ = repeats_ = 0;
+    solver_ = Solver::Lines;
+    contraction_ = 0.0;
     ++result.linearisations;
+}
+
+/// From what the first change adds to the guess; where that is no parabola, cautiously.
+void FilmStepper::setTimeError(const FilmStepResult& result)
+{
+    if (result.iterations == 0 && fresh_) timeError_ = (extrapolated_ ? errorPerChange : 0.001) * size(change_);
+}
+
+std::optional<double> FilmStepper::iterate(FilmStepResult& result)
+{
+    double last = 0.0, contraction = contraction_;
+    for (int k = 1; k <= mostIterations; ++k) {
+        if (solver_ == Solver::Lines) linear_.relax(right_, correction_);
+        else linear_.cycle(right_, correction_);
+        ++result.solves;
+        for (std::size_t at = 0; at < change_.size(); ++at) change_[at] += correction_[at];
+        const double now = size(correction_);
+        setTimeError(result);
+        if (now == 0.0) return 0.0;
+        if (k > 1) contraction = std::max(contraction, now / last);
+        if (k > 1 && k < 4 && result.iterations == 0) contraction_ = contraction;
+        if (!(contraction < 1.0)) break;
+        const double rest = contraction / (1.0 - contraction) * now;
+        if (k > 1 && rest <= linearShare * allowed()) return rest;
+        last = now;
+        linear_.apply(change_, right_);
+        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at] - right_[at];
+    }
+    return std::nullopt;
+}
+
+double FilmStepper::solveLinear(FilmStepResult& result)
+{
+    while (true) {
+        std::fill(change_.begin(), change_.end(), 0.0);
+        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
+        if (solver_ == Solver::Krylov) break;
+        if (const std::optional<double> rest = iterate(result)) return *rest;
+        solver_ = solver_ == Solver::Lines ? Solver::Cycles : Solver::Krylov;
+        contraction_ = 0.0;
+    }
+    // Residuals weigh cells otherwise than pressures do: a margin of ten.
+    for (double forcing = 0.01;;) {
+        const GmresResult linear = linear_.solve(right_, change_, {.tolerance = forcing, .maximumIterations = 20});
+        result.solves += linear.iterations;
+        setTimeError(result);
+        const double rest = 10.0 * linear.residual * size(change_);
+        if (rest <= linearShare * allowed() || !linear.converged || forcing <= 1e-12) return rest;
+        forcing = std::max(1e-12, 0.5 * forcing * linearShare * allowed() / rest);
+    }
 }
 
 FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
 {
     film_.setAttitude(attitude);
     setHistory(dt);
-    if (!tried_) guess(dt);
-    tried_ = true;
+    // Another try of the same length begins where the last one ended.
+    fresh_ = !converged_ || dt != dt_;
+    if (fresh_) {
+        guess(dt);
+        timeError_ = 0.0;
+    }
     dt_ = dt;
+    converged_ = false;
+    ++age_;
 
     FilmStepResult result;
-    const bool stale = std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_;
-    if (stale) linearise(result);
-    else result.residual = residualAt(p_);
-    while (true) {
-        result.converged = result.residual <= options_.tolerance;
-        if (result.converged || result.iterations >= options_.maximumIterations || !std::isfinite(result.residual)) break;
-        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
-        std::fill(change_.begin(), change_.end(), 0.0);
-        // As exact as the last digit asked for, where the Jacobian is.
-        const double forcing = std::clamp(0.3 * options_.tolerance / result.residual, 1e-3, 0.1);
-        result.solves += linear_.solve(right_, change_, {.tolerance = forcing, .maximumIterations = 20}).iterations;
+    if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
+    else film_.residual(p_, residual_);
+    const bool measures = age_ == 0 || age_ >= 2 * measuredAge_ || age_ >= measuredAge_ + longestUnmeasured;
+    if (measures) solver_ = Solver::Lines;
+    double before = 0.0; // size of the last change
+    while (result.iterations < options_.maximumIterations) {
+        const double rest = solveLinear(result);
         addBounded(p_, change_);
         ++result.iterations;
-        const double before = result.residual;
-        result.residual = residualAt(p_);
-        if (result.residual > options_.tolerance && !(result.residual < 0.1 * before)) linearise(result);
+        const double now = size(change_);
+        if (!std::isfinite(now)) break;
+        const bool second = result.iterations > 1;
+        if (second) {
+            kappa_ = before > 0.0 ? now / before : 0.0;
+            measuredAge_ = age_;
+        }
+        const bool known = second || !measures;
+        const double kappa = known ? kappa_ * std::max(1.0, static_cast<double>(age_) / std::max(1, measuredAge_)) : 1.0;
+        result.error = std::max(rest, kappa * now);
+        result.timeError = timeError_;
+        converged_ = result.converged = result.error <= allowed();
+        if (converged_) break;
+        if (known) ++repeats_;
+        if (second && now > 0.3 * before) linearise(result);
+        else film_.residual(p_, residual_);
+        before = now;
     }
-    if (!std::isfinite(result.residual)) tried_ = false; // the next try begins anew
+    if (!converged_) linearisedPerTime_ = 0.0; // the next try begins anew
     return result;
 }
 

@@ -6,12 +6,22 @@
 //   Euler  d(V p)/dt = (V p - m1)/dt                                              first order
 //   BDF2   d(V p)/dt = ((1 + 2 r)/(1 + r) V p - (1 + r) m1 + r^2/(1 + r) m2)/dt   second order (Gear 1971; variable steps)
 //
-// BDF2 begins with a step of Euler, whose error is small enough for second order. Each step is solved by Newton's method from the
-// pressures extrapolated in time; the Jacobian of an earlier step serves as long as it converges well.
+// BDF2 begins with a step of Euler, whose error is small enough for second order. Each step is solved by Newton's method from a
+// parabola through the last three pressures, with the Jacobian J of an earlier step. What the step adds to the parabola tells
+// the error of its discretisation in time (2/11 of it for BDF2: Milne's device), and that tells how far to solve.
+//
+// A step ends when what its last change leaves is estimated small enough (Hairer & Wanner 1996, IV.8): the linear system's
+// rest, known from how fast its iterations contract, and kappa times the change, kappa = |second change|/|first change| of a
+// step, what is wrong with J. As J ages kappa grows about in proportion: it is measured when J's age has doubled, and scaled
+// between. So most steps need one residual.
+//
+// Where storage leads, as in short steps, line relaxation solves the linear systems; where it contracts slowly, multigrid does.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,7 +34,9 @@ enum class FilmTimeMethod : std::uint8_t { Euler, Bdf2 };
 
 struct FilmStepOptions {
     FilmTimeMethod method = FilmTimeMethod::Bdf2;
-    double tolerance = 1e-5;    // of the residual: sum of the cells' |R|, against the flow through the film [-]
+    // What may be left of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
+    double tolerance = 1e-9;    // this
+    double share = 0.2;         // and this share of the step's error of discretisation in time, up to 1e-4
     int maximumIterations = 12; // of Newton's method
 };
 
@@ -33,7 +45,8 @@ struct FilmStepResult {
     int iterations = 0;      // of Newton's method
     int linearisations = 0;
     int solves = 0;          // preconditioned iterations
-    double residual = 0.0;   // reached [-]
+    double error = 0.0;      // left, estimated as `tolerance` measures it [-]
+    double timeError = 0.0;  // of discretisation in time, estimated the same way; in the first steps too small [-]
 };
 
 /// A step may be tried with several attitudes and lengths before one is accepted. Allocates at construction alone.
@@ -45,8 +58,8 @@ public:
     void start(std::span<const double> p);
     /// Solves for the pressures `dt` [s] after the last accepted ones, the slider at `attitude`.
     FilmStepResult step(double dt, const Attitude& attitude);
-    /// Makes the last step's pressures the ones to go on from.
-    void accept();
+    /// Makes the last step's pressures the ones to go on from; false, and nothing done, if it did not converge.
+    [[nodiscard]] bool accept();
 
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }
@@ -54,11 +67,19 @@ public:
     FilmLinearSolver& linear() { return linear_; }
 
 private:
+    void remember();
     void setHistory(double dt);
     void guess(double dt);
+    double allowed() const { return std::max(options_.tolerance, std::min(1e-4, options_.share * timeError_)); }
     void linearise(FilmStepResult& result);
-    double residualAt(std::span<const double> p);
+    /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
+    double solveLinear(FilmStepResult& result);
+    /// By lines or cycles; nothing where they contract too slowly.
+    std::optional<double> iterate(FilmStepResult& result);
+    void setTimeError(const FilmStepResult& result);
+    double size(std::span<const double> change) const;
 
+    enum class Solver : std::uint8_t { Lines, Cycles, Krylov };
     struct Past {
         std::vector<double> pressure, content; // [Pa], V p [Pa m^3]
         double dt = 0.0;                       // that led there; zero at the start [s]
@@ -67,12 +88,20 @@ private:
     GasFilm& film_;
     FilmStepOptions options_;
     FilmLinearSolver linear_;
-    std::array<Past, 2> past_; // the last accepted one and the one before
-    std::vector<double> p_, residual_, right_, change_, history_;
-    double dt_ = 0.0;              // of the last step [s]
-    double perTime_ = 0.0;         // of V p in the storage [1/s]
+    std::array<Past, 3> past_; // from the last accepted one back
+    std::vector<double> p_, residual_, right_, change_, correction_, history_;
+    double dt_ = 0.0;                // of the last step [s]
+    double perTime_ = 0.0;           // of V p in the storage [1/s]
     double linearisedPerTime_ = 0.0; // at the last linearisation; zero: none yet
-    bool tried_ = false;           // p_ solves another try of the same step
+    int age_ = 0, measuredAge_ = 0;  // of the Jacobian, in steps: now, and when kappa was measured
+    double kappa_ = 0.0;             // then [-]
+    int repeats_ = 0;                // iterations that a fresher Jacobian would have saved
+    double timeError_ = 0.0;         // of the last step [-]
+    bool fresh_ = false;             // it began with a guess,
+    bool extrapolated_ = false;      // a parabola
+    Solver solver_ = Solver::Lines;
+    double contraction_ = 0.0;       // of its corrections, as far as known [-]
+    bool converged_ = false;         // the last step, and p_ solves it
 };
 
 } // namespace touchdown

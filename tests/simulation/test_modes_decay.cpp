@@ -93,7 +93,7 @@ private:
     }
     void accept(const Eigen::Vector3d& motion, const Eigen::Vector3d& velocity)
     {
-        stepper_.accept();
+        if (!stepper_.accept()) qFatal("a step that did not converge cannot be gone on from");
         motion_ = {motion, motion_[0], motion_[1]};
         velocity_ = {velocity, velocity_[0]};
     }
