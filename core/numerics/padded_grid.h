@@ -23,6 +23,9 @@ struct PaddedGrid {
     {
         return static_cast<std::size_t>(j + rings) * stride() + static_cast<std::size_t>(i + rings);
     }
+    /// The cell's i and j.
+    int column(std::size_t at) const { return static_cast<int>(at % stride()) - rings; }
+    int row(std::size_t at) const { return static_cast<int>(at / stride()) - rings; }
     /// The step from a cell to the next along an axis: 0 is x, 1 is y.
     std::size_t step(int axis) const { return axis == 0 ? 1 : stride(); }
 

@@ -6,14 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "core/physics/cross_feed.h"
+
 namespace touchdown {
 
 namespace {
 
 /// Divides faces and cells into rows and pieces.
 class Sampler {
-    /// Gaps of flying sliders are some ten nanometres above the recess [m].
-    static constexpr double typicalLift = 20e-9;
     /// A range of recesses counts as one recess where it is below this share of the lowest, plus this much [-], [m].
     static constexpr double alikeShare = 0.15, alikeRange = 0.5e-9;
     /// Rows count as one where their pieces are alike and their lengths differ by less than this of the path [-].
@@ -278,6 +278,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
         for (int i = 0; i < pad.nx; ++i)
             if (stepped[pad.at(i, j)]) steppedCells.push_back(pad.at(i, j));
     setCutCells();
+    setCrossFeed(*this);
 }
 
 /// A cell is the upper half of the path below it and the lower half of the one above.

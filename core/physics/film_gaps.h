@@ -18,12 +18,16 @@
 
 namespace touchdown {
 
+/// Gaps of flying sliders are some ten nanometres above the recess [m].
+inline constexpr double typicalLift = 20e-9;
+
 /// A part of a row in which the recess hardly changes.
 struct GapPiece {
     double extent; // length along the path [m]; of a cell's piece, its area [m^2]
     double recess; // [m]
     double x, y;   // where it was taken [m]
     double start;  // of a path's piece, from the face [m]; none lies on both sides
+    double lead = 0.0, feed = 0.0; // of the flow across, the part between face and start, along the piece; as lengths [m]
 };
 
 /// A face that an edge or a wall meets, or such a cell (whose pieces are one row).

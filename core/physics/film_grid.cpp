@@ -163,7 +163,7 @@ CellGrid adaptedGrid(const AirBearingSurface& surface, double length, double wid
         normalise(wish.density, 1.0 / 3.0);
         std::vector<double> slope = slopeDensity(known.grid, which, known.gap, known.draggedGap);
         normalise(slope, 0.5);
-        for (std::size_t k = 0; k < bins; ++k) wish.density[k] = 0.2 + 0.4 * wish.density[k] + 0.4 * slope[k];
+        for (std::size_t k = 0; k < bins; ++k) wish.density[k] = 0.1 + 0.45 * wish.density[k] + 0.45 * slope[k];
         return gradedAxis(wish, n);
     };
     return {axis(0, length, width, nx), axis(1, width, length, ny)};

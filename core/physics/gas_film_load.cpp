@@ -6,42 +6,6 @@
 
 namespace touchdown {
 
-template <typename Number>
-Number GasFilm::cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const
-{
-    const double speed = axes_[axis].speed[place.at];
-    const bool against = speed < 0.0;
-    const Number pm = Number(0.5) * (p1 + p2), upstream = against ? p2 : p1, downstream = against ? p1 : p2;
-    Number sum(0.0);
-    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
-        const GapRow& row = gaps_.rows[r];
-        const std::uint32_t count = row.pieceEnd - row.pieces;
-        const auto piece = [&](std::uint32_t k) -> const GapPiece& {
-            return gaps_.pieces[against ? row.pieceEnd - 1 - k : row.pieces + k];
-        };
-        PathIntegral<Number> path;
-        Number resistance, peclet;
-        double length = 0.0;
-        bool open = true;
-        for (std::uint32_t k = 0; open && k < count; ++k) {
-            open = pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
-            if (open) path.add(resistance, peclet, 0.0, 0.0);
-            length += piece(k).extent;
-        }
-        if (!open) continue;
-        const Number flow = (upstream - downstream * path.decay) / path.I;
-        Number end = downstream, mean(0.0);
-        for (std::uint32_t k = count; k-- > 0;) {
-            pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
-            const PathFunctions<Number> f(peclet);
-            mean = mean + Number(piece(k).extent) * (end * f.phi + flow * resistance * f.chi);
-            end = end * f.decay + flow * resistance * f.phi;
-        }
-        sum = sum + Number(row.width) * (mean - Number(length) * pm);
-    }
-    return sum;
-}
-
 /// Shear of the pressure gradient on a face that pieces cross: -(h/2)(p2 - p1) times the width, h weighted by resistance.
 template <typename Number>
 Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const
@@ -64,10 +28,23 @@ Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Num
     return sum;
 }
 
-/// Calls add(axis or -1 for a cell, index, cell below, position, load, shear along x, along y) with numbers that carry their
-/// derivatives by the pressure below (or of the cell), above, and by the attitude.
+/// Calls visit(cell, its force and torques per pressure [m^2], [m^3]).
+template <typename Visit>
+void GasFilm::forLoads(Visit&& visit) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            visit(at, std::array<double, 3>{area_[at], area_[at] * (0.5 * gaps_.length - gaps_.grid.centreX(i)),
+                                            area_[at] * (0.5 * gaps_.width - gaps_.grid.centreY(j))});
+        }
+}
+
+/// Calls add(index below, above, shear along x, along y) with numbers that carry their derivatives by the pressure below (or of
+/// the cell), above, and by the attitude.
 template <typename Number, typename Add>
-void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
+void GasFilm::addUpShear(std::span<const double> p, Add&& add) const
 {
     const PaddedGrid& pad = gaps_.pad;
     const CellGrid& grid = gaps_.grid;
@@ -93,10 +70,8 @@ void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
     std::vector<std::uint8_t> isCut(pad.size(), 0);
     for (const CutPlace& place : gaps_.cutCells) isCut[place.at] = 1;
     const auto cell = [&](std::size_t at, int i, int j, const Number& perSpeed) {
-        const double x = grid.centreX(i), y = grid.centreY(j);
-        const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, x, y);
-        add(at, at, x, y, (pressure(at, 0) - Number(ambient())) * Number(area_[at]), perSpeed * Number(v.x),
-            perSpeed * Number(v.y));
+        const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, grid.centreX(i), grid.centreY(j));
+        add(at, at, perSpeed * Number(v.x), perSpeed * Number(v.y));
     };
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
@@ -113,16 +88,13 @@ void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
             const Number gap = gapOf<Number>(gaps_.pieces[k]);
             if (valueOf(gap) > closedGap) perSpeed = perSpeed + couette(pressure(place.at, 0), gap, gaps_.pieces[k].extent);
         }
-        cell(place.at, static_cast<int>(place.at % pad.stride()) - PaddedGrid::rings,
-             static_cast<int>(place.at / pad.stride()) - PaddedGrid::rings, perSpeed);
+        cell(place.at, pad.column(place.at), pad.row(place.at), perSpeed);
     }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmGaps::Faces& faces = gaps_.faces[axis];
         const std::size_t step = pad.step(static_cast<int>(axis));
-        const auto face = [&](std::size_t at, int i, int j, const Number& load, const Number& drag) {
-            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
-            const double x = axis == 0 ? middle : grid.centreX(i), y = axis == 0 ? grid.centreY(j) : middle;
-            add(at - step, at, x, y, load, axis == 0 ? drag : Number(0.0), axis == 0 ? Number(0.0) : drag);
+        const auto face = [&](std::size_t at, const Number& drag) {
+            add(at - step, at, axis == 0 ? drag : Number(0.0), axis == 0 ? Number(0.0) : drag);
         };
         for (int j = 0; j < pad.ny + (axis == 1); ++j)
             for (int i = 0; i < pad.nx + (axis == 0); ++i) {
@@ -132,13 +104,11 @@ void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
                 const double width = axes_[axis].width[static_cast<std::size_t>(axis == 0 ? j : i)];
                 const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
                 const Number h = gapAt(gap, axis == 0 ? middle : grid.centreX(i), axis == 0 ? grid.centreY(j) : middle);
-                face(at, i, j, Number(0.0), Number(-0.5 * width) * h * (pressure(at, 1) - pressure(at - step, 0)));
+                face(at, Number(-0.5 * width) * h * (pressure(at, 1) - pressure(at - step, 0)));
             }
         for (const CutPlace& place : faces.cut) {
             const Number p1 = pressure(place.at - step, 0), p2 = pressure(place.at, 1);
-            face(place.at, static_cast<int>(place.at % pad.stride()) - PaddedGrid::rings,
-                 static_cast<int>(place.at / pad.stride()) - PaddedGrid::rings, cutProfileExcess(axis, place, p1, p2),
-                 cutPoiseuille(place, p1, p2));
+            face(place.at, cutPoiseuille(place, p1, p2));
         }
     }
 }
@@ -146,10 +116,8 @@ void GasFilm::addUpForces(std::span<const double> p, Add&& add) const
 std::array<double, 3> GasFilm::load(std::span<const double> p) const
 {
     std::array<double, 3> sum{};
-    addUpForces<double>(p, [&](std::size_t, std::size_t, double x, double y, double load, double, double) {
-        sum[0] += load;
-        sum[1] -= load * (x - 0.5 * gaps_.length);
-        sum[2] -= load * (y - 0.5 * gaps_.width);
+    forLoads([&](std::size_t at, const std::array<double, 3>& loads) {
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += loads[k] * (p[at] - ambient());
     });
     return sum;
 }
@@ -157,7 +125,7 @@ std::array<double, 3> GasFilm::load(std::span<const double> p) const
 std::array<double, 2> GasFilm::shear(std::span<const double> p) const
 {
     std::array<double, 2> sum{};
-    addUpForces<double>(p, [&](std::size_t, std::size_t, double, double, double, double x, double y) {
+    addUpShear<double>(p, [&](std::size_t, std::size_t, double x, double y) {
         sum[0] += x;
         sum[1] += y;
     });
@@ -169,19 +137,21 @@ void GasFilm::forceDerivatives(std::span<const double> p, ForceDerivatives& out)
     out.value = {};
     out.byAttitude = {};
     for (auto& field : out.byPressure) field.assign(gaps_.pad.size(), 0.0);
-    addUpForces<ByAll>(p, [&](std::size_t below, std::size_t above, double x, double y, const ByAll& load,
-                              const ByAll& shearX, const ByAll& shearY) {
-        const auto addTo = [&](std::size_t k, const ByAll& force, double arm) {
-            out.value[k] += arm * force.value;
-            out.byPressure[k][below] += arm * force.by[0];
-            out.byPressure[k][above] += arm * force.by[1];
-            for (std::size_t m = 0; m < 3; ++m) out.byAttitude[k][m] += arm * force.by[m + 2];
+    forLoads([&](std::size_t at, const std::array<double, 3>& loads) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.value[k] += loads[k] * (p[at] - ambient());
+            out.byPressure[k][at] = loads[k];
+        }
+    });
+    addUpShear<ByAll>(p, [&](std::size_t below, std::size_t above, const ByAll& shearX, const ByAll& shearY) {
+        const auto addTo = [&](std::size_t k, const ByAll& force) {
+            out.value[k] += force.value;
+            out.byPressure[k][below] += force.by[0];
+            out.byPressure[k][above] += force.by[1];
+            for (std::size_t m = 0; m < 3; ++m) out.byAttitude[k][m] += force.by[m + 2];
         };
-        addTo(0, load, 1.0);
-        addTo(1, load, 0.5 * gaps_.length - x);
-        addTo(2, load, 0.5 * gaps_.width - y);
-        addTo(3, shearX, 1.0);
-        addTo(4, shearY, 1.0);
+        addTo(3, shearX);
+        addTo(4, shearY);
     });
     for (auto& field : out.byPressure) clearRings(field);
 }
@@ -207,8 +177,6 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     if (result.positive > 0.0) result.centreOfPositive = {px[0] / result.positive, py[0] / result.positive};
     if (result.negative < 0.0) result.centreOfNegative = {px[1] / result.negative, py[1] / result.negative};
     const std::array<double, 3> total = load(p);
-    // What cells that an edge meets hold beyond their centre's pressure belongs to the rails: to the positive part.
-    result.positive += total[0] - result.positive - result.negative;
     result.net = total[0];
     result.pitchTorque = total[1];
     result.rollTorque = total[2];
