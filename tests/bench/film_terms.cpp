@@ -6,9 +6,6 @@
 #include <cstdio>
 #include <functional>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include "core/simulation/case_file.h"
 #include "core/simulation/film_setup.h"
 #include "core/simulation/steady.h"
@@ -20,7 +17,7 @@ namespace {
 
 constexpr double gramForce = 9.80665e-3; // [N]
 constexpr std::array columns{97, 193, 385, 769};
-constexpr std::array limitCells{512, 576, 640, 768, 896, 1024, 1280, 1536};
+constexpr std::array finestColumns{1025, 1537, 2305}; // where walls a few micrometres wide are resolved
 
 /// One case at its initial attitude, counted in any manner; loads in gf, NaN where no solution was found.
 class FilmTerms {
@@ -48,9 +45,9 @@ public:
         return result.converged ? result.load / gramForce : NAN;
     }
 
-    /// Our flow through paths of pieces, on the same nodes: the cells are their control volumes, those of the nodes on
-    /// the outline (of half the width) have nodes of their own.
-    double controlVolumes(int lines, ConvectionScheme scheme, bool profiles) const
+    /// Our flow through paths of pieces and our load, on the same nodes: the cells are their control volumes; those of the
+    /// nodes on the outline, of half the width, have nodes of their own.
+    double controlVolumes(int lines, ConvectionScheme scheme) const
     {
         Case c = case_;
         c.film.scheme = scheme;
@@ -62,12 +59,8 @@ public:
         }
         FilmLevel level(c, recess_, spacing_, std::move(cells));
         level.film.setAttitude(attitude_);
-        if (!level.flying.solveFilm(level.pressure, {.tolerance = 1e-8}).converged) return NAN;
-        if (profiles) return level.film.load(level.pressure)[0] / gramForce;
-        double load = 0.0;
-        for (std::size_t at = 0; at < level.pressure.size(); ++at)
-            load += (level.pressure[at] - level.film.ambient()) * level.film.areas()[at];
-        return load / gramForce;
+        const bool converged = level.flying.solveFilm(level.pressure, {.tolerance = 1e-8}).converged;
+        return converged ? level.film.load(level.pressure)[0] / gramForce : NAN;
     }
 
     double ours(int lines, GridKind grid) const
@@ -106,22 +99,14 @@ Loads tell(const char* name, const Loads& before, const Loads& loads)
     return loads;
 }
 
-/// a of a + b/n + c/n^2 by least squares with weights n^2 (edges scatter loads by some share of 1/n), and its standard error.
-void limit(const char* name, const std::function<double(int)>& load)
+void tellFinest(const char* name, const std::function<double(int)>& load)
 {
-    constexpr Eigen::Index grids = limitCells.size();
-    Eigen::Matrix<double, grids, 3> powers;
-    Eigen::Matrix<double, grids, 1> loads;
-    for (Eigen::Index k = 0; k < grids; ++k) {
-        const double n = limitCells[static_cast<std::size_t>(k)];
-        powers.row(k) << n, 1.0, 1.0 / n;
-        loads(k) = n * load(limitCells[static_cast<std::size_t>(k)] + 1);
+    std::printf("%s", name);
+    for (const int lines : finestColumns) {
+        std::printf(",%.4f", load(lines));
+        std::fflush(stdout);
     }
-    const Eigen::Vector3d fit = powers.colPivHouseholderQr().solve(loads);
-    const double variance = (loads - powers * fit).squaredNorm() / static_cast<double>(grids - 3);
-    const double error = std::sqrt(variance * (powers.transpose() * powers).inverse()(0, 0));
-    std::printf("%s,%.4f,%.4f\n", name, fit(0), error);
-    std::fflush(stdout);
+    std::printf("\n");
 }
 
 } // namespace
@@ -145,8 +130,8 @@ int tellFilmTerms(const std::string& fileOrFolder, const std::vector<std::string
     const auto nodes = [&](FaceGaps gaps, ConvectionScheme scheme) {
         return [&terms, gaps, scheme](int lines) { return terms.nodes(lines, gaps, scheme); };
     };
-    const auto volumes = [&](ConvectionScheme scheme, bool profiles) {
-        return [&terms, scheme, profiles](int lines) { return terms.controlVolumes(lines, scheme, profiles); };
+    const auto volumes = [&](ConvectionScheme scheme) {
+        return [&terms, scheme](int lines) { return terms.controlVolumes(lines, scheme); };
     };
     const auto ours = [&](GridKind grid) { return [&terms, grid](int lines) { return terms.ours(lines, grid); }; };
 
@@ -159,9 +144,8 @@ int tellFilmTerms(const std::string& fileOrFolder, const std::vector<std::string
     step("whole faces, not samples", nodes(FaceGaps::Two, PowerLaw));
     step("all gaps along a face, not two", nodes(FaceGaps::All, PowerLaw));
     step("exponential, not power law", nodes(FaceGaps::All, Exponential));
-    step("gaps along paths, not on faces", volumes(Exponential, false));
-    step("load of profiles across edges", volumes(Exponential, true));
-    step("complete flux, not exponential", volumes(CompleteFlux, true));
+    step("gaps along paths, not on faces", volumes(Exponential));
+    step("complete flux, not exponential", volumes(CompleteFlux));
     step("cells between lines, not nodes", ours(GridKind::Uniform));
     step("lines on long edges", ours(GridKind::Graded));
     step("adapted grid: ours", ours(GridKind::Adapted));
@@ -177,17 +161,18 @@ int tellFilmTerms(const std::string& fileOrFolder, const std::vector<std::string
     if (document.value.air.slip.model == SlipModel::FukuiKaneko)
         changed("fit of Fukui and Kaneko", [](FilmSetting& setting) { setting.slip.model = SlipModel::FukuiKanekoFit; });
 
-    std::printf("# limits of nodes with lines on the long edges, by a + b/n + c/n^2 through %zu grids of n = %d to %d; ours at "
-                "the last\nmanner,limit [gf],standard error [gf]\n",
-                limitCells.size(), limitCells.front(), limitCells.back());
+    std::printf("# towards the limit [gf]\nmanner");
+    for (const int lines : finestColumns) std::printf(",%d", lines);
+    std::printf("\n");
     const auto onEdges = [&](FaceGaps gaps, ConvectionScheme scheme) {
         return [&terms, gaps, scheme](int lines) { return terms.nodes(lines, gaps, scheme, GridKind::Graded); };
     };
-    limit("established manner", onEdges(FaceGaps::TwoOfSamples, PowerLaw));
-    limit("all gaps along a face; exponential", onEdges(FaceGaps::All, Exponential));
-    const int finest = limitCells.back() + 1;
-    std::printf("ours with lines on long edges,%.4f,\n", terms.ours(finest, GridKind::Graded));
-    std::printf("ours adapted,%.4f,\n", terms.ours(finest, GridKind::Adapted));
+    tellFinest("established manner", nodes(FaceGaps::TwoOfSamples, PowerLaw));
+    tellFinest("the same with lines on long edges", onEdges(FaceGaps::TwoOfSamples, PowerLaw));
+    tellFinest("besides with all gaps along a face and exponential", onEdges(FaceGaps::All, Exponential));
+    tellFinest("ours on uniform grids", ours(GridKind::Uniform));
+    tellFinest("ours with lines on long edges", ours(GridKind::Graded));
+    tellFinest("ours adapted", ours(GridKind::Adapted));
     return 0;
 }
 
