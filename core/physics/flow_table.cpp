@@ -17,20 +17,41 @@ namespace {
 /// From 2^-14 to 2^20 times p0 lambda0: Kn from 16000 to 1e-6.
 constexpr int octavesBelow = 14, octavesAbove = 20;
 
-/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; all w within the table.
+/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; the number of w outside the table, whose
+/// results mean nothing.
 template <int shift>
-TOUCHDOWN_VECTOR_CLONES void evaluate(std::size_t n, const double* w, const double* coefficients, std::uint64_t firstPiece,
-                                      double* mobility, double* derivative)
+TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, const double* coefficients, std::uint64_t firstPiece,
+                                               std::uint64_t pieces, double* mobility, double* derivative)
 {
+    std::uint64_t outside = 0;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < n; ++k) {
-        const std::uint64_t piece = std::bit_cast<std::uint64_t>(w[k]) >> shift;
-        const double d = w[k] - std::bit_cast<double>(piece << shift);
-        const std::int64_t at = static_cast<std::int64_t>(piece - firstPiece) * 4;
+        const std::uint64_t number = std::bit_cast<std::uint64_t>(w[k]) >> shift, place = number - firstPiece;
+        const bool inside = place < pieces;
+        const double d = w[k] - std::bit_cast<double>(number << shift);
+        const std::int64_t at = static_cast<std::int64_t>(inside ? place : 0) * 4;
         const double c0 = coefficients[at], c1 = coefficients[at + 1], c2 = coefficients[at + 2], c3 = coefficients[at + 3];
         mobility[k] = c0 + d * (c1 + d * (c2 + d * c3));
         derivative[k] = c1 + d * (2.0 * c2 + d * (3.0 * c3));
+        outside += inside ? 0 : 1;
     }
+    return outside;
+}
+
+/// The same for the fit's three parts; outside is what is left to the free molecules' law.
+TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluateFit(std::size_t n, const double* w, double perUnit, double perFlowRate,
+                                                  double* mobility, double* derivative)
+{
+    std::uint64_t outside = 0;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < n; ++k) {
+        const double d = perUnit * w[k];
+        const FlowRate q = fittedParts(d);
+        mobility[k] = perFlowRate * q.value;
+        derivative[k] = perFlowRate * q.logSlope / w[k];
+        outside += d >= leastFittedInverseKnudsen && d < 1e50 ? 0 : 1;
+    }
+    return outside;
 }
 
 } // namespace
@@ -64,11 +85,13 @@ Mobility::Mobility(SlipModel model, double accommodation, const Air& air)
 void Mobility::at(std::span<const double> w, std::span<double> mobility, std::span<double> derivative) const
 {
     static_assert(sizeof(Piece) == 4 * sizeof(double));
-    const std::uint64_t count = pieces_.size();
-    std::size_t inside = 0;
-    for (const double number : w) inside += (std::bit_cast<std::uint64_t>(number) >> pieceShift) - firstPiece_ < count ? 1 : 0;
-    if (inside == w.size() && inside > 0)
-        return evaluate<pieceShift>(w.size(), w.data(), &pieces_[0].c0, firstPiece_, mobility.data(), derivative.data());
+    std::uint64_t outside = w.size();
+    if (!pieces_.empty())
+        outside = evaluate<pieceShift>(w.size(), w.data(), &pieces_[0].c0, firstPiece_, pieces_.size(), mobility.data(),
+                                       derivative.data());
+    else if (model_ == SlipModel::FukuiKanekoFit)
+        outside = evaluateFit(w.size(), w.data(), inverseKnudsen(1.0) / unit_, perFlowRate(), mobility.data(), derivative.data());
+    if (outside == 0) return;
     for (std::size_t k = 0; k < w.size(); ++k) {
         const Value value = at(w[k]);
         mobility[k] = value.mobility;
@@ -82,11 +105,9 @@ Mobility::Value Mobility::direct(double w) const
     // Beyond 1e-100 and 1e100 all are alike, so that nothing leaves the numbers' range.
     w = w > 0.0 ? std::clamp(w, 1e-100 * unit_, 1e100 * unit_) : smallest_;
     if (model_ == SlipModel::FukuiKaneko || model_ == SlipModel::FukuiKanekoFit) {
-        // G = w 6 Q_P/D with w/D the same for all w.
-        const double perFlowRate = 6.0 / inverseKnudsen(1.0) * unit_;
         const double d = inverseKnudsen(unit_ / w);
         const FlowRate q = model_ == SlipModel::FukuiKaneko ? kineticFlowRate(d) : fittedFlowRate(d);
-        return {perFlowRate * q.value, perFlowRate * q.logSlope / w};
+        return {perFlowRate() * q.value, perFlowRate() * q.logSlope / w};
     }
     const double knudsen = unit_ / w;
     return {w + unit_ * (expansion_.first + expansion_.second * knudsen), 1.0 - expansion_.second * knudsen * knudsen};

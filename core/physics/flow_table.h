@@ -55,6 +55,9 @@ private:
         double c0, c1, c2, c3; // of (w - knot)^k
     };
 
+    /// G = w 6 Q_P/D with w/D the same for all w [Pa m].
+    double perFlowRate() const { return 6.0 / inverseKnudsen(1.0) * unit_; }
+
     SlipModel model_ = SlipModel::Continuum;
     SlipExpansion expansion_;
     double unit_ = 1.0;      // p0 lambda0 [Pa m]: w where Kn = 1

@@ -10,9 +10,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr double tinyFlow = 1e-200; // keeps ratios of closed faces finite [Pa m^3/s]
+constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
 /// Takes the limited corrections off the flows of a row of faces.
+template <bool derived>
 TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double>& slope, std::vector<double>& flow,
                                       std::size_t first, std::size_t count, std::size_t step)
 {
@@ -23,19 +24,40 @@ TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
         const double full = before[k] * below[k] + after[k] * above[k];
-        const double ratio = full / (inflow[k] + tinyFlow), inverse = 1.0 / std::sqrt(1.0 + ratio * ratio);
-        out[k] -= full * inverse;
-        share[k] = inverse * inverse * inverse;
-        inflowShare[k] = ratio * ratio * ratio * share[k];
+        const double inverse = 1.0 / std::sqrt(inflow[k] * inflow[k] + full * full + tinySquare);
+        const double part = inflow[k] * inverse, rest = full * inverse;
+        out[k] -= full * part;
+        if constexpr (derived) {
+            share[k] = part * part * part;
+            inflowShare[k] = rest * rest * rest;
+        }
     }
 }
 
-double tiltOf(double rise, double gap) { return gap > closedGap ? std::clamp(rise / gap, -1.0, 1.0) : 0.0; }
+/// Gaps at a row of places, none below zero, where the lift is base - pitch x.
+TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x, const double* recess,
+                                     double* gap)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
+}
+
+/// Change of the gap along each path of a row against the gap; lift falls by slope times length.
+TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise, const double* gap,
+                                      double* tilt)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const bool open = gap[k] > closedGap;
+        const double change = (rise[k] - slope * length[k]) / (open ? gap[k] : 1.0);
+        tilt[k] = open ? std::min(1.0, std::max(-1.0, change)) : 0.0;
+    }
+}
 
 } // namespace
 
 GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
-    : gaps_(gaps), setting_(setting), table_(setting.slip, setting.air)
+    : gaps_(gaps), setting_(setting), table_(setting.slip, setting.air), cutWork_(gaps)
 {
     const PaddedGrid& pad = gaps_.pad;
     const CellGrid& grid = gaps_.grid;
@@ -67,16 +89,31 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     flows_.resize(pad.size());
-    std::size_t mostPieces = 0; // of one face
-    for (const FilmGaps::Faces& f : gaps_.faces)
-        for (const CutPlace& place : f.cut)
-            mostPieces = std::max<std::size_t>(mostPieces, gaps_.rows[place.rowEnd - 1].pieceEnd - gaps_.rows[place.rows].pieces);
-    block_.resize(PieceBlock::enough + mostPieces);
-    for (auto* row : {&mobility_, &mobilityByPressure_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
+    for (std::size_t axis = 0; axis < 2; ++axis) cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
+    const std::size_t mostCut = std::max(gaps_.faces[0].cut.size(), gaps_.faces[1].cut.size());
+    cutFlows_.resize(mostCut);
+    cutFlowsByPressure_.resize(mostCut);
+    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) area_[pad.at(i, j)] = grid.widthX(i) * grid.widthY(j);
+    for (int i = 0; i < pad.nx; ++i) centreX_.push_back(grid.centreX(i));
+    for (const CutPlace& place : gaps_.cutCells) {
+        CutCell& cell = cutCells_.emplace_back();
+        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
+            const GapPiece& piece = gaps_.pieces[k];
+            cell.area += piece.extent;
+            cell.recess += piece.extent * piece.recess;
+            cell.x += piece.extent * piece.x;
+            cell.y += piece.extent * piece.y;
+            cell.lowest = std::min(cell.lowest, piece.recess);
+            cell.x0 = std::min(cell.x0, piece.x);
+            cell.x1 = std::max(cell.x1, piece.x);
+            cell.y0 = std::min(cell.y0, piece.y);
+            cell.y1 = std::max(cell.y1, piece.y);
+        }
+    }
     setAttitude({});
 }
 
@@ -85,41 +122,42 @@ void GasFilm::setAttitude(const Attitude& attitude)
     attitude_ = attitude;
     const PaddedGrid& pad = gaps_.pad;
     const CellGrid& grid = gaps_.grid;
+    const double base = gaps_.lift(attitude, 0.0, 0.0);
+    const std::size_t nx = static_cast<std::size_t>(pad.nx);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const FilmGaps::Faces& faces = gaps_.faces[axis];
+        AxisState& a = axes_[axis];
+        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+            const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
+            const double y = axis == 0 ? grid.centreY(j) : faces.pathMid[line];
+            if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
+            setGaps(base - attitude.roll * y, attitude.pitch, nx + (axis == 0), axis == 0 ? faces.pathMid.data() : centreX_.data(),
+                    &faces.recess[at], &a.gap[at]);
+            setTilts(axis == 0 ? attitude.pitch : attitude.roll, nx + (axis == 0),
+                     axis == 0 ? faces.pathLength.data() : rowLength_.data(), &faces.rise[at], &a.gap[at], &a.tilt[at]);
+        }
+        for (const CutPlace& place : faces.cut) a.gap[place.at] = 0.0;
+    }
     for (int j = 0; j < pad.ny; ++j) {
-        const double y = grid.centreY(j);
-        for (int i = 0; i <= pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            const double x = gaps_.faces[0].pathMid[static_cast<std::size_t>(i)];
-            const double gap = std::max(0.0, gaps_.faces[0].recess[at] + gaps_.lift(attitude, x, y));
-            axes_[0].gap[at] = gap;
-            axes_[0].tilt[at] = tiltOf(gaps_.faces[0].rise[at] - attitude.pitch * gaps_.faces[0].pathLength[static_cast<std::size_t>(i)], gap);
-        }
+        const std::size_t at = pad.at(0, j);
+        setGaps(base - attitude.roll * grid.centreY(j), attitude.pitch, nx, centreX_.data(), &gaps_.meanRecess[at], &volume_[at]);
+        for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
     }
-    for (int j = 0; j <= pad.ny; ++j) {
-        const double y = gaps_.faces[1].pathMid[static_cast<std::size_t>(j)];
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            const double gap = std::max(0.0, gaps_.faces[1].recess[at] + gaps_.lift(attitude, grid.centreX(i), y));
-            axes_[1].gap[at] = gap;
-            axes_[1].tilt[at] = tiltOf(gaps_.faces[1].rise[at] - attitude.roll * gaps_.faces[1].pathLength[static_cast<std::size_t>(j)], gap);
-        }
-    }
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        for (const CutPlace& place : gaps_.faces[axis].cut) axes_[axis].gap[place.at] = 0.0;
-
-    totalVolume_ = 0.0;
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            volume_[at] = area_[at] * std::max(0.0, meanGap(i, j));
-        }
     // Where part of a cut cell is closed, the rest holds the air.
-    for (const CutPlace& cell : gaps_.cutCells) {
-        double volume = 0.0;
-        for (std::uint32_t k = gaps_.rows[cell.rows].pieces; k < gaps_.rows[cell.rows].pieceEnd; ++k)
-            volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k]));
-        volume_[cell.at] = volume;
+    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
+        const CutCell& cell = cutCells_[n];
+        const CutPlace& place = gaps_.cutCells[n];
+        double volume = cell.recess + base * cell.area - attitude.pitch * cell.x - attitude.roll * cell.y;
+        const double lowest = cell.lowest + base - std::max(attitude.pitch * cell.x0, attitude.pitch * cell.x1) -
+                              std::max(attitude.roll * cell.y0, attitude.roll * cell.y1);
+        if (!(lowest > 0.0)) {
+            volume = 0.0;
+            for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
+                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k]));
+        }
+        volume_[place.at] = volume;
     }
+    totalVolume_ = 0.0;
     for (const double volume : volume_) totalVolume_ += volume;
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
@@ -137,12 +175,13 @@ double GasFilm::meanGap(int i, int j) const
     return gaps_.meanRecess[gaps_.pad.at(i, j)] + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
 }
 
+template <bool derived>
 void GasFilm::completeFlows(FaceFlows<double>& flows)
 {
     const PaddedGrid& pad = gaps_.pad;
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (int j = 0; j < pad.ny + (axis == 1); ++j)
-            limitRow(faces_[axis], flows.slope[axis], flows.flow[axis], pad.at(0, j),
+            limitRow<derived>(faces_[axis], flows.slope[axis], flows.flow[axis], pad.at(0, j),
                      static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)));
 }
 
@@ -156,7 +195,7 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     for (std::size_t at = 0; at < flows_.stored.size(); ++at) flows_.stored[at] -= history_[at];
     if (complete()) {
         setSlopes(flows_);
-        completeFlows(flows_);
+        completeFlows<!std::is_same_v<Number, double>>(flows_);
         if constexpr (!std::is_same_v<Number, double>)
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 FilmFaces& f = faces_[axis];

@@ -25,6 +25,7 @@
 
 #include "core/numerics/convection.h"
 #include "core/numerics/dual.h"
+#include "core/physics/cut_paths.h"
 #include "core/physics/disk_velocity.h"
 #include "core/physics/film_forces.h"
 #include "core/physics/film_gaps.h"
@@ -64,20 +65,6 @@ struct FaceFlows {
     {
         for (auto* pair : {&flow, &slope})
             for (auto& field : *pair) field.assign(size, T{});
-    }
-};
-
-/// Pieces of cut faces whose flow functions are evaluated together: work space.
-struct PieceBlock {
-    static constexpr std::size_t enough = 512;
-    std::vector<double> gap, mean, product; // the mean pressure along the path, and that times the gap
-    std::vector<double> mobility, mobilityBy, speed, extent, start;
-    std::array<std::vector<double>, 4> value, by; // of R, I, moment, decay (core/physics/path_flow.h)
-    void resize(std::size_t size)
-    {
-        for (auto* column : {&gap, &mean, &product, &mobility, &mobilityBy, &speed, &extent, &start}) column->resize(size);
-        for (auto& column : value) column.resize(size);
-        for (auto& column : by) column.resize(size);
     }
 };
 
@@ -134,8 +121,7 @@ public:
     double meanGap(int i, int j) const;
 
     /// What the pressure above ambient amounts to: force [N], pitch and roll torque about the slider's centre [N m]. A cell
-    /// counts its pressure times its area; across a face that an edge or a wall meets, what the pressure's profile has above
-    /// or below the straight line between the centres is added.
+    /// counts its pressure times its area: kinks of the pressure at edges and its bends between them cancel in the sum.
     std::array<double, 3> load(std::span<const double> p) const;
     /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x, y [N].
     std::array<double, 2> shear(std::span<const double> p) const;
@@ -156,6 +142,11 @@ private:
         std::vector<double> width; // of the face by cross index [m]
         std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
     };
+    /// Sums over a cut cell's pieces, and what they lie within.
+    struct CutCell {
+        double area = 0.0, recess = 0.0, x = 0.0, y = 0.0; // [m^2], of area times recess, x, y [m^3]
+        double lowest = 1e300, x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300; // of recess, x, y [m]
+    };
     using ByPressure = Dual<1>;
     using ByGap = Dual<2>; // gap, its change along the path
     using ByAttitude = Dual<3>;
@@ -173,15 +164,12 @@ private:
     /// Resistance and Peclet number of a piece; false where it is closed.
     template <typename Number>
     bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
-    /// Calls visit(place, its PathFlow<Number>) for the cut faces, derived by the mean pressure or by the attitude.
-    template <typename Number, typename Visit>
-    void forCutFaces(std::size_t axis, std::span<const double> p, PieceBlock& block, Visit&& visit) const;
-    template <typename Number>
-    Number cutProfileExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
     template <typename Number>
     Number cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const;
+    template <typename Visit>
+    void forLoads(Visit&& visit) const;
     template <typename Number, typename Add>
-    void addUpForces(std::span<const double> p, Add&& add) const;
+    void addUpShear(std::span<const double> p, Add&& add) const;
 
     template <ConvectionScheme scheme, typename Number>
     void setFaceFlows(std::size_t axis, std::span<const double> p);
@@ -200,6 +188,7 @@ private:
     template <typename T>
     void setSlopes(FaceFlows<T>& flows) const;
     /// Takes the limited corrections off the flows; their derivatives are kept for the linear maps below.
+    template <bool derived>
     void completeFlows(FaceFlows<double>& flows);
     /// The same for small changes.
     template <typename T>
@@ -220,10 +209,15 @@ private:
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
-    std::vector<double> mobility_, mobilityByPressure_; // of a row of faces [Pa m], [m]
+    std::vector<double> centreX_; // of the cells' columns [m]
+    std::vector<CutCell> cutCells_;
+    std::vector<double> mobility_, mobilityByProduct_; // of a row of faces [Pa m], [-]
     std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
     std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
-    PieceBlock block_;
+    std::array<CutPaths, 2> cutPaths_;
+    CutPaths::Work cutWork_;
+    std::vector<PathFlow<double>> cutFlows_;
+    std::vector<PathFlow<ByPressure>> cutFlowsByPressure_;
     FaceFlows<double> flows_; // at the last pressure, complete
 };
 

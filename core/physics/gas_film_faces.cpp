@@ -44,9 +44,16 @@ struct FaceRow {
     std::size_t first, count, step; // of the row in padded arrays; from the cell below a face to the one above
     std::span<const double> p, gap, tilt, speed;
     std::span<const double> length, lowerShare, width; // of the paths
-    std::span<const double> mobility, mobilityByPressure;
+    std::span<const double> mobility, mobilityByProduct;
     double viscosity;
 };
+
+/// Mean pressure times gap; any number where the gap is closed.
+TOUCHDOWN_VECTOR_CLONES void setProducts(std::size_t count, const double* below, const double* above, const double* gap, double* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = 0.5 * (below[k] + above[k]) * (gap[k] > closedGap ? gap[k] : 1e-6);
+}
 
 template <ConvectionScheme scheme, typename Number>
 TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row)
@@ -56,116 +63,20 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
     const double* tilt = row.tilt.data() + row.first;
     const double* speed = row.speed.data() + row.first;
     const double *length = row.length.data(), *lowerShare = row.lowerShare.data(), *width = row.width.data();
-    const double *G = row.mobility.data(), *byPressure = row.mobilityByPressure.data();
+    const double *G = row.mobility.data(), *byProduct = row.mobilityByProduct.data();
     const std::size_t step = row.step, first = row.first;
     const double viscosity = row.viscosity;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < row.count; ++k) {
         Number mobility(G[k]);
-        if constexpr (!std::is_same_v<Number, double>) mobility.by[0] = byPressure[k];
+        if constexpr (!std::is_same_v<Number, double>) mobility.by[0] = byProduct[k] * gap[k];
         const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k],
                                                          Number(gap[k]), Number(tilt[k]), mobility);
         setFace(faces, first + k, flow, speed[k] < 0.0, p[k], p[k + step]);
     }
 }
 
-/// The pieces of a block, from what is in its columns; the derivative by whatever `mobilityBy` is one by.
-template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void setPieces(PieceBlock& block, std::size_t count, double viscosity, double gapBy)
-{
-    const double *gap = block.gap.data(), *G = block.mobility.data(), *mobilityBy = block.mobilityBy.data();
-    const double *speed = block.speed.data(), *extent = block.extent.data(), *start = block.start.data();
-    const std::array<double*, 4> value{block.value[0].data(), block.value[1].data(), block.value[2].data(), block.value[3].data()};
-    const std::array<double*, 4> by{block.by[0].data(), block.by[1].data(), block.by[2].data(), block.by[3].data()};
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        Number h(gap[k] > closedGap ? gap[k] : 1.0), mobility(G[k]);
-        if constexpr (!std::is_same_v<Number, double>) {
-            h.by[0] = gapBy;
-            mobility.by[0] = mobilityBy[k];
-        }
-        const Number r = 12.0 * viscosity * extent[k] / (h * h * mobility);
-        const PathFunctions<Number> f(speed[k] * h * r);
-        const Number I = r * f.phi, moment = r * (start[k] * f.phi + extent[k] * f.xi);
-        value[0][k] = valueOf(r);
-        value[1][k] = valueOf(I);
-        value[2][k] = valueOf(moment);
-        value[3][k] = valueOf(f.decay);
-        if constexpr (!std::is_same_v<Number, double>) {
-            by[0][k] = r.by[0];
-            by[1][k] = I.by[0];
-            by[2][k] = moment.by[0];
-            by[3][k] = f.decay.by[0];
-        }
-    }
-}
-
 } // namespace
-
-template <typename Number, typename Visit>
-void GasFilm::forCutFaces(std::size_t axis, std::span<const double> p, PieceBlock& block, Visit&& visit) const
-{
-    constexpr bool byAttitude = std::is_same_v<Number, ByAttitude>;
-    using Single = std::conditional_t<std::is_same_v<Number, double>, double, Dual<1>>;
-    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-    /// Calls see(piece, its number in the block) from upstream to downstream.
-    const auto forPieces = [&](const GapRow& row, bool against, std::size_t& k, auto&& see) {
-        const std::uint32_t count = row.pieceEnd - row.pieces;
-        for (std::uint32_t n = 0; n < count; ++n) see(gaps_.pieces[against ? row.pieceEnd - 1 - n : row.pieces + n], k++);
-    };
-    for (std::size_t begin = 0, end = 0; begin < cut.size(); begin = end) {
-        std::size_t count = 0;
-        for (; end < cut.size() && count < PieceBlock::enough; ++end) {
-            const CutPlace& place = cut[end];
-            const double pm = 0.5 * (p[place.at - step] + p[place.at]), speed = axes_[axis].speed[place.at];
-            const bool against = speed < 0.0;
-            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
-                forPieces(gaps_.rows[r], against, count, [&](const GapPiece& piece, std::size_t k) {
-                    const double h = piece.recess + gaps_.lift(attitude_, piece.x, piece.y);
-                    block.gap[k] = h;
-                    block.mean[k] = pm;
-                    block.product[k] = pm * (h > closedGap ? h : 1e-6);
-                    block.speed[k] = std::abs(speed);
-                    block.extent[k] = piece.extent;
-                    block.start[k] = against ? -piece.start - piece.extent : piece.start;
-                });
-        }
-        table_.at({block.product.data(), count}, block.gap, block.mobility, block.mobilityBy);
-        for (std::size_t k = 0; k < count; ++k)
-            if constexpr (byAttitude)
-                block.mobilityBy[k] = block.mobilityBy[k] * block.mean[k] + table_.gapDerivative(block.product[k], block.gap[k]);
-            else block.mobilityBy[k] *= block.gap[k];
-        setPieces<Single>(block, count, setting_.air.viscosity, byAttitude ? 1.0 : 0.0);
-        count = 0;
-        for (std::size_t n = begin; n < end; ++n) {
-            const CutPlace& place = cut[n];
-            const bool against = axes_[axis].speed[place.at] < 0.0;
-            double total = 0.0;
-            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) total += gaps_.rows[r].width;
-            PathFlow<Number> flow;
-            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
-                PathIntegral<Number> path;
-                bool open = true;
-                forPieces(gaps_.rows[r], against, count, [&](const GapPiece& piece, std::size_t k) {
-                    open = open && block.gap[k] > closedGap;
-                    const auto number = [&](std::size_t c) {
-                        Number result(block.value[c][k]);
-                        if constexpr (byAttitude) {
-                            result.by = liftDirections(piece.x, piece.y);
-                            for (double& by : result.by) by *= block.by[c][k];
-                        } else if constexpr (!std::is_same_v<Number, double>)
-                            result.by[0] = block.by[c][k];
-                        return result;
-                    };
-                    path.add(number(0), number(1), number(2), number(3), block.start[k] < 0.0);
-                });
-                if (open) flow.add(path, gaps_.rows[r].width, gaps_.rows[r].width / total, against);
-            }
-            visit(place, flow);
-        }
-    }
-}
 
 template <ConvectionScheme scheme, typename Number>
 void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
@@ -178,12 +89,10 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
     for (int j = 0; j < pad.ny + (axis == 1); ++j) {
         const std::size_t first = pad.at(0, j);
         const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
-        for (std::size_t k = 0; k < count; ++k) // any number where the gap is closed
-            rowProduct_[k] = 0.5 * (below[k] + above[k]) * (gap[k] > closedGap ? gap[k] : 1e-6);
-        table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByPressure_);
-        for (std::size_t k = 0; k < count; ++k) mobilityByPressure_[k] *= gap[k];
+        setProducts(count, below, above, gap, rowProduct_.data());
+        table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByProduct_);
         FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
-                    mobilityByPressure_, setting_.air.viscosity};
+                    mobilityByProduct_, setting_.air.viscosity};
         if (axis == 0) {
             std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
             row.width = rowWidth_;
@@ -195,9 +104,15 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
         }
         setSmoothFaces<scheme, Number>(faces_[axis], row);
     }
-    forCutFaces<Number>(axis, p, block_, [&](const CutPlace& place, const PathFlow<Number>& flow) {
-        setFace(faces_[axis], place.at, flow, a.speed[place.at] < 0.0, p[place.at - step], p[place.at]);
-    });
+    const auto setCut = [&](auto& flows) {
+        cutPaths_[axis].flows(p, attitude_, table_, setting_.air.viscosity, cutWork_, flows);
+        for (std::size_t n = 0; n < flows.size(); ++n) {
+            const std::size_t at = paths.cut[n].at;
+            setFace(faces_[axis], at, flows[n], a.speed[at] < 0.0, p[at - step], p[at]);
+        }
+    };
+    if constexpr (std::is_same_v<Number, double>) setCut(cutFlows_);
+    else setCut(cutFlowsByPressure_);
 }
 
 template <typename Number>
@@ -251,12 +166,13 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
                                        setting_.air.viscosity, a.speed[at], gap, tilt, mobility(ByGap(0.5 * (p1 + p2)), gap)),
                 p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k] + number.by[1] * rise[k]; });
         }
-    PieceBlock block;
-    block.resize(block_.gap.size());
-    forCutFaces<ByAttitude>(axis, p, block, [&](const CutPlace& place, const PathFlow<ByAttitude>& flow) {
-        set(place.at, flow, p[place.at - step], p[place.at],
-            [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
-    });
+    CutPaths::Work work(gaps_);
+    std::vector<PathFlow<ByAttitude>> cutFlows;
+    cutPaths_[axis].flows(p, attitude_, table_, setting_.air.viscosity, work, cutFlows);
+    for (std::size_t n = 0; n < cutFlows.size(); ++n) {
+        const std::size_t at = paths.cut[n].at;
+        set(at, cutFlows[n], p[at - step], p[at], [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
+    }
 }
 
 void GasFilm::setAttitudeStorage(std::span<const double> p, double perTime, std::array<FaceFlows<double>, 3>& flows) const

@@ -72,12 +72,6 @@ FlowRate freeMolecules(double d, double limit, FlowRate at)
             freeMolecularSlope + linear};
 }
 
-/// a D + b + c/D + e/D^2
-FlowRate part(double d, double a, double b, double c, double e)
-{
-    return {a * d + b + (c + e / d) / d, a * d - (c + 2.0 * e / d) / d};
-}
-
 } // namespace
 
 FlowRate kineticFlowRate(double d)
@@ -93,10 +87,8 @@ FlowRate kineticFlowRate(double d)
 
 FlowRate fittedFlowRate(double d)
 {
-    if (d >= 5.0) return part(d, 1.0 / 6.0, 1.0162, 1.0653, -2.1354);
-    if (d >= 0.15) return part(d, 0.13852, 1.25087, 0.15653, -0.00969);
-    if (d >= 0.01) return part(d, -2.22919, 2.10673, 0.01653, -0.0000694);
-    return {part(0.01, -2.22919, 2.10673, 0.01653, -0.0000694).value + freeMolecularSlope * std::log(d / 0.01),
+    if (d >= leastFittedInverseKnudsen) return fittedParts(d);
+    return {fittedParts(leastFittedInverseKnudsen).value + freeMolecularSlope * std::log(d / leastFittedInverseKnudsen),
             freeMolecularSlope};
 }
 

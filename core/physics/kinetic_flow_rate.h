@@ -26,4 +26,16 @@ FlowRate kineticFlowRate(double inverseKnudsen);
 /// where it ends, continued by the free molecules' law.
 FlowRate fittedFlowRate(double inverseKnudsen);
 
+inline constexpr double leastFittedInverseKnudsen = 0.01;
+
+/// The fit's three parts, a D + b + c/D + e/D^2, for D >= leastFittedInverseKnudsen; runs on vectors.
+inline FlowRate fittedParts(double d)
+{
+    const bool wide = d >= 5.0, middle = d >= 0.15;
+    const double a = wide ? 1.0 / 6.0 : middle ? 0.13852 : -2.22919, b = wide ? 1.0162 : middle ? 1.25087 : 2.10673;
+    const double c = wide ? 1.0653 : middle ? 0.15653 : 0.01653, e = wide ? -2.1354 : middle ? -0.00969 : -0.0000694;
+    const double inverse = 1.0 / d;
+    return {a * d + b + (c + e * inverse) * inverse, a * d - (c + 2.0 * e * inverse) * inverse};
+}
+
 } // namespace touchdown

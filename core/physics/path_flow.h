@@ -65,8 +65,9 @@ struct PathIntegral {
     {
         I = I + decay * integral;
         R = R + r;
-        Number& side = beforeFace ? before : after;
-        side = side + decay * moment;
+        const Number part = decay * moment;
+        before = before + select(beforeFace, part, Number(0.0));
+        after = after + select(beforeFace, Number(0.0), part);
         decay = decay * pieceDecay;
     }
 };
