@@ -4,20 +4,44 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/vector_clones.h"
+
 namespace touchdown {
 
 namespace {
 
 constexpr double linearShare = 0.7;       // of what may be left, for the rest of the linear systems
 constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
-constexpr int mostIterations = 6, mostRepeats = 4, longestUnmeasured = 20;
+constexpr int mostRepeats = 4, longestUnmeasured = 20;
+
+/// Eight sums side by side, whatever the width of vectors.
+TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<const double> b)
+{
+    std::array<double, 8> sums{};
+    const std::size_t whole = a.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
+    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += a[i] * b[i];
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+/// out -= part v
+TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v, std::vector<double>& out)
+{
+    const double* from = v.data();
+    double* to = out.data();
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < v.size(); ++i) to[i] -= part * from[i];
+}
 
 } // namespace
 
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &correction_, &history_}) field->assign(size, 0.0);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_}) field->assign(size, 0.0);
+    for (auto* vectors : {&directions_, &images_})
+        for (auto& vector : *vectors) vector.assign(size, 0.0);
     for (Past& past : past_)
         for (auto* field : {&past.pressure, &past.content}) field->assign(size, 0.0);
 }
@@ -78,9 +102,7 @@ void FilmStepper::guess(double dt)
 
 double FilmStepper::size(std::span<const double> change) const
 {
-    double sum = 0.0;
-    for (const double value : change) sum += value * value;
-    return std::sqrt(sum / static_cast<double>(film_.pad().cells())) / film_.ambient();
+    return std::sqrt(product(change, change) / static_cast<double>(film_.pad().cells())) / film_.ambient();
 }
 
 void FilmStepper::linearise(FilmStepResult& result)
@@ -102,23 +124,40 @@ void FilmStepper::setTimeError(const FilmStepResult& result)
 
 std::optional<double> FilmStepper::iterate(FilmStepResult& result)
 {
-    double last = 0.0, contraction = contraction_;
-    for (int k = 1; k <= mostIterations; ++k) {
-        if (solver_ == Solver::Lines) linear_.relax(right_, correction_);
-        else linear_.cycle(right_, correction_);
+    const auto approximate = [&](std::span<double> out) {
+        if (solver_ == Solver::Lines) linear_.relax(right_, out);
+        else linear_.cycle(right_, out);
         ++result.solves;
-        for (std::size_t at = 0; at < change_.size(); ++at) change_[at] += correction_[at];
-        const double now = size(correction_);
-        setTimeError(result);
+    };
+    approximate(rest_);
+    double now = size(rest_), contraction = contraction_;
+    for (std::size_t k = 0; k < mostDirections; ++k) {
         if (now == 0.0) return 0.0;
-        if (k > 1) contraction = std::max(contraction, now / last);
-        if (k > 1 && k < 4 && result.iterations == 0) contraction_ = contraction;
-        if (!(contraction < 1.0)) break;
-        const double rest = contraction / (1.0 - contraction) * now;
-        if (k > 1 && rest <= linearShare * allowed()) return rest;
-        last = now;
-        linear_.apply(change_, right_);
-        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at] - right_[at];
+        std::vector<double>&d = directions_[k], &q = images_[k];
+        std::copy(rest_.begin(), rest_.end(), d.begin());
+        linear_.apply(d, right_);
+        approximate(q);
+        for (std::size_t n = 0; n < k; ++n) {
+            const double part = product(images_[n], q) / squares_[n];
+            subtract(part, images_[n], q);
+            subtract(part, directions_[n], d);
+        }
+        squares_[k] = product(q, q);
+        if (!(squares_[k] > 0.0)) return std::nullopt;
+        const double part = product(q, rest_) / squares_[k];
+        subtract(-part, d, change_);
+        subtract(part, q, rest_);
+        const double last = now;
+        now = size(rest_);
+        contraction = std::max(contraction, now / last);
+        if (k < 3 && result.iterations == 0) contraction_ = contraction;
+        if (!(contraction < 1.0)) return std::nullopt;
+        setTimeError(result);
+        // The rest is the next change, but for what is not yet in it.
+        const double left = contraction / (1.0 - contraction) * now;
+        if (left > linearShare * allowed()) continue;
+        subtract(-1.0, rest_, change_);
+        return left;
     }
     return std::nullopt;
 }

@@ -74,7 +74,8 @@ private:
     void linearise(FilmStepResult& result);
     /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
-    /// By lines or cycles; nothing where they contract too slowly.
+    /// By lines or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make of the
+    /// residual, which is about the change that is left; nothing where they contract too slowly.
     std::optional<double> iterate(FilmStepResult& result);
     void setTimeError(const FilmStepResult& result);
     double size(std::span<const double> change) const;
@@ -89,7 +90,10 @@ private:
     FilmStepOptions options_;
     FilmLinearSolver linear_;
     std::array<Past, 3> past_; // from the last accepted one back
-    std::vector<double> p_, residual_, right_, change_, correction_, history_;
+    std::vector<double> p_, residual_, right_, change_, rest_, history_;
+    static constexpr std::size_t mostDirections = 8;
+    std::array<std::vector<double>, mostDirections> directions_, images_;
+    std::array<double, mostDirections> squares_{}; // of the images
     double dt_ = 0.0;                // of the last step [s]
     double perTime_ = 0.0;           // of V p in the storage [1/s]
     double linearisedPerTime_ = 0.0; // at the last linearisation; zero: none yet
