@@ -18,6 +18,9 @@ double conduction(double recess)
     return gap * gap;
 }
 
+/// A sliver of deep gap would take in a whole cell's flow at once, and a solver's sweeps hardly follow; the rest of it is let go.
+constexpr double mostShare = 2.0;
+
 /// Of the half cells along one axis, by cell: their area and their conduction times area.
 struct CellConduction {
     std::vector<double> area, sum; // [m^2], [m^4]
@@ -65,7 +68,8 @@ void setCrossFeed(FilmGaps& gaps)
         for (const CutPlace& place : gaps.faces[static_cast<std::size_t>(axis)].cut)
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
                 const auto setFeed = [&](GapPiece& piece, std::size_t cell) {
-                    piece.feed = piece.extent * conduction(piece.recess) * cells.area[cell] / cells.sum[cell];
+                    const double share = conduction(piece.recess) * cells.area[cell] / cells.sum[cell];
+                    piece.feed = piece.extent * std::min(share, mostShare);
                 };
                 // From the face outwards, so that no rounding takes a piece to its other side.
                 const GapRow& row = gaps.rows[r];

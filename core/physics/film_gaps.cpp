@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace {
 class Sampler {
     /// A range of recesses counts as one recess where it is below this share of the lowest, plus this much [-], [m].
     static constexpr double alikeShare = 0.15, alikeRange = 0.5e-9;
-    /// Rows count as one where their pieces are alike and their lengths differ by less than this of the path [-].
+    /// Rows count as one where their pieces are alike and those' lengths differ by less than this of the path [-].
     static constexpr double alikeLength = 0.05;
 
     static constexpr double largest = std::numeric_limits<double>::infinity();
@@ -41,36 +42,31 @@ public:
             const std::uint32_t first = size(gaps_.pieces);
             addPieces(axis, position, start, end, face);
             gaps_.rows.push_back({width, first, size(gaps_.pieces)});
-            if (gaps_.rows.size() - firstRow > 1) joinRows(end - start);
         };
         const double width = high - low;
+        std::erase_if(breaks_, [&](double at) { return at - low <= 1e-9 * width || high - at <= 1e-9 * width; });
         if (breaks_.empty()) {
-            // An edge meets the path beside the face: where it does so alike at both ends, it does so everywhere.
-            addRow(low + 0.125 * width, 0.25 * width);
-            addRow(high - 0.125 * width, 0.25 * width);
-            if (gaps_.rows.size() - firstRow == 1) gaps_.rows.back().width = width;
-            else {
-                addRow(low + 0.375 * width, 0.25 * width);
-                addRow(high - 0.375 * width, 0.25 * width);
-            }
+            // An edge meets the path beside the face.
+            addRow(low + 0.25 * width, 0.5 * width);
+            addRow(high - 0.25 * width, 0.5 * width);
         } else {
-            // Between neighbouring breaks two rows at Gauss points.
+            // A row between neighbouring breaks.
             ends_ = breaks_;
             ends_.push_back(high);
             double from = low, meanBefore = 0.0;
             for (const double to : ends_) {
-                const double part = to - from;
-                if (part <= 1e-9 * width) continue;
-                constexpr double gauss = 0.21132486540518708; // (1 - 1/sqrt(3))/2
-                addRow(from + gauss * part, 0.5 * part);
+                if (to - from <= 1e-9 * width) continue;
+                addRow(0.5 * (from + to), to - from);
                 if (from > low) largestJump_ = std::max(largestJump_, std::abs(mean_ - meanBefore));
-                addRow(to - gauss * part, 0.5 * part);
                 meanBefore = mean_;
                 from = to;
             }
         }
         const bool gentle = !isStep(lowest_, highest_) && largestJump_ <= std::max(0.5 * (highest_ - lowest_), alikeRange);
-        if (!gentle) return true;
+        if (!gentle) {
+            joinRows(firstRow, end - start);
+            return true;
+        }
         gaps_.rows.resize(firstRow);
         gaps_.pieces.resize(firstPiece);
         return false;
@@ -142,61 +138,83 @@ private:
     /// Whether one number can stand for a range of recesses.
     static bool areAlike(double lowest, double highest) { return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange; }
 
-    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike. Its gap h resists as they do in
-    /// series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
+    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike, from the face outwards. Its gap h
+    /// resists as they do in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
     void joinSamples()
     {
+        const auto above = std::find_if(samples_.begin(), samples_.end(), [](const GapPiece& s) { return s.start >= 0.0; });
         const std::size_t first = gaps_.pieces.size();
+        joinAlike(std::make_reverse_iterator(above), samples_.rend());
+        std::reverse(gaps_.pieces.begin() + static_cast<std::ptrdiff_t>(first), gaps_.pieces.end());
+        joinAlike(above, samples_.end());
+    }
+    template <typename Iterator>
+    void joinAlike(Iterator from, Iterator to)
+    {
         double lowest = 0.0, highest = 0.0; // of the last piece
-        for (const GapPiece& sample : samples_) {
-            lowest = std::min(lowest, sample.recess);
-            highest = std::max(highest, sample.recess);
-            if (gaps_.pieces.size() > first && (sample.start < 0.0) == (gaps_.pieces.back().start < 0.0) &&
-                areAlike(lowest, highest)) {
+        for (Iterator sample = from; sample != to; ++sample) {
+            lowest = std::min(lowest, sample->recess);
+            highest = std::max(highest, sample->recess);
+            if (sample != from && areAlike(lowest, highest)) {
                 GapPiece& piece = gaps_.pieces.back();
-                const double share = sample.extent / (piece.extent + sample.extent);
-                piece.extent += sample.extent;
-                moveTo(piece, sample, share, -2.0);
+                const double share = sample->extent / (piece.extent + sample->extent);
+                piece.extent += sample->extent;
+                piece.start = std::min(piece.start, sample->start);
+                moveTo(piece, *sample, share);
             } else {
-                gaps_.pieces.push_back(sample);
-                lowest = highest = sample.recess;
+                gaps_.pieces.push_back(*sample);
+                lowest = highest = sample->recess;
             }
         }
     }
 
-    /// Position and recess between those of two pieces, and `spread` times their variance over the gap added.
-    static void moveTo(GapPiece& a, const GapPiece& b, double share, double spread)
+    /// Position and recess between those of two pieces, and twice their variance over the gap taken off.
+    static void moveTo(GapPiece& a, const GapPiece& b, double share)
     {
         const double difference = b.recess - a.recess;
         for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y})
             a.*member += share * (b.*member - a.*member);
-        a.recess += spread * share * (1.0 - share) * difference * difference / gap(a.recess);
+        a.recess -= 2.0 * share * (1.0 - share) * difference * difference / gap(a.recess);
     }
 
-    /// Makes one of the last two rows where their pieces are alike: side by side they let through the mean of h^3, that of
+    /// Makes one of the face's rows where the pieces of all are alike: side by side they let through the mean of h^3, that of
     /// mean(h) + variance(h)/mean(h).
-    void joinRows(double pathLength)
+    void joinRows(std::size_t firstRow, double pathLength)
     {
-        GapRow &a = gaps_.rows[gaps_.rows.size() - 2], &b = gaps_.rows.back();
-        const std::uint32_t count = a.pieceEnd - a.pieces;
-        if (b.pieceEnd - b.pieces != count) return;
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const GapPiece &p = gaps_.pieces[a.pieces + k], &q = gaps_.pieces[b.pieces + k];
-            if (!areAlike(std::min(p.recess, q.recess), std::max(p.recess, q.recess)) ||
-                std::abs(p.extent - q.extent) > alikeLength * pathLength)
-                return;
+        const std::size_t count = gaps_.rows.size() - firstRow;
+        const GapRow first = gaps_.rows[firstRow];
+        const std::uint32_t depth = first.pieceEnd - first.pieces;
+        for (std::size_t r = firstRow; r < gaps_.rows.size(); ++r)
+            if (gaps_.rows[r].pieceEnd - gaps_.rows[r].pieces != depth) return;
+        for (std::uint32_t k = 0; k < depth; ++k) {
+            double lowest = largest, highest = -largest, shortest = largest, longest = 0.0;
+            for (std::uint32_t r = 0; r < count; ++r) {
+                const GapPiece& piece = gaps_.pieces[first.pieces + r * depth + k];
+                lowest = std::min(lowest, piece.recess);
+                highest = std::max(highest, piece.recess);
+                shortest = std::min(shortest, piece.extent);
+                longest = std::max(longest, piece.extent);
+            }
+            if (!areAlike(lowest, highest) || longest - shortest > alikeLength * pathLength) return;
         }
-        const double share = b.width / (a.width + b.width);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            GapPiece& p = gaps_.pieces[a.pieces + k];
-            const GapPiece& q = gaps_.pieces[b.pieces + k];
-            moveTo(p, q, share, 1.0);
-            p.extent += share * (q.extent - p.extent);
-            p.start += share * (q.start - p.start);
+        double width = 0.0;
+        for (std::uint32_t r = 0; r < count; ++r) width += gaps_.rows[firstRow + r].width;
+        for (std::uint32_t k = 0; k < depth; ++k) {
+            GapPiece mean{};
+            double square = 0.0;
+            for (std::uint32_t r = 0; r < count; ++r) {
+                const GapPiece& piece = gaps_.pieces[first.pieces + r * depth + k];
+                const double share = gaps_.rows[firstRow + r].width / width;
+                for (double GapPiece::*member : {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
+                    mean.*member += share * piece.*member;
+                square += share * piece.recess * piece.recess;
+            }
+            mean.recess += std::max(0.0, square - mean.recess * mean.recess) / gap(mean.recess);
+            gaps_.pieces[first.pieces + k] = mean;
         }
-        a.width += b.width;
-        gaps_.pieces.resize(a.pieceEnd);
-        gaps_.rows.pop_back();
+        gaps_.rows.resize(firstRow + 1);
+        gaps_.rows.back().width = width;
+        gaps_.pieces.resize(first.pieceEnd);
     }
 
     const Recess& recess_;

@@ -38,12 +38,14 @@ class TestCrossFeed : public QObject {
     Q_OBJECT
 
 private slots:
-    /// In each cell both of whose halves are cut, the parts add up to the whole.
+    /// In each cell both of whose halves are cut, the parts add up to the whole, or to less where one would be more than twice its
+    /// even share.
     void partsAddUpToTheCell()
     {
         const FilmGaps gaps(Recess(slantedWall(), side, side), uniformGrid(side, side, 37, 41));
         for (const std::size_t axis : {0u, 1u}) {
             std::vector<double> feed(gaps.pad.size(), 0.0), area(gaps.pad.size(), 0.0);
+            std::vector<bool> full(gaps.pad.size(), false);
             const std::size_t step = gaps.pad.step(static_cast<int>(axis));
             for (const CutPlace& place : gaps.faces[axis].cut)
                 for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
@@ -52,21 +54,26 @@ private slots:
                         const std::size_t cell = piece.start < 0.0 ? place.at - step : place.at;
                         feed[cell] += gaps.rows[r].width * piece.feed;
                         area[cell] += gaps.rows[r].width * piece.extent;
+                        full[cell] = full[cell] || piece.feed > (2.0 - 1e-9) * piece.extent;
+                        QVERIFY(piece.feed > 0.0 && piece.feed < (2.0 + 1e-9) * piece.extent);
                     }
             int whole = 0;
             const double cell = side * side / (37 * 41);
-            for (std::size_t at = 0; at < feed.size(); ++at)
-                if (std::abs(area[at] - cell) < 1e-9 * cell) {
-                    ++whole;
-                    QVERIFY(std::abs(feed[at] - cell) < 1e-12 * cell);
-                }
-            QVERIFY(whole > 100);
+            for (std::size_t at = 0; at < feed.size(); ++at) {
+                if (!(std::abs(area[at] - cell) < 1e-9 * cell)) continue;
+                QVERIFY(feed[at] < (1.0 + 1e-9) * cell);
+                if (full[at]) continue;
+                ++whole;
+                QVERIFY(std::abs(feed[at] - cell) < 1e-12 * cell);
+            }
+            QVERIFY2(whole > 60, qPrintable(QString::number(whole)));
         }
     }
 
     /// A step at 42 um, a rail 0.2 um behind a base of 1.2 um. The cell from 40 to 50 um has its centre at 45 um: its lower half
     /// has 2 um of base and 3 of rail, its upper half, which is smooth, 5 of rail. With lifts of 20 nm the conduction is
-    /// 1.22^2 = 1.4884 against 0.22^2 = 0.0484, its mean (2*1.4884 + 8*0.0484)/10 = 0.3364.
+    /// 1.22^2 = 1.4884 against 0.22^2 = 0.0484, its mean (2*1.4884 + 8*0.0484)/10 = 0.3364: the base has its most, twice its even
+    /// share, the rail a seventh.
     void deepSideTakesTheFlow()
     {
         AirBearingSurface surface;
@@ -82,7 +89,7 @@ private slots:
         const GapPiece *before = &gaps.pieces[row.pieces], *base = before + 1, *rail = before + 2;
         const auto close = [](double a, double b) { return std::abs(a - b) < 1e-12; };
         QVERIFY(close(before->feed, 5e-6) && close(before->lead, -5e-6));
-        QVERIFY(close(base->feed, 2e-6 * 1.4884 / 0.3364) && base->lead == 0.0);
+        QVERIFY(close(base->feed, 2.0 * 2e-6) && base->lead == 0.0);
         QVERIFY(close(rail->feed, 3e-6 * 0.0484 / 0.3364) && close(rail->lead, base->feed));
     }
 

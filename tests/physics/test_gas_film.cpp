@@ -93,8 +93,7 @@ private slots:
         QVERIFY(largest < 1e-13 * 1e-18 * 1e10 / (12.0 * 1.8e-5));
     }
 
-    /// A slider mirrored across y, with roll and skew turned round, has the mirrored pressure; to 1e-4,
-    /// as rows of a cut face that are nearly alike count as one, begun from the lower end.
+    /// A slider mirrored across y, with roll and skew turned round, has the mirrored pressure, to what the solver leaves.
     void mirrored_data() { addSchemes(); }
     void mirrored()
     {
@@ -114,13 +113,14 @@ private slots:
         FilmProblem b(mirror, L, W, grid, settingOf(scheme, -0.2), {40e-9, 120e-6, -6e-6});
         QVERIFY(a.solve({.tolerance = 1e-11}).converged && b.solve({.tolerance = 1e-11}).converged);
         for (int j = 0; j < 26; ++j)
-            for (int i = 0; i < 30; ++i) QVERIFY2(std::abs(a.at(i, j) / b.at(i, 25 - j) - 1.0) < 1e-4, qPrintable(QString::number(a.at(i, j) / b.at(i, 25 - j) - 1.0)));
+            for (int i = 0; i < 30; ++i)
+                QVERIFY2(std::abs(a.at(i, j) / b.at(i, 25 - j) - 1.0) < 1e-8, qPrintable(QString::number(a.at(i, j) / b.at(i, 25 - j) - 1.0)));
         const FilmForces f = a.film.forces(a.p), g = b.film.forces(b.p);
-        QVERIFY2(std::abs(f.net / g.net - 1.0) < 1e-4, qPrintable(QString::number(f.net / g.net - 1.0)));
-        QVERIFY2(std::abs(f.pitchTorque / g.pitchTorque - 1.0) < 1e-4, qPrintable(QString::number(f.pitchTorque / g.pitchTorque - 1.0)));
-        QVERIFY2(std::abs(f.rollTorque / g.rollTorque + 1.0) < 3e-4, qPrintable(QString::number(f.rollTorque / g.rollTorque + 1.0)));
-        QVERIFY2(std::abs(f.shearX / g.shearX - 1.0) < 1e-4, qPrintable(QString::number(f.shearX / g.shearX - 1.0)));
-        QVERIFY2(std::abs(f.shearY / g.shearY + 1.0) < 3e-4, qPrintable(QString::number(f.shearY / g.shearY + 1.0)));
+        QVERIFY2(std::abs(f.net / g.net - 1.0) < 1e-8, qPrintable(QString::number(f.net / g.net - 1.0)));
+        QVERIFY2(std::abs(f.pitchTorque / g.pitchTorque - 1.0) < 1e-8, qPrintable(QString::number(f.pitchTorque / g.pitchTorque - 1.0)));
+        QVERIFY2(std::abs(f.rollTorque / g.rollTorque + 1.0) < 1e-8, qPrintable(QString::number(f.rollTorque / g.rollTorque + 1.0)));
+        QVERIFY2(std::abs(f.shearX / g.shearX - 1.0) < 1e-8, qPrintable(QString::number(f.shearX / g.shearX - 1.0)));
+        QVERIFY2(std::abs(f.shearY / g.shearY + 1.0) < 1e-8, qPrintable(QString::number(f.shearY / g.shearY + 1.0)));
     }
 
     /// The plane slider with cells far too coarse for its boundary layers: pressures stay above ambient, rise along the middle to
@@ -171,8 +171,8 @@ private slots:
         }
     }
 
-    /// A rail whose side moves across two cells in 24 steps, against the flow's: the load falls steadily; no step differs from
-    /// the one before by as much as it is. Grids that see only whole cells would stand still and jump.
+    /// A rail whose side moves across two cells in 24 steps, against the flow's: the load falls steadily, each step by at least
+    /// half and at most twice the mean. Grids that see only whole cells would stand still and jump.
     void sideEdgeMovesThroughCells()
     {
         std::vector<double> loads;
@@ -187,7 +187,7 @@ private slots:
         const double mean = (loads.front() - loads.back()) / 24.0;
         for (std::size_t k = 1; k < loads.size(); ++k) {
             const double step = loads[k - 1] - loads[k];
-            QVERIFY2(step > 0.6 * mean && step < 1.8 * mean, qPrintable(QString("%1: %2 of %3").arg(k).arg(step).arg(mean)));
+            QVERIFY2(step > 0.5 * mean && step < 2.0 * mean, qPrintable(QString("%1: %2 of %3").arg(k).arg(step).arg(mean)));
         }
     }
 
