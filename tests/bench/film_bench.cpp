@@ -2,10 +2,16 @@
 #include "tests/bench/film_bench.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
+#include "core/physics/film_step.h"
 #include "core/simulation/case_file.h"
+#include "core/simulation/film_setup.h"
 #include "core/simulation/steady.h"
 
 namespace touchdown {
@@ -39,6 +45,106 @@ void rows(const std::string& name, const Case& c, int repeats)
     }
 }
 
+/// At the fixed attitude of the figures that others publish.
+Case fixedCase(Case c)
+{
+    c.film.scheme = ConvectionScheme::CompleteFlux;
+    c.steady.fixedAttitude = true;
+    c.initial = {.flyingHeight = c.initial.flyingHeight, .pitch = 118e-6, .nominalTrailingEdgeHeight = 7.2e-9, .roll = -2e-6};
+    c.air.source = AirSource::Given;
+    return c;
+}
+
+void caseRows(const std::string& name, const Case& c, int repeats)
+{
+    rows(name, fixedCase(c), repeats);
+    Case flying = c;
+    flying.film.scheme = ConvectionScheme::CompleteFlux;
+    flying.steady.fixedAttitude = false;
+    rows(name, flying, repeats);
+}
+
+/// The film under a slider whose height moves by a hundredth and its pitch by three thousandths, at 100 and 50 kHz.
+struct MovingFilm {
+    FilmGaps gaps;
+    GasFilm film;
+    Attitude rest;
+    std::vector<double> pressure; // padded [Pa]
+
+    MovingFilm(const Case& c, const SteadyResult& steady)
+        : gaps(Recess(c.surface, c.slider.length, c.slider.width), steady.grid), film(gaps, filmSetting(c)), rest(steady.attitude),
+          pressure(gaps.pad.size(), film.ambient())
+    {
+        film.setAttitude(rest);
+        gaps.pad.pad<double>(steady.pressure, pressure);
+        FilmNewton(film).solve(pressure, {.tolerance = 1e-10});
+    }
+
+    struct Result {
+        std::vector<double> seconds, load, end; // of each step [s], [N], last pressures [Pa]
+        int iterations = 0, solves = 0, linearisations = 0, failures = 0;
+    };
+    /// Loads at every `stride`-th step.
+    Result run(double dt, int count, int stride, const FilmStepOptions& options)
+    {
+        Result result;
+        film.setStorage(0.0, {});
+        film.setAttitude(rest);
+        FilmStepper stepper(film, options);
+        stepper.start(pressure);
+        for (int k = 1; k <= count; ++k) {
+            const double phase = 2.0 * std::numbers::pi * 100e3 * k * dt;
+            const Attitude attitude{rest.height * (1.0 + 0.005 * (1.0 - std::cos(phase))),
+                                    rest.pitch * (1.0 + 0.0015 * (1.0 - std::cos(0.5 * phase))), rest.roll};
+            const auto begin = std::chrono::steady_clock::now();
+            const FilmStepResult step = stepper.step(dt, attitude);
+            result.failures += !stepper.accept();
+            result.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+            result.iterations += step.iterations;
+            result.solves += step.solves;
+            result.linearisations += step.linearisations;
+            if (k % stride == 0) result.load.push_back(film.load(stepper.pressure())[0]);
+        }
+        result.end.assign(stepper.pressure().begin(), stepper.pressure().end());
+        return result;
+    }
+};
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double largest = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+    return largest;
+}
+
+/// Time of implicit steps, and what they leave: against the same steps solved to round-off, beside the error of these in time.
+void stepRow(const std::string& name, Case c, int repeats)
+{
+    constexpr double dt = 1e-7; // [s]
+    constexpr int nodes = 195, count = 100; // 194 x 194 cells
+    c.film.nodes = {nodes, nodes};
+    c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
+    MovingFilm moving(c, steady(c));
+    const FilmStepOptions tight{.tolerance = 1e-12, .share = 0.0, .maximumIterations = 40};
+    const MovingFilm::Result exact = moving.run(dt / 4, 4 * count, 4, tight), inTime = moving.run(dt, count, 1, tight);
+    MovingFilm::Result result;
+    std::vector<double> mean, median;
+    for (int k = 0; k < repeats; ++k) {
+        result = moving.run(dt, count, 1, {});
+        std::sort(result.seconds.begin(), result.seconds.end());
+        median.push_back(result.seconds[count / 2]);
+        mean.push_back(std::accumulate(result.seconds.begin(), result.seconds.end(), 0.0) / count);
+    }
+    const double gramForce = 9.80665e-3;
+    std::printf("%s,%g,%.3f,%.3f,%.2f,%.2f,%.2f,%.2e,%.2e,%.2e,%.2e,%d\n", name.c_str(), dt * 1e6,
+                *std::min_element(mean.begin(), mean.end()) * 1e3, *std::min_element(median.begin(), median.end()) * 1e3,
+                double(result.iterations) / count, double(result.solves) / count, double(result.linearisations) / count,
+                largestDifference(result.load, inTime.load) / gramForce, largestDifference(inTime.load, exact.load) / gramForce,
+                largestDifference(result.end, inTime.end) / moving.film.ambient(),
+                largestDifference(inTime.end, exact.end) / moving.film.ambient(), result.failures);
+    std::fflush(stdout);
+}
+
 } // namespace
 
 int benchmarkFilm(const std::string& fileOrFolder, int repeats)
@@ -47,21 +153,18 @@ int benchmarkFilm(const std::string& fileOrFolder, int repeats)
     std::printf("case,attitude,solver,nodes,minimum [ms],median [ms],iterations,linear iterations,net force [gf],its estimated error [gf],"
                 "minimum spacing [nm],pitch [urad],roll [urad],residual,status\n");
     rows("film_plane", openCase("film_plane").value, repeats);
-    if (fileOrFolder.empty()) return 0;
-    const CaseDocument document = openCase(fileOrFolder);
-    for (const InputProblem& problem : document.problems) std::fprintf(stderr, "%s\n", problem.text().c_str());
-    if (!document.valid() || document.value.model != ModelKind::Film) return 2;
-    Case c = document.value;
-    c.film.scheme = ConvectionScheme::CompleteFlux;
-    c.steady.fixedAttitude = true;
-    c.initial = {.flyingHeight = c.initial.flyingHeight, .pitch = 118e-6, .nominalTrailingEdgeHeight = 7.2e-9, .roll = -2e-6};
-    Case fixed = c;
-    fixed.air.source = AirSource::Given;
-    rows(fileOrFolder, fixed, repeats);
-    Case flying = document.value;
-    flying.film.scheme = ConvectionScheme::CompleteFlux;
-    flying.steady.fixedAttitude = false;
-    rows(fileOrFolder, flying, repeats);
+    CaseDocument document;
+    if (!fileOrFolder.empty()) {
+        document = openCase(fileOrFolder);
+        for (const InputProblem& problem : document.problems) std::fprintf(stderr, "%s\n", problem.text().c_str());
+        if (!document.valid() || document.value.model != ModelKind::Film) return 2;
+        caseRows(fileOrFolder, document.value, repeats);
+    }
+    std::printf("# implicit steps of the film of a moving slider, 194 x 194 cells; minimum over %d runs of 100 steps\n", repeats);
+    std::printf("case,step [us],mean [ms],median [ms],residuals a step,line sweeps or cycles,linearisations,largest load error of the "
+                "solver [gf],of the step [gf],largest pressure error of the solver [-],of the step [-],failures\n");
+    for (const char* name : {"film_plane", "film_pico", "film_femto"}) stepRow(name, openCase(name).value, repeats);
+    if (!fileOrFolder.empty()) stepRow(fileOrFolder, fixedCase(document.value), repeats);
     return 0;
 }
 
