@@ -97,6 +97,7 @@ struct AirBearingMode {
     std::array<std::array<double, 2>, 3> shape{};
     std::string kind;           // the motion that leads: "vertical", "pitch", "roll"
 };
+/// What the film answers to an oscillation, with the torques of its shear.
 struct DynamicStiffness {
     double frequency = 0.0; // [Hz]
     std::array<std::array<double, 3>, 3> stiffness{}; // real part, about the mass centre [N/m ...]

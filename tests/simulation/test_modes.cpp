@@ -14,6 +14,7 @@ class TestModes : public QObject {
 private slots:
     void aHeavySliderOscillatesOnTheStaticFilm();
     void threeModesAreFound();
+    void saysWhereTheGridIsTooCoarse();
     void stiffAndSoftLimitsOfTheFilm();
 };
 
@@ -61,6 +62,20 @@ void TestModes::threeModesAreFound()
         QVERIFY(std::abs(largest - 1.0) < 1e-12);
     }
     QVERIFY(r.modes[0].frequency <= r.modes[1].frequency && r.modes[1].frequency <= r.modes[2].frequency);
+}
+
+void TestModes::saysWhereTheGridIsTooCoarse()
+{
+    // Half of 754 rad/s times 25 mm carries ten of 48 cells of 1 mm in 22.1 us: 45.2 kHz. A slider that is heavy enough stays below.
+    Case c = test::smallSlider(49);
+    QVERIFY(modes(c).message.starts_with("above 45 kHz"));
+    c.slider.mass *= 100.0;
+    c.slider.pitchInertia *= 100.0;
+    c.slider.rollInertia *= 100.0;
+    const ModesResult heavy = modes(c);
+    QCOMPARE(heavy.modes.size(), std::size_t(3));
+    QVERIFY(heavy.modes.back().frequency < 45e3);
+    QCOMPARE(heavy.message, std::string());
 }
 
 void TestModes::stiffAndSoftLimitsOfTheFilm()

@@ -83,7 +83,9 @@ private:
     Eigen::Vector3d forces() const
     {
         const std::array<double, 3> load = level_.film.load(stepper_.pressure());
-        return {load[0], load[1], load[2]};
+        const std::array<double, 2> shear = level_.film.shear(stepper_.pressure());
+        const double arm = sliderLoad(case_).shearArm;
+        return {load[0], load[1] - arm * shear[0], load[2] - arm * shear[1]};
     }
     bool stepFilm(const Eigen::Vector3d& motion)
     {
