@@ -243,19 +243,22 @@ void Multigrid<T>::sweep(Level& level)
     for (int colour = 0; colour < 2; ++colour) sweepY(level, colour);
 }
 
-/// After a sweep nothing is left in the odd columns, which were solved last.
 template <typename T>
-void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse)
+void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse, bool swept)
 {
     const std::size_t up = fine.pad.stride();
+    const auto residual = [&](std::size_t at) {
+        return fine.b[at] - fine.centre[at] * fine.v[at] - fine.west[at] * fine.v[at - 1] - fine.east[at] * fine.v[at + 1] -
+               fine.south[at] * fine.v[at - up] - fine.north[at] * fine.v[at + up];
+    };
     for (int j = 0; j < coarse.pad.ny; ++j) {
         T* out = coarse.ownRight.data() + coarse.pad.at(0, j);
         std::fill(out, out + coarse.pad.nx, T{});
         for (int b = 2 * j; b < std::min(2 * j + 2, fine.pad.ny); ++b) {
-            std::size_t at = fine.pad.at(0, b);
-            for (int i = 0; i < coarse.pad.nx; ++i, at += 2)
-                out[i] += fine.b[at] - fine.centre[at] * fine.v[at] - fine.west[at] * fine.v[at - 1] -
-                          fine.east[at] * fine.v[at + 1] - fine.south[at] * fine.v[at - up] - fine.north[at] * fine.v[at + up];
+            const std::size_t first = fine.pad.at(0, b);
+            for (int i = 0; i < coarse.pad.nx; ++i) out[i] += residual(first + 2 * static_cast<std::size_t>(i));
+            // After a sweep nothing is left in the odd columns, which were solved last.
+            for (int i = 0; !swept && 2 * i + 1 < fine.pad.nx; ++i) out[i] += residual(first + 2 * static_cast<std::size_t>(i) + 1);
         }
     }
 }
@@ -288,7 +291,7 @@ void Multigrid<T>::cycle(std::size_t l)
     }
     Level& coarse = levels_[l + 1];
     sweep(level);
-    restrictResidual(level, coarse);
+    restrictResidual(level, coarse, true);
     std::fill(coarse.ownValue.begin(), coarse.ownValue.end(), T{});
     cycle(l + 1);
     prolong(coarse, level);
@@ -305,12 +308,17 @@ void Multigrid<T>::precondition(std::span<const T> b, std::span<T> v)
 }
 
 template <typename T>
-void Multigrid<T>::relax(std::span<const T> b, std::span<T> v)
+void Multigrid<T>::halfCycle(std::span<const T> b, std::span<T> v)
 {
-    levels_.front().b = b.data();
-    levels_.front().v = v.data();
-    std::fill(v.begin(), v.end(), T{});
-    sweep(levels_.front());
+    solveFactors(b, v);
+    Level& finest = levels_.front();
+    finest.b = b.data();
+    finest.v = v.data();
+    if (levels_.size() == 1) return;
+    restrictResidual(finest, levels_[1], false);
+    std::fill(levels_[1].ownValue.begin(), levels_[1].ownValue.end(), T{});
+    cycle(1);
+    prolong(levels_[1], finest);
 }
 
 template class Multigrid<double>;

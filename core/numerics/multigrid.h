@@ -35,8 +35,11 @@ public:
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
-    /// The same by one sweep of the finest level alone.
-    void relax(std::span<const T> b, std::span<T> v);
+    /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D (D + X)^-1 b
+    /// (Beam & Warming 1976). Good where D leads; a third of the work of a sweep. v has zero rings.
+    void solveFactors(std::span<const T> b, std::span<T> v);
+    /// v = approximately A^-1 b by these factors, then the coarser levels: what is left is rough.
+    void halfCycle(std::span<const T> b, std::span<T> v);
 
 private:
     struct Level {
@@ -57,7 +60,7 @@ private:
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
     void sweep(Level& level);
-    void restrictResidual(const Level& fine, Level& coarse);
+    void restrictResidual(const Level& fine, Level& coarse, bool swept);
     void prolong(const Level& coarse, Level& fine);
     void cycle(std::size_t l);
 

@@ -41,9 +41,9 @@ public:
     void prepare(double shift = 0.0);
     /// out = J v; padded, zero rings.
     void apply(std::span<const double> v, std::span<double> out);
-    /// v = roughly J^-1 b, by lines of cells along x, then along y, each exactly; padded.
-    void relax(std::span<const double> b, std::span<double> v) { multigrid_.relax(b, v); }
-    /// The same by one cycle of multigrid.
+    /// v = roughly J^-1 b, padded: along x, then along y (Multigrid::solveFactors); so, and by coarser grids; by a full cycle.
+    void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
+    void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
     void cycle(std::span<const double> b, std::span<double> v) { multigrid_.precondition(b, v); }
     /// x = J^-1 b from the guess x; padded.
     GmresResult solve(std::span<const double> b, std::span<double> x, const GmresOptions& options);

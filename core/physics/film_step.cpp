@@ -111,7 +111,7 @@ void FilmStepper::linearise(FilmStepResult& result)
     linear_.prepare();
     linearisedPerTime_ = perTime_;
     age_ = measuredAge_ = repeats_ = 0;
-    solver_ = Solver::Lines;
+    solver_ = Solver::Factors;
     contraction_ = 0.0;
     ++result.linearisations;
 }
@@ -125,12 +125,26 @@ void FilmStepper::setTimeError(const FilmStepResult& result)
 std::optional<double> FilmStepper::iterate(FilmStepResult& result)
 {
     const auto approximate = [&](std::span<double> out) {
-        if (solver_ == Solver::Lines) linear_.relax(right_, out);
+        if (solver_ == Solver::Factors) linear_.relax(right_, out);
         else linear_.cycle(right_, out);
         ++result.solves;
     };
+    // What is smooth first: factors would leave some of it in each step, always to the same side.
+    linear_.halfCycle(right_, change_);
+    ++result.solves;
+    setTimeError(result);
+    const double first = size(change_);
+    if (first == 0.0) return 0.0;
+    linear_.apply(change_, right_);
+    for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at] - right_[at];
     approximate(rest_);
-    double now = size(rest_), contraction = contraction_;
+    double now = size(rest_), contraction = std::max(contraction_, now / first);
+    // The rest is the next change, but for what is not yet in it.
+    const auto left = [&] { return contraction < 1.0 ? contraction / (1.0 - contraction) * now : first; };
+    if (left() <= linearShare * allowed()) {
+        subtract(-1.0, rest_, change_);
+        return left();
+    }
     for (std::size_t k = 0; k < mostDirections; ++k) {
         if (now == 0.0) return 0.0;
         std::vector<double>&d = directions_[k], &q = images_[k];
@@ -153,11 +167,9 @@ std::optional<double> FilmStepper::iterate(FilmStepResult& result)
         if (k < 3 && result.iterations == 0) contraction_ = contraction;
         if (!(contraction < 1.0)) return std::nullopt;
         setTimeError(result);
-        // The rest is the next change, but for what is not yet in it.
-        const double left = contraction / (1.0 - contraction) * now;
-        if (left > linearShare * allowed()) continue;
+        if (left() > linearShare * allowed()) continue;
         subtract(-1.0, rest_, change_);
-        return left;
+        return left();
     }
     return std::nullopt;
 }
@@ -169,7 +181,7 @@ double FilmStepper::solveLinear(FilmStepResult& result)
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         if (solver_ == Solver::Krylov) break;
         if (const std::optional<double> rest = iterate(result)) return *rest;
-        solver_ = solver_ == Solver::Lines ? Solver::Cycles : Solver::Krylov;
+        solver_ = solver_ == Solver::Factors ? Solver::Cycles : Solver::Krylov;
         contraction_ = 0.0;
     }
     // Residuals weigh cells otherwise than pressures do: a margin of ten.
@@ -201,7 +213,7 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
     else film_.residual(p_, residual_);
     const bool measures = age_ == 0 || age_ >= 2 * measuredAge_ || age_ >= measuredAge_ + longestUnmeasured;
-    if (measures) solver_ = Solver::Lines;
+    if (measures) solver_ = Solver::Factors;
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);

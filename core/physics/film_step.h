@@ -15,7 +15,8 @@
 // step, what is wrong with J. As J ages kappa grows about in proportion: it is measured when J's age has doubled, and scaled
 // between. So most steps need one residual.
 //
-// Where storage leads, as in short steps, line relaxation solves the linear systems; where it contracts slowly, multigrid does.
+// The linear systems: half a cycle of multigrid for what is smooth, factors along x and y for the rest, which lead where storage
+// does, as in short steps; where these contract slowly, full cycles.
 #pragma once
 
 #include <algorithm>
@@ -74,13 +75,13 @@ private:
     void linearise(FilmStepResult& result);
     /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
-    /// By lines or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make of the
+    /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make of the
     /// residual, which is about the change that is left; nothing where they contract too slowly.
     std::optional<double> iterate(FilmStepResult& result);
     void setTimeError(const FilmStepResult& result);
     double size(std::span<const double> change) const;
 
-    enum class Solver : std::uint8_t { Lines, Cycles, Krylov };
+    enum class Solver : std::uint8_t { Factors, Cycles, Krylov };
     struct Past {
         std::vector<double> pressure, content; // [Pa], V p [Pa m^3]
         double dt = 0.0;                       // that led there; zero at the start [s]
@@ -103,7 +104,7 @@ private:
     double timeError_ = 0.0;         // of the last step [-]
     bool fresh_ = false;             // it began with a guess,
     bool extrapolated_ = false;      // a parabola
-    Solver solver_ = Solver::Lines;
+    Solver solver_ = Solver::Factors;
     double contraction_ = 0.0;       // of its corrections, as far as known [-]
     bool converged_ = false;         // the last step, and p_ solves it
 };

@@ -161,7 +161,7 @@ int benchmarkFilm(const std::string& fileOrFolder, int repeats)
         caseRows(fileOrFolder, document.value, repeats);
     }
     std::printf("# implicit steps of the film of a moving slider, 194 x 194 cells; minimum over %d runs of 100 steps\n", repeats);
-    std::printf("case,step [us],mean [ms],median [ms],residuals a step,line sweeps or cycles,linearisations,largest load error of the "
+    std::printf("case,step [us],mean [ms],median [ms],residuals a step,factor solves or cycles,linearisations,largest load error of the "
                 "solver [gf],of the step [gf],largest pressure error of the solver [-],of the step [-],failures\n");
     for (const char* name : {"film_plane", "film_pico", "film_femto"}) stepRow(name, openCase(name).value, repeats);
     if (!fileOrFolder.empty()) stepRow(fileOrFolder, fixedCase(document.value), repeats);

@@ -240,6 +240,54 @@ private slots:
         }
     }
 
+    /// (D + X) D^-1 (D + Y) v = b, with the parts of the matrix: entries one cell away are along x, nx cells away along y.
+    void factorsAreSolved()
+    {
+        const int nx = 23, ny = 18;
+        const Flow flow = film(nx, ny, 1.0, 0.7, 5.0, 1.0, randomGap(nx, ny));
+        const PaddedGrid& pad = flow.pad;
+        const Eigen::SparseMatrix<double> a = flow.matrix<double>();
+        Multigrid<double> multigrid(pad);
+        multigrid.setOperator(flow.faces(), {});
+        std::vector<double> b(pad.size()), v(pad.size());
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i) b[pad.at(i, j)] = std::sin(1.3 * i + 0.4 * j * j);
+        multigrid.solveFactors(b, v);
+
+        Eigen::SparseMatrix<double> alongX = a, alongY = a;
+        alongX.prune([](Eigen::Index row, Eigen::Index column, double) { return std::abs(row - column) <= 1; });
+        alongY.prune([&](Eigen::Index row, Eigen::Index column, double) { return row == column || std::abs(row - column) == nx; });
+        const std::vector<double> cells = pad.unpad<double>(v), right = pad.unpad<double>(b);
+        const Eigen::VectorXd inner = alongY * Eigen::Map<const Eigen::VectorXd>(cells.data(), a.rows());
+        const Eigen::VectorXd product = alongX * Eigen::VectorXd(inner.array() / a.diagonal().array());
+        QVERIFY((product - Eigen::Map<const Eigen::VectorXd>(right.data(), a.rows())).norm() < 1e-12 * product.norm());
+    }
+
+    /// The smoothest error, which lines of cells hardly change, falls more than five times.
+    void halfCycleTakesWhatIsSmooth()
+    {
+        const int n = 64;
+        const Flow flow = film(n, n, 1.0, 1.0, 0.0, 0.0, evenGap(n, n));
+        const PaddedGrid& pad = flow.pad;
+        const Eigen::SparseMatrix<double> a = flow.matrix<double>();
+        Multigrid<double> multigrid(pad);
+        multigrid.setOperator(flow.faces(), {});
+        Eigen::VectorXd x(a.rows());
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) x(j * n + i) = std::sin(M_PI * (i + 0.5) / n) * std::sin(M_PI * (j + 0.5) / n);
+        const Eigen::VectorXd right = a * x;
+        std::vector<double> b(pad.size()), v(pad.size());
+        pad.pad<double>(std::span<const double>(right.data(), static_cast<std::size_t>(right.size())), b);
+        const auto errorOf = [&] {
+            const std::vector<double> cells = pad.unpad<double>(v);
+            return (Eigen::Map<const Eigen::VectorXd>(cells.data(), x.size()) - x).norm() / x.norm();
+        };
+        multigrid.solveFactors(b, v);
+        QVERIFY(errorOf() > 0.9);
+        multigrid.halfCycle(b, v);
+        QVERIFY2(errorOf() < 0.2, qPrintable(QString::number(errorOf())));
+    }
+
     /// Linear, and without effect on the rings, or gmres would search in the wrong space.
     void isLinear()
     {
