@@ -18,8 +18,8 @@ double conduction(double recess)
     return gap * gap;
 }
 
-/// A sliver of deep gap would take in a whole cell's flow at once, and a solver's sweeps hardly follow; the rest of it is let go.
-constexpr double mostShare = 2.0;
+/// A sliver of deep gap would take in a whole cell's flow at once, and the solvers' sweeps hardly follow; the rest of it is let go.
+constexpr double mostShare = 4.0;
 
 /// Of the half cells along one axis, by cell: their area and their conduction times area.
 struct CellConduction {

@@ -121,7 +121,8 @@ public:
     double meanGap(int i, int j) const;
 
     /// What the pressure above ambient amounts to: force [N], pitch and roll torque about the slider's centre [N m]. A cell
-    /// counts its pressure times its area: kinks of the pressure at edges and its bends between them cancel in the sum.
+    /// counts its pressure times its area; across a face that an edge or a wall meets, what a thin layer along the motion has
+    /// above or below the two cells' pressures is added.
     std::array<double, 3> load(std::span<const double> p) const;
     /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x, y [N].
     std::array<double, 2> shear(std::span<const double> p) const;
@@ -166,6 +167,10 @@ private:
     bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
     template <typename Number>
     Number cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const;
+    template <typename Number>
+    Number layerExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
+    template <typename Number, typename Visit>
+    void forLayers(std::span<const double> p, Visit&& visit) const;
     template <typename Visit>
     void forLoads(Visit&& visit) const;
     template <typename Number, typename Add>

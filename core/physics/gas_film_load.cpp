@@ -28,6 +28,67 @@ Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Num
     return sum;
 }
 
+/// What the pressure between two cell centres adds to the cells' own. A step across the motion's path makes a layer that may be
+/// thinner than a cell; where none is, kinks at edges and bends between them cancel in the sum of cells. So only the part along
+/// the motion counts. Profile of a constant flow (path_flow.h), from the downstream end: over a piece of length l the mean of the
+/// pressure is end phi + flow r chi.
+template <typename Number>
+Number GasFilm::layerExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const
+{
+    const double speed = axes_[axis].speed[place.at];
+    const bool against = speed < 0.0;
+    const Number pm = Number(0.5) * (p1 + p2), upstream = against ? p2 : p1, downstream = against ? p1 : p2;
+    Number sum(0.0);
+    for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
+        const GapRow& row = gaps_.rows[r];
+        const std::uint32_t count = row.pieceEnd - row.pieces;
+        const auto piece = [&](std::uint32_t k) -> const GapPiece& {
+            return gaps_.pieces[against ? row.pieceEnd - 1 - k : row.pieces + k];
+        };
+        Number integral(0.0), decay(1.0), resistance, peclet; // from the upstream end
+        bool open = true;
+        for (std::uint32_t k = 0; open && k < count; ++k) {
+            open = pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
+            if (!open) break;
+            const PathFunctions<Number> f(peclet);
+            integral = integral + decay * resistance * f.phi;
+            decay = decay * f.decay;
+        }
+        if (!open) continue;
+        const Number flow = (upstream - downstream * decay) / integral;
+        Number end = downstream, excess(0.0);
+        for (std::uint32_t k = count; k-- > 0;) {
+            pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
+            const PathFunctions<Number> f(peclet);
+            const Number mean = end * f.phi + flow * resistance * f.chi;
+            excess = excess + Number(piece(k).extent) * (mean - (piece(k).start < 0.0 ? p1 : p2));
+            end = end * f.decay + flow * resistance * f.phi;
+        }
+        sum = sum + Number(row.width) * excess;
+    }
+    return Number(motionShare_[axis]) * sum;
+}
+
+/// Calls visit(cell below, above, the excess between them, its force and torques per pressure and area [-], [m]).
+template <typename Number, typename Visit>
+void GasFilm::forLayers(std::span<const double> p, Visit&& visit) const
+{
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        if (!(motionShare_[axis] > 0.0)) continue;
+        const FilmGaps::Faces& faces = gaps_.faces[axis];
+        const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+        for (const CutPlace& place : faces.cut) {
+            const int i = gaps_.pad.column(place.at), j = gaps_.pad.row(place.at);
+            Number p1(p[place.at - step]), p2(p[place.at]);
+            if constexpr (!std::is_same_v<Number, double>) p1.by[0] = p2.by[1] = 1.0;
+            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
+            const double x = axis == 0 ? middle : gaps_.grid.centreX(i), y = axis == 0 ? gaps_.grid.centreY(j) : middle;
+            visit(place.at - step, place.at, layerExcess(axis, place, p1, p2),
+                  std::array<double, 3>{1.0, 0.5 * gaps_.length - x, 0.5 * gaps_.width - y});
+        }
+    }
+}
+
 /// Calls visit(cell, its force and torques per pressure [m^2], [m^3]).
 template <typename Visit>
 void GasFilm::forLoads(Visit&& visit) const
@@ -119,6 +180,9 @@ std::array<double, 3> GasFilm::load(std::span<const double> p) const
     forLoads([&](std::size_t at, const std::array<double, 3>& loads) {
         for (std::size_t k = 0; k < 3; ++k) sum[k] += loads[k] * (p[at] - ambient());
     });
+    forLayers<double>(p, [&](std::size_t, std::size_t, double excess, const std::array<double, 3>& arms) {
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += arms[k] * excess;
+    });
     return sum;
 }
 
@@ -141,6 +205,14 @@ void GasFilm::forceDerivatives(std::span<const double> p, ForceDerivatives& out)
         for (std::size_t k = 0; k < 3; ++k) {
             out.value[k] += loads[k] * (p[at] - ambient());
             out.byPressure[k][at] = loads[k];
+        }
+    });
+    forLayers<ByAll>(p, [&](std::size_t below, std::size_t above, const ByAll& excess, const std::array<double, 3>& arms) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.value[k] += arms[k] * excess.value;
+            out.byPressure[k][below] += arms[k] * excess.by[0];
+            out.byPressure[k][above] += arms[k] * excess.by[1];
+            for (std::size_t m = 0; m < 3; ++m) out.byAttitude[k][m] += arms[k] * excess.by[m + 2];
         }
     });
     addUpShear<ByAll>(p, [&](std::size_t below, std::size_t above, const ByAll& shearX, const ByAll& shearY) {
@@ -177,6 +249,8 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     if (result.positive > 0.0) result.centreOfPositive = {px[0] / result.positive, py[0] / result.positive};
     if (result.negative < 0.0) result.centreOfNegative = {px[1] / result.negative, py[1] / result.negative};
     const std::array<double, 3> total = load(p);
+    // What layers hold beyond the cells' pressure belongs to the rails: to the positive part.
+    result.positive += total[0] - result.positive - result.negative;
     result.net = total[0];
     result.pitchTorque = total[1];
     result.rollTorque = total[2];

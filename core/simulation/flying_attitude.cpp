@@ -231,6 +231,14 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     AttitudeSolution result;
     const Attitude start = attitude;
     std::vector<double> startPressure(p.begin(), p.end());
+    // While the film is far from solved an attitude's step means little, and the film alone is cheap.
+    film_.setAttitude(attitude);
+    const FilmSolution alone =
+        solveFilm(p, {.tolerance = 1e-3, .maximumIterations = options.maximumIterations},
+                  [&](int, double residual) { return !monitor || monitor(0, residual, result.loadError, attitude); });
+    result.solves = alone.solves;
+    result.cancelled = alone.cancelled;
+    if (alone.cancelled) return result;
     double before = 0.0;
     for (; result.iterations <= 12; ++result.iterations) {
         result.residual = linearise(p, attitude);

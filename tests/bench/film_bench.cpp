@@ -50,6 +50,7 @@ Case fixedCase(Case c)
 {
     c.film.scheme = ConvectionScheme::CompleteFlux;
     c.steady.fixedAttitude = true;
+    c.steady.stiffness = false;
     c.initial = {.flyingHeight = c.initial.flyingHeight, .pitch = 118e-6, .nominalTrailingEdgeHeight = 7.2e-9, .roll = -2e-6};
     c.air.source = AirSource::Given;
     return c;
