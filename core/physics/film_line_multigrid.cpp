@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchdown {
 
@@ -32,24 +33,24 @@ void negate(std::span<const double> from, std::span<double> to)
 
 } // namespace
 
-FilmLineMultigrid::Level::Level(const Recess& recess, const CellGrid& grid, const FilmSetting& setting)
-    : gaps(recess, grid), film(gaps, setting), lines(gaps.pad), toCoarser(grid),
+FilmLineMultigrid::Level::Level(FilmGaps levelGaps, const FilmSetting& setting)
+    : gaps(std::move(levelGaps)), film(gaps, setting), lines(gaps.pad), toCoarser(gaps.grid),
       complete(setting.scheme == ConvectionScheme::CompleteFlux), pressure(gaps.pad.size(), setting.air.pressure)
 {
     if (complete) flows.resize(gaps.pad.size());
     for (auto* field : {&residual, &right, &correction, &change}) field->assign(gaps.pad.size(), 0.0);
 }
 
-FilmLineMultigrid::FilmLineMultigrid(const Recess& recess, const CellGrid& grid, const FilmSetting& setting)
+FilmLineMultigrid::FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting)
 {
-    levels_.emplace_back(recess, grid, setting);
+    CellGrid next = finest.grid;
+    levels_.emplace_back(std::move(finest), setting);
     best_ = levels_.front().pressure;
     FilmSetting coarser = setting;
     if (setting.scheme == ConvectionScheme::CompleteFlux) coarser.scheme = ConvectionScheme::Exponential;
-    CellGrid next = grid;
     while (std::max(next.nx(), next.ny()) > coarsestAlong && std::min(next.nx(), next.ny()) > coarsestAcross) {
         next = everySecondLine(next);
-        levels_.emplace_back(recess, next, coarser);
+        levels_.emplace_back(FilmGaps(recess, next), coarser);
     }
 }
 

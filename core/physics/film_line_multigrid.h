@@ -34,7 +34,14 @@ namespace touchdown {
 
 class FilmLineMultigrid {
 public:
-    FilmLineMultigrid(const Recess& recess, const CellGrid& grid, const FilmSetting& setting);
+    FilmLineMultigrid(const Recess& recess, const CellGrid& grid, const FilmSetting& setting)
+        : FilmLineMultigrid(recess, FilmGaps(recess, grid), setting)
+    {
+    }
+    /// `finest`: the recess as the finest grid sees it.
+    FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting);
+    FilmLineMultigrid(FilmLineMultigrid&&) = default; // moved, the levels stay where they are
+    FilmLineMultigrid& operator=(FilmLineMultigrid&&) = default;
 
     /// On the finest grid. A solution leaves its linearisation undetermined.
     GasFilm& film() { return levels_.front().film; }
@@ -46,7 +53,7 @@ public:
 
 private:
     struct Level {
-        Level(const Recess& recess, const CellGrid& grid, const FilmSetting& setting);
+        Level(FilmGaps levelGaps, const FilmSetting& setting);
 
         /// At the pressure, with a step in time of 1/shift.
         void linearise(double shift);

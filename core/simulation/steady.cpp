@@ -49,7 +49,7 @@ private:
 
     void takeLineMultigrid()
     {
-        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps.grid, filmSetting(case_));
+        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps, filmSetting(case_));
         level_->flying.setFilmSolve([this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
             lineMultigrid_->setAttitude(level_->film.attitude());
             return lineMultigrid_->solve(p, options, monitor);
