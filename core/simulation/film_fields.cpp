@@ -125,8 +125,8 @@ std::vector<Field> steadyFields()
                 .label = "sign of the shear torque",
                 .minimum = -1,
                 .maximum = 1,
-                .help = "Factor on the pitch torque of the air's shear: 1 = it presses the nose down, -1 = up, 0 = it "
-                        "is left out.",
+                .help = "Factor on the torques of the air's shear: 1 = its pitch torque presses the nose down, -1 = up, "
+                        "0 = they are left out.",
                 .source = "geometry"},
                at(&Case::steady, &SteadyCase::torqueSign), withFilm),
         list({.key = "steady.radii",

@@ -23,6 +23,9 @@ Attitude changed(const Attitude& attitude, const Vector3& change, double share)
     return {attitude.height + share * change[0], attitude.pitch + share * change[1], attitude.roll + share * change[2]};
 }
 
+/// Of a roll that is held; any value holds it exactly [N m/rad].
+constexpr double holding = 1.0;
+
 } // namespace
 
 SliderLoad sliderLoad(const Case& c)
@@ -43,6 +46,8 @@ SliderLoad sliderLoad(const Case& c)
         load.rollTorque += s.rollTorque;
     }
     load.shearArm = c.steady.torqueSign * c.steady.shearArm * c.slider.thickness;
+    load.holdsRoll = c.degreesOfFreedom == 2;
+    load.heldRoll = c.initial.roll;
     return load;
 }
 
@@ -62,8 +67,9 @@ Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const A
     return {forces[0] - load_.preload,
             forces[1] + load_.pitchTorque - load_.pitchStiffness * (attitude.pitch - load_.staticPitch) -
                 load_.shearArm * forces[3],
-            forces[2] + load_.rollTorque - load_.rollStiffness * (attitude.roll - load_.staticRoll) -
-                load_.shearArm * forces[4]};
+            load_.holdsRoll ? -holding * (attitude.roll - load_.heldRoll)
+                            : forces[2] + load_.rollTorque - load_.rollStiffness * (attitude.roll - load_.staticRoll) -
+                                  load_.shearArm * forces[4]};
 }
 
 Vector3 FlyingAttitude::imbalance(std::span<const double> p) const
@@ -92,6 +98,7 @@ double FlyingAttitude::linearise(std::span<const double> p, const Attitude& atti
         for (std::size_t at = 0; at < balanceRows_[k].size(); ++at)
             balanceRows_[k][at] -= load_.shearArm * forces_.byPressure[k + 2][at];
     }
+    if (load_.holdsRoll) std::fill(balanceRows_[2].begin(), balanceRows_[2].end(), 0.0);
     newton_.linear().prepare();
     return residualNorm(film_, residual_);
 }
@@ -124,6 +131,7 @@ Matrix3 FlyingAttitude::balanceSlopes() const
     }
     slopes[1][1] -= load_.pitchStiffness;
     slopes[2][2] -= load_.rollStiffness;
+    if (load_.holdsRoll) slopes[2] = {0.0, 0.0, -holding};
     return slopes;
 }
 
@@ -133,7 +141,8 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;
     Eigen::Matrix3d matrix = -toEigen(balanceSlopes());
-    constexpr double scaleHeight = 10e-9; // [m], of a flying slider
+    // Over which the film's force changes [m]: that of a flying slider, or half of what lies below.
+    const double scaleHeight = std::max(10e-9, 0.5 * spacing_.at(film_.attitude()).spacing);
     const double stiffness = leading * load_.preload / scaleHeight;
     matrix(0, 0) += stiffness;
     matrix(1, 1) += stiffness * length * length / 12.0;
@@ -186,14 +195,31 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
     constexpr double clear = 5e-9; // [m]
     attitude.height += std::max(0.0, clear - spacing_.at(attitude).spacing);
     double leading = 1.0, best = 0.0;
+    constexpr int mostUnsolved = 10; // attitudes
+    int unsolved = 0;
     Attitude from = attitude;
     bool again = false;
     for (;; ++result.iterations) {
         film_.setAttitude(attitude);
-        const FilmSolution film = solveFilm(
-            p, {.tolerance = std::max(options.filmTolerance, 1e-9), .maximumIterations = options.maximumIterations},
-            [&](int, double residual) { return !monitor || monitor(result.iterations, residual, result.loadError, attitude); });
-        result.solves += film.solves;
+        const auto solveHere = [&] {
+            const FilmSolution film =
+                solveFilm(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations},
+                          [&](int, double residual) {
+                              return !monitor || monitor(result.iterations, residual, result.loadError, attitude);
+                          });
+            result.solves += film.solves;
+            return film;
+        };
+        FilmSolution film = solveHere();
+        if (!film.converged && !film.cancelled) {
+            // From a spoilt pressure nothing may be found; at rest the air is everywhere the same.
+            std::fill(p.begin(), p.end(), film_.ambient());
+            film = solveHere();
+            if (!film.converged && ++unsolved > mostUnsolved) {
+                result.residual = film.residual;
+                return result;
+            }
+        }
         result.residual = film.residual;
         result.cancelled = film.cancelled;
         if (film.cancelled) return result;

@@ -29,6 +29,8 @@ struct SliderLoad {
     double pitchStiffness = 0.0, rollStiffness = 0.0; // [N m/rad]; zero unless the suspension holds the attitude
     double staticPitch = 0.0, staticRoll = 0.0; // [rad]
     double shearArm = 0.0;               // pitch and roll torque per shear force [m]
+    bool holdsRoll = false;              // two degrees of freedom: the roll stays what it is
+    double heldRoll = 0.0;               // [rad]
 };
 SliderLoad sliderLoad(const Case& c);
 

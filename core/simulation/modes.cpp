@@ -52,6 +52,12 @@ public:
         const SuspensionCase& s = c.suspension;
         springs_ = Eigen::Vector3d(s.stiffness, s.pitchStiffness, s.rollStiffness).asDiagonal();
         dampers_ = Eigen::Vector3d(s.damping, s.pitchDamping, s.rollDamping).asDiagonal();
+        if (c.degreesOfFreedom == 2) {
+            // A roll that is held is overdamped, apart from the others.
+            constexpr double rate = 1e8; // [1/s]
+            springs_(2, 2) = 2.0 * rate * rate * slider.rollInertia;
+            dampers_(2, 2) = 3.0 * rate * slider.rollInertia;
+        }
     }
 
     /// About the mass centre; s must not be real.
@@ -63,7 +69,8 @@ public:
             for (int m = 0; m < 3; ++m) {
                 // The trailing edge's height falls by half the length times the pitch when the centre keeps its own.
                 Complex entry = z[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)];
-                if (m == 1) entry -= 0.5 * case_.slider.length * z[static_cast<std::size_t>(k)][0];
+                if (case_.degreesOfFreedom == 2 && (k == 2 || m == 2)) entry = 0.0;
+                else if (m == 1) entry -= 0.5 * case_.slider.length * z[static_cast<std::size_t>(k)][0];
                 result.damping(k, m) = entry.imag() / s.imag();
                 result.stiffness(k, m) = entry.real() - s.real() * result.damping(k, m);
             }
@@ -185,7 +192,7 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     for (Eigen::Index k = 0; k < 6; ++k)
         if (first.values[k].imag() > 0.0) trials.push_back(first.values[k]);
     std::sort(trials.begin(), trials.end(), [](Complex a, Complex b) { return a.imag() < b.imag(); });
-    int lost = 3 - static_cast<int>(trials.size());
+    int lost = c.degreesOfFreedom - static_cast<int>(trials.size());
     for (Complex s : trials) {
         if (!tell("mode " + std::to_string(result.modes.size() + 1))) return result;
         Eigen::Vector3cd shape;

@@ -35,9 +35,13 @@ public:
             const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
             if (result_.status == SteadyStatus::Cancelled) return result_;
             if (!converged && finest) return unconverged();
-            if (!finest) coarse_ = summary();
+            if (!finest) {
+                coarse_.reset();
+                if (converged) coarse_ = summary();
+                else level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
+            }
         }
-        report();
+        report(true);
         return result_;
     }
 
@@ -134,17 +138,19 @@ private:
 
     SteadyResult unconverged()
     {
-        report();
+        report(false);
         result_.status = SteadyStatus::NotConverged;
-        char text[200];
+        char text[240];
         std::snprintf(text, sizeof text,
                       "not converged after %d iterations on the finest grid: film residual %.1e, load error %.1e",
                       result_.iterations, result_.residual, result_.loadError);
         result_.message = text;
+        if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
+            result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does not carry the load";
         return result_;
     }
 
-    void report()
+    void report(bool converged)
     {
         FilmLevel& level = *level_;
         result_.status = SteadyStatus::Converged;
@@ -158,17 +164,17 @@ private:
         result_.shearRollTorque = -arm * result_.forces.shearY;
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
             result_.interestSpacing.push_back(recess_.at(point.x, point.y) + level.gaps.lift(attitude_, point.x, point.y));
-        if (case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
+        if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
         if (coarse_) estimateError();
-        if (case_.steady.sensitivities && !case_.steady.fixedAttitude)
+        if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
             result_.sensitivities = sensitivities(case_, level, spacing_);
-        if (case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
+        if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
         KnownFilm fields = level.known(case_);
         result_.grid = std::move(fields.grid);
         result_.pressure = std::move(fields.pressure);
         result_.gap = std::move(fields.gap);
         result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
-        if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
+        if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;
             char text[200];
             std::snprintf(text, sizeof text,
@@ -202,21 +208,25 @@ private:
     {
         const CellGrid coarsest = gradedGrid(case_.surface, case_.slider.length, case_.slider.width,
                                              filmLevels(case_.film).front()[0], filmLevels(case_.film).front()[1]);
+        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
+            return tell(iteration, residual, loadError, attitude);
+        };
         for (const double height : {0.5e-9, 5e-9, 30e-9, 200e-9})
             for (const double pitch : {20e-6, 150e-6, 500e-6}) {
                 FilmLevel coarse(case_, recess_, spacing_, coarsest);
                 Attitude attitude{height, pitch, 0.0};
                 const AttitudeOptions options{.filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance,
                                               .maximumIterations = 25};
-                if (!coarse.flying.approach(coarse.pressure, attitude, options).converged) continue;
-                if (isKnown(attitude, 0.1)) continue;
+                AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor);
+                if (found.cancelled) return;
+                if (!found.converged || isKnown(attitude, 0.1)) continue;
                 FilmLevel fine(case_, recess_, spacing_, level_->gaps.grid);
                 fine.take(coarse.known(case_));
-                if (fine.flying
-                        .solve(fine.pressure, attitude,
-                               {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance})
-                        .converged &&
-                    !isKnown(attitude, 1e-3))
+                found = fine.flying.solve(
+                    fine.pressure, attitude,
+                    {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance}, monitor);
+                if (found.cancelled) return;
+                if (found.converged && spacing_.at(attitude).spacing > 0.0 && !isKnown(attitude, 1e-3))
                     result_.otherEquilibria.push_back(attitude);
             }
     }

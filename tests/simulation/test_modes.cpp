@@ -14,6 +14,7 @@ class TestModes : public QObject {
 private slots:
     void aHeavySliderOscillatesOnTheStaticFilm();
     void threeModesAreFound();
+    void aHeldRollHasNoMode();
     void saysWhereTheGridIsTooCoarse();
     void stiffAndSoftLimitsOfTheFilm();
 };
@@ -62,6 +63,27 @@ void TestModes::threeModesAreFound()
         QVERIFY(std::abs(largest - 1.0) < 1e-12);
     }
     QVERIFY(r.modes[0].frequency <= r.modes[1].frequency && r.modes[1].frequency <= r.modes[2].frequency);
+}
+
+void TestModes::aHeldRollHasNoMode()
+{
+    // Held at the roll that it would find, it moves as with a huge moment of inertia about that axis; to what the grids differ
+    // by, which are adapted to coarser films of another roll.
+    Case c = test::smallSlider(49);
+    c.slider.rollInertia = 1e3;
+    const ModesResult heavy = modes(c);
+    c.degreesOfFreedom = 2;
+    c.initial.roll = heavy.steady.attitude.roll;
+    const ModesResult held = modes(c);
+    QCOMPARE(held.status, SteadyStatus::Converged);
+    QCOMPARE(held.modes.size(), std::size_t(2));
+    QVERIFY(heavy.modes.size() >= 2); // its roll is too slow to count
+    const std::size_t others = heavy.modes.size() - 2;
+    for (std::size_t k = 0; k < 2; ++k) {
+        QVERIFY(std::abs(held.modes[k].frequency / heavy.modes[others + k].frequency - 1.0) < 1e-4);
+        QVERIFY(std::abs(held.modes[k].dampingRatio - heavy.modes[others + k].dampingRatio) < 1e-5);
+        QVERIFY(std::hypot(held.modes[k].shape[2][0], held.modes[k].shape[2][1]) < 1e-9);
+    }
 }
 
 void TestModes::saysWhereTheGridIsTooCoarse()

@@ -15,6 +15,7 @@ class TestSteady : public QObject {
 private slots:
     void forcesBalanceTheLoad();
     void aFixedAttitudeIsKept();
+    void aHeldRollCarriesAnyTorque();
     void reportsWhereItIsNearest();
     void theErrorEstimateCoversTheFinerGrid();
     void sensitivitiesAgreeWithDifferences_data();
@@ -54,6 +55,27 @@ void TestSteady::aFixedAttitudeIsKept()
     QCOMPARE(r.attitude.roll, c.initial.roll);
     QVERIFY(r.discretisationError.load > 0.0);
     QCOMPARE(r.discretisationError.minimumSpacing, 0.0);
+}
+
+void TestSteady::aHeldRollCarriesAnyTorque()
+{
+    // With two degrees of freedom the roll stays the initial one; what presses on one side changes nothing.
+    Case c = test::smallSlider();
+    c.degreesOfFreedom = 2;
+    c.initial.roll = 4e-6;
+    c.steady.sensitivities = true;
+    const SteadyResult r = steady(c);
+    c.suspension.offsetY = 0.05e-3;
+    const SteadyResult pressed = steady(c);
+    for (const SteadyResult* result : {&r, &pressed}) {
+        QCOMPARE(result->status, SteadyStatus::Converged);
+        QVERIFY(std::abs(result->attitude.roll - 4e-6) < 1e-15);
+        QVERIFY(std::abs(result->forces.net - c.suspension.preload) < 1e-8 * c.suspension.preload);
+    }
+    QVERIFY(std::abs(pressed.attitude.height / r.attitude.height - 1.0) < 1e-7);
+    QVERIFY(std::abs(pressed.attitude.pitch / r.attitude.pitch - 1.0) < 1e-7);
+    QVERIFY(!r.sensitivities.empty());
+    for (const Sensitivity& s : r.sensitivities) QCOMPARE(s.roll, 0.0);
 }
 
 void TestSteady::reportsWhereItIsNearest()
