@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 #include "core/physics/film_line_multigrid.h"
 #include "core/simulation/film_setup.h"
@@ -36,9 +37,11 @@ public:
             if (result_.status == SteadyStatus::Cancelled) return result_;
             if (!converged && finest) return unconverged();
             if (!finest) {
-                coarse_.reset();
-                if (converged) coarse_ = summary();
-                else level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
+                if (converged) coarse_.insert(coarse_.begin(), summary());
+                else {
+                    coarse_.clear();
+                    level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
+                }
             }
         }
         report(true);
@@ -165,7 +168,7 @@ private:
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
             result_.interestSpacing.push_back(recess_.at(point.x, point.y) + level.gaps.lift(attitude_, point.x, point.y));
         if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
-        if (coarse_) estimateError();
+        if (!coarse_.empty()) estimateError();
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
             result_.sensitivities = sensitivities(case_, level, spacing_);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
@@ -186,21 +189,28 @@ private:
     }
 
     /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second order; half
-    /// of the difference allows for what the rails' edges spoil.
+    /// of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the difference of the two
+    /// coarser ones counts too, an eighth of it: as much at second order.
     void estimateError()
     {
+        const LevelSummary finest = summary();
+        const auto estimate = [&](auto&& value) {
+            const double last = std::abs(value(finest) - value(coarse_[0]));
+            const double before = coarse_.size() > 1 ? std::abs(value(coarse_[0]) - value(coarse_[1])) : 0.0;
+            return std::max(0.5 * last, 0.125 * before);
+        };
         DiscretisationError& error = result_.discretisationError;
-        const Attitude difference{attitude_.height - coarse_->attitude.height, attitude_.pitch - coarse_->attitude.pitch,
-                                  attitude_.roll - coarse_->attitude.roll};
-        error.pitch = 0.5 * std::abs(difference.pitch);
-        error.roll = 0.5 * std::abs(difference.roll);
-        error.minimumSpacing = 0.5 * std::abs(result_.minimumSpacing - coarse_->minimumSpacing);
-        if (case_.steady.fixedAttitude) error.load = 0.5 * std::abs(result_.forces.net - coarse_->load);
+        error.pitch = estimate([](const LevelSummary& s) { return s.attitude.pitch; });
+        error.roll = estimate([](const LevelSummary& s) { return s.attitude.roll; });
+        error.minimumSpacing = estimate([](const LevelSummary& s) { return s.minimumSpacing; });
+        if (case_.steady.fixedAttitude) error.load = estimate([](const LevelSummary& s) { return s.load; });
         else if (result_.stiffness) {
             // The load that the coarser grid would miss at this attitude.
             const auto& row = (*result_.stiffness)[0];
-            error.load = 0.5 * std::abs(row[0] * difference.height + row[1] * difference.pitch + row[2] * difference.roll);
-        } else error.load = 0.5 * std::abs(result_.forces.positive - coarse_->positive);
+            error.load = estimate([&](const LevelSummary& s) {
+                return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
+            });
+        } else error.load = estimate([](const LevelSummary& s) { return s.positive; });
     }
 
     /// Other attitudes at which the forces balance, from starts all over the range where sliders fly.
@@ -249,7 +259,7 @@ private:
     Attitude attitude_;
     std::unique_ptr<FilmLevel> level_, previous_;
     std::unique_ptr<FilmLineMultigrid> lineMultigrid_; // of the level, when it is chosen
-    std::optional<LevelSummary> coarse_;
+    std::vector<LevelSummary> coarse_; // the finest of them first, as far as all converged
     SteadyResult result_;
 };
 
