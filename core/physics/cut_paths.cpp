@@ -90,9 +90,8 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const Piece
             for (std::size_t n = 0; n < 3; ++n) mobility.by[n] = by[k] * h.by[n];
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility);
-        const PathFunctions<Number> f(speed[k] * h * r);
         PathIntegral<Number> sum = path.get(k);
-        sum.add(r, r * f.phi, r * (lead[k] * f.phi + feed[k] * f.xi), f.decay, lead[k] < 0.0);
+        sum.add(r, speed[k] * h * r, lead[k], feed[k]);
         path.I.set(k, sum.I);
         path.R.set(k, sum.R);
         path.decay.set(k, sum.decay);

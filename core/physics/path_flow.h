@@ -54,21 +54,17 @@ struct PathIntegral {
     Number decay{1.0};                // exp(-Q) so far
     Number before{0.0}, after{0.0};   // of (x - face) w, on either side of the face
 
-    /// A piece `length` long, with r = length/D and q = c r, that starts at `start` from the face and lies on one side of it.
-    void add(const Number& r, const Number& q, double start, double length)
+    /// A piece with r = length/D and q = c r on one side of the face. Where the flow across is spread evenly, `lead` is where the
+    /// piece starts from the face and `feed` its length; else as GapPiece tells [m].
+    void add(const Number& r, const Number& q, double lead, double feed)
     {
         const PathFunctions<Number> f(q);
-        add(r, r * f.phi, r * (start * f.phi + length * f.xi), f.decay, start < 0.0);
-    }
-    /// The same from the piece's own integrals, with w = 1 where it begins.
-    void add(const Number& r, const Number& integral, const Number& moment, const Number& pieceDecay, bool beforeFace)
-    {
-        I = I + decay * integral;
+        I = I + decay * (r * f.phi);
         R = R + r;
-        const Number part = decay * moment;
-        before = before + select(beforeFace, part, Number(0.0));
-        after = after + select(beforeFace, Number(0.0), part);
-        decay = decay * pieceDecay;
+        const Number part = decay * (r * (lead * f.phi + feed * f.xi));
+        before = before + select(lead < 0.0, part, Number(0.0));
+        after = after + select(lead < 0.0, Number(0.0), part);
+        decay = decay * f.decay;
     }
 };
 
