@@ -6,21 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <new>
 #include <numbers>
+
+#include "core/numerics/fourier.h"
 
 namespace touchdown {
 namespace {
 
 constexpr std::size_t shortestSegment = 8;
-
-// FFTW executes plans on any thread, but makes and destroys them on one at a time.
-std::mutex& planner()
-{
-    static std::mutex mutex;
-    return mutex;
-}
 
 // w_i = a_0 - a_1 cos(2 pi i/n) + a_2 cos(4 pi i/n) - ...: periodic ("DFT-even"), so that the window's
 // own spectrum has its zeros on the bins. Coefficients: Harris 1978; flat top: D'Antona & Ferrero 2006.
@@ -69,7 +63,7 @@ struct WelchEstimator::Plan {
             sum += w;
             squares += w * w;
         }
-        const std::lock_guard lock(planner());
+        const std::lock_guard lock(fourierPlanner());
         signal = fftw_alloc_real(n);
         transform = fftw_alloc_complex(n / 2 + 1);
         // Estimated, not measured: a measured plan, and with it the last digits, would differ from run to run.
@@ -81,7 +75,7 @@ struct WelchEstimator::Plan {
     }
     ~Plan()
     {
-        const std::lock_guard lock(planner());
+        const std::lock_guard lock(fourierPlanner());
         release();
     }
     Plan(const Plan&) = delete;

@@ -11,17 +11,23 @@
 
 #include "core/numerics/convection.h"
 #include "core/numerics/spectrum.h"
+#include "core/physics/adhesion.h"
 #include "core/physics/air.h"
 #include "core/physics/air_bearing_surface.h"
 #include "core/physics/air_spring.h"
+#include "core/physics/asperities.h"
+#include "core/physics/disk_surface.h"
 #include "core/physics/disk_velocity.h"
+#include "core/physics/elastic_pair.h"
 #include "core/physics/ono_yamane.h"
 #include "core/physics/slip.h"
 
 namespace touchdown {
 
-enum class ModelKind : std::uint8_t { Springs, Film };
-enum class ContactKind : std::uint8_t { None, OnoYamane };
+/// Contact: a pad alone, moved towards the disk and away from it again.
+enum class ModelKind : std::uint8_t { Springs, Film, Contact };
+enum class ContactKind : std::uint8_t { None, OnoYamane, Elastic, Asperity, MultiAsperity };
+enum class PadShape : std::uint8_t { Flat, Sphere, Slider };
 enum class AirSource : std::uint8_t { Given, Atmosphere, EstablishedStandard };
 enum class FilmSolver : std::uint8_t { Newton, LineMultigrid };
 enum class GridKind : std::uint8_t { Uniform, Graded, Adapted };
@@ -109,6 +115,31 @@ struct SteadyCase {
     std::vector<double> altitudes; // empty: the air as it is [m]
 };
 
+/// Elastic contact of the deformable equivalent disk with the smooth pad.
+struct ElasticCase {
+    ElasticPair pair;
+    double hardness = 0.0;     // cap of the contact pressure [Pa]; 0: none
+    double friction = 0.3;     // mu [-]
+    double cell = 0.25e-6;     // of the contact patch [m]
+    double tolerance = 1e-8;   // of force balance and complementarity [-]
+    int maximumIterations = 2000;
+    bool periodic = false;     // the patch repeats in both directions
+};
+
+/// The pad of model "contact".
+struct PadCase {
+    PadShape shape = PadShape::Flat;
+    double length = 20e-6;     // flat, sphere: of the patch [m], along x
+    double width = 20e-6;      // [m], along y
+    double radius = 1e-3;      // sphere [m]
+};
+
+/// How the pad of model "contact" moves: at constant speed from `start` to `closest` and back within run.duration.
+struct ApproachCase {
+    double start = 5e-9;       // separation of the pad's lowest point and the disk's mean plane [m]
+    double closest = -1e-9;    // [m], less than start; may be negative
+};
+
 struct InitialCase {
     double flyingHeight = 250e-9; // [m]
     double pitch = 0.0;           // [rad]
@@ -128,6 +159,7 @@ struct RunCase {
     double newmarkGamma = 0.5;     // [-]
     double sampleInterval = 0.1e-6; // [s]
     bool stepCheck = true;         // fixed-step methods: compare with half the step
+    int fieldSnapshots = 50;       // of the fields, evenly over the run; 0: none
 };
 
 /// How power spectra are estimated (Welch 1967).
@@ -149,9 +181,16 @@ struct Case {
     SpringsCase springs;
     SuspensionCase suspension;
     OnoYamane onoYamane;
+    ElasticCase elastic;
+    Adhesion adhesion;
+    Asperities asperity;
+    Meniscus meniscus;
+    PadCase pad;
+    ApproachCase approach;
     AirBearingSurface surface; // [abs]
     AirCase air;
     DiskMotion disk;
+    DiskSurface diskSurface;   // [disk.surface]
     FilmCase film;
     SteadyCase steady;
     InitialCase initial;

@@ -133,6 +133,7 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
     switch (c.model) {
     case ModelKind::Springs: checkSprings(c, problems); break;
     case ModelKind::Film: checkFilm(c, problems); break;
+    case ModelKind::Contact: break;
     }
     return problems;
 }

@@ -115,7 +115,7 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
     SampleBatch none;
     none.columns.resize(recordedQuantities(c).size());
     const RunCallback stopOnly = [&](const RunUpdate& update) {
-        return !callback || callback({c.run.duration, update.duration, none, {}});
+        return !callback || callback({c.run.duration, update.duration, none, {}, {}});
     };
     StepCheck check;
     check.step = 0.5 * c.run.step;
@@ -156,6 +156,7 @@ std::string reasonNotToRun(const Case& c)
 {
     switch (c.model) {
     case ModelKind::Springs: break;
+    case ModelKind::Contact: break;
     case ModelKind::Film:
         return "model \"film\" has a static state and modes, but no motion in time yet: `touchdown steady` and `touchdown modes` compute them";
     }
@@ -168,6 +169,8 @@ std::vector<Quantity> recordedQuantities(const Case& c)
 {
     return c.model == ModelKind::Springs ? SpringModel::quantities(c) : std::vector<Quantity>();
 }
+
+RecordedFields recordedFields(const Case&) { return {}; }
 
 Summary run(const Case& c, const RunCallback& callback)
 {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/simulation/case.h"
+#include "core/simulation/field_snapshot.h"
 #include "core/simulation/quantity.h"
 
 namespace touchdown {
@@ -29,6 +30,7 @@ struct RunUpdate {
     double duration = 0.0; // of the whole run [s]
     const SampleBatch& samples;           // since the last update; may be empty
     const std::vector<RunEvent>& events;  // since the last update
+    const std::vector<FieldSnapshot>& fields; // since the last update; of recordedFields
 };
 /// Return false to stop the run; may block to pause it. Called on the thread of `run`.
 using RunCallback = std::function<bool(const RunUpdate&)>;
@@ -77,6 +79,9 @@ std::string reasonNotToRun(const Case& c);
 
 /// The quantities that a run of this case records, in the order of its columns; none where it cannot be run.
 std::vector<Quantity> recordedQuantities(const Case& c);
+
+/// The fields of which this case's run records snapshots; empty where there are none.
+RecordedFields recordedFields(const Case& c);
 
 /// Runs a valid case to its end. Never throws for numerics: see Summary::status.
 Summary run(const Case& c, const RunCallback& callback = {});

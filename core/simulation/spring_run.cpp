@@ -99,7 +99,7 @@ void SpringRecorder::flush()
     }
     last_ = lastGood_;
     if (batchSeen) batchSeen(batch_);
-    if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_}) && verdict_.status == RunStatus::Completed) {
+    if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_, {}}) && verdict_.status == RunStatus::Completed) {
         verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius, Gaussian heights, against a smooth
+// pad; and the liquid that forms menisci on them.
+#pragma once
+
+#include <cstdint>
+
+namespace touchdown {
+
+enum class AsperityModel : std::uint8_t { GreenwoodWilliamson, ElasticPlastic };
+
+struct Asperities {
+    AsperityModel model = AsperityModel::GreenwoodWilliamson;
+    double radius = 2e-6;            // R of the summits [m]
+    double density = 10e12;          // eta [1/m^2]
+    double heightDeviation = 0.5e-9; // sigma_s of the summits' heights [m]
+    double yieldStrength = 2e9;      // Y [Pa], elastic-plastic
+    double friction = 0.3;           // mu [-]
+};
+
+/// Of each wetted asperity: 2 pi R gamma (1 + cos theta) while the liquid bridge stands.
+struct Meniscus {
+    double surfaceTension = 0.025;   // gamma of the lubricant [N/m]
+    double contactAngle = 0.0;       // theta [rad]
+    double filmThickness = 0.5e-9;   // mobile lubricant: a meniscus forms when a summit comes this near [m]
+    double breakingLength = 2e-9;    // it breaks when the summit's gap exceeds this [m], >= filmThickness
+};
+
+} // namespace touchdown
