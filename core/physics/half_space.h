@@ -8,12 +8,18 @@
 // summed over all cells as a convolution by FFT. Free: zero-padded to twice the size, exact. Periodic: the patch repeats in
 // both directions, u = 2 p/(E* k) for the wave number k (Johnson 1985, section 13.2; Stanley & Kato 1997), and the mean
 // pressure displaces nothing.
+//
+// The inverse, pressure that holds a given displacement, acts on stiffnessGrid(). Periodic: that is the grid, p = E* k u/2.
+// Free: the padded grid, whose first columns and rows are the grid. Where the pressure that stress() returns vanishes outside
+// the grid, it is the pressure of displace(); the displacement outside the grid is then whatever makes it vanish there (a
+// repeated padded domain, so that beyond the grid it is no displacement of the half-space). All factors are positive.
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 
+#include "core/numerics/plane_convolution.h"
 #include "core/numerics/uniform_grid.h"
 
 namespace touchdown {
@@ -25,24 +31,35 @@ class HalfSpace {
 public:
     /// `modulus` E* [Pa], positive; the grid has at least one cell.
     HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges = HalfSpaceEdges::Free);
-    ~HalfSpace();
-    HalfSpace(HalfSpace&&) noexcept;
-    HalfSpace& operator=(HalfSpace&&) noexcept;
 
-    const UniformGrid& grid() const;
-    double modulus() const; // E* [Pa]
-    HalfSpaceEdges edges() const;
+    const UniformGrid& grid() const { return grid_; }
+    double modulus() const { return modulus_; } // E* [Pa]
+    HalfSpaceEdges edges() const { return edges_; }
 
     /// displacement [m], positive into the body, under `pressure` [Pa], positive towards it; each grid().cells() long.
     /// Allocates nothing. They may be the same array.
-    void displace(std::span<const double> pressure, std::span<double> displacement);
-
+    void displace(std::span<const double> pressure, std::span<double> displacement) { compliance_.apply(pressure, displacement); }
     /// Displacement of a cell's centre by unit pressure on it alone [m/Pa].
-    double ownCompliance() const;
+    double ownCompliance() const { return ownCompliance_; }
+
+    const UniformGrid& stiffnessGrid() const { return stiffnessGrid_; }
+    /// pressure [Pa] of a displacement [m], each stiffnessGrid().cells() long; may be the same array. Periodic: the mean
+    /// displacement takes none. Allocates at the first call only.
+    void stress(std::span<const double> displacement, std::span<double> pressure);
+    /// Pressure on a cell's centre by unit displacement of it alone [Pa/m].
+    double ownStiffness() const { return ownStiffness_; }
 
 private:
-    struct Transform;
-    std::unique_ptr<Transform> transform_;
+    std::vector<double> freeTransform() const;
+    std::vector<double> periodicTransform() const;
+
+    UniformGrid grid_, stiffnessGrid_;
+    double modulus_;
+    HalfSpaceEdges edges_;
+    double ownCompliance_ = 0.0, ownStiffness_ = 0.0;
+    PlaneConvolution compliance_;
+    std::vector<double> stiffnessTransform_; // until the first stress()
+    std::optional<PlaneConvolution> stiffness_;
 };
 
 } // namespace touchdown
