@@ -3,11 +3,15 @@
 // Adhesive pressure between two smooth surfaces at the gap g, local (each point sees the gap above it). Pressure is
 // positive when it pushes the surfaces apart, so attraction is negative.
 //
-//   lennard-jones   p = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact alone
+//   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact alone
 //                   repels. A reading of the improved intermolecular model that Chen & Bogy name as their reference [8],
 //                   whose equations were not available. Its integral over g from 0 is -dgamma.
-//   van-der-waals   p = -A/(6 pi g^3) + B/(45 pi g^9), with a repulsion of its own
-//   electrostatic   p = -eps0 V^2/(2 (g + z0)^2), added to either or alone
+//   van-der-waals   f = -A/(6 pi g^3) + B/(45 pi g^9), with a repulsion of its own
+//   electrostatic   f = -eps0 V^2/(2 (g + z0)^2), added to either or alone
+//
+// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. Nearer than half the distance
+// at which the van der Waals pressure vanishes that law goes on along its tangent; with B = 0 it has no such distance, and
+// its attraction is held at what it is at z0.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +29,48 @@ struct Adhesion {
     double voltage = 0.0;                 // V [V] between slider and disk
 
     bool acts() const { return kind != AdhesionKind::None || voltage != 0.0; }
+};
+
+class AdhesionLaw {
+public:
+    /// surfaceEnergy, A and B at least zero, z0 positive; all finite.
+    explicit AdhesionLaw(const Adhesion& adhesion);
+
+    /// f(g) [Pa].
+    double pressure(double gap) const { return sample(gap).pressure; }
+    /// df/dg [Pa/m]; at zero and below, the one towards larger gaps.
+    double derivative(double gap) const { return sample(gap).derivative; }
+    /// phi(g) [J/m^2], zero far away: f = -dphi/dg.
+    double energy(double gap) const;
+
+    struct Sample {
+        double pressure;   // [Pa]
+        double derivative; // [Pa/m]
+    };
+    Sample sample(double gap) const;
+
+    /// Where the attraction is largest [m]. Nearer than there the law is stable by itself, df/dg <= 0; farther away it softens.
+    double peakGap() const { return peakGap_; }
+    /// The largest attraction, -f(peakGap) [Pa].
+    double peakAttraction() const { return peakAttraction_; }
+    bool acts() const { return acts_; }
+
+private:
+    double softeningGap() const;
+
+    bool acts_;
+    AdhesionKind kind_;
+    double z0_;                            // [m]
+    double scale_;                         // 8 dgamma/(3 z0) [Pa]
+    double attraction_ = 0.0;              // A/(6 pi) [J]
+    double repulsion_ = 0.0;               // B/(45 pi) [J m^6]
+    double electric_;                      // eps0 V^2/2 [N]
+    double tangentGap_ = 0.0;              // below it van der Waals goes on along its tangent [m]
+    double tangentPressure_ = 0.0;         // [Pa]
+    double tangentSlope_ = 0.0;            // [Pa/m]
+    double tangentEnergy_ = 0.0;           // [J/m^2]
+    double peakGap_ = 0.0;                 // [m]
+    double peakAttraction_ = 0.0;          // [Pa]
 };
 
 } // namespace touchdown
