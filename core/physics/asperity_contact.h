@@ -12,12 +12,15 @@
 //                          (Chang, Etsion & Bogy 1987, 1988). P of one summit jumps at w_c from 2/3 to 1 of K H A, as
 //                          theirs does; p does not. It depends on d alone: unloading after flow is not theirs, nor ours.
 //
-// Pressure, stiffness and energy come from one table in d/sigma_s of polynomials that agree with the energy's first
-// derivatives up to the third at both ends, so p = -dW/dd and the stiffness -dp/dd hold exactly. Error of p below 1e-9 of
-// p(0). Left of the table the integral itself is taken, which is slow.
+// Pressure, stiffness and energy come from one table of polynomials in t = d/sigma_s, which meet the energy and its first
+// three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its error is below 1e-9
+// of p or p(0), whichever is larger. Left of the table, where every summit is pressed deep, the integral itself is taken,
+// which is slow.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "core/physics/asperities.h"
 #include "core/physics/elastic_pair.h"
@@ -33,7 +36,7 @@ public:
     double stiffness(double separation) const;      // -dp/dd >= 0 [Pa/m]
     /// W = the work of pressing from afar [J/m^2]; stored, but for what flow takes.
     double energy(double separation) const;
-    double contactArea(double separation) const;    // real over nominal [-]; the summits are taken one by one, so it may pass 1
+    double contactArea(double separation) const;    // real over nominal [-]; summits are taken one by one: it may pass 1
     double contactDensity(double separation) const; // [1/m^2]
     /// Nothing touches from this separation on [m].
     double reach() const { return upperEnd * sigma_; }
@@ -46,27 +49,50 @@ private:
     static constexpr int perDeviation = 4;    // pieces of the table in one sigma_s
     static constexpr int pieces = static_cast<int>(upperEnd - lowerEnd) * perDeviation;
 
-    /// W, -dW/dt = sigma_s p, and its next two derivatives at t = d/sigma_s.
+    /// W and its derivatives to t.
     using Derivatives = std::array<double, 4>;
     Derivatives integrate(double t) const;
     double summitForce(double interference) const;
     double summitEnergy(double interference) const;
-    double derivative(double separation, int order) const;
+
+    /// A piece of the table and the place in it, 0..1.
+    struct Place {
+        const std::array<double, 8>& c;
+        double x;
+    };
+    Place place(double t) const
+    {
+        const double at = (t - lowerEnd) * perDeviation;
+        // t just below upperEnd may round up to it.
+        const auto piece = std::min(static_cast<std::size_t>(at), table_.size() - 1);
+        return {table_[piece], at - static_cast<double>(piece)};
+    }
 
     double sigma_ = 0.0;                // sigma_s [m]
+    double inverseSigma_ = 0.0;         // [1/m]
     double density_ = 0.0;              // eta [1/m^2]
     double radius_ = 0.0;               // R [m]
     double hertz_ = 0.0;                // (4/3) E* sqrt(R) [N/m^(3/2)]
     double flow_ = 0.0;                 // pi R K H [N/m]
     double criticalInterference_ = 0.0; // w_c [m]
-    std::array<std::array<double, 8>, pieces> table_{}; // W in each piece, powers of its own coordinate 0..1 [J/m^2]
+    std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
 
-/// Height of the summits' mean plane above the surface's [m], y_s = 0.045944/(eta R) (Bush, Gibson & Keogh 1976, as McCool
-/// 1986 and Chang, Etsion & Bogy 1987 use it). d of this file is the separation of the surface's mean plane less y_s.
+/// Height of the summits' mean plane above the surface's [m], y_s = 0.045944/(eta R) (McCool 1986 and Chang, Etsion & Bogy
+/// 1987, after Nayak 1971). d of this file is the separation from the surface's mean plane less y_s.
 inline double summitPlaneHeight(const Asperities& asperities)
 {
     return 0.045944 / (asperities.density * asperities.radius);
+}
+
+inline double AsperityContact::pressure(double separation) const
+{
+    const double t = separation * inverseSigma_;
+    if (t >= upperEnd) return 0.0;
+    if (t < lowerEnd) return -integrate(t)[1] * inverseSigma_;
+    const auto [c, x] = place(t);
+    const double slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * (5.0 * c[5] + x * (6.0 * c[6] + x * 7.0 * c[7])))));
+    return -slope * perDeviation * inverseSigma_;
 }
 
 } // namespace touchdown
