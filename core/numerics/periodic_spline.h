@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The cubic spline through values on the points (i dx, j dy), periodic with (nx dx, ny dy) (Unser 1999). What is kept are the
+// running sums of its coefficients,
+//
+//   S_ij = sum of c_kl, k <= i, l <= j,     W(x, y) = dx dy sum of S_ij B(x/dx - i) B(y/dy - j),
+//
+// with B the quartic B-spline between 2 cells before and 3 behind: W is the spline's integral over x and y. A value is its
+// mixed derivative, the mean over a rectangle of any size a second difference: both cost the same few terms, and one
+// array holds it all.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/numerics/cell_grid.h"
+#include "core/numerics/uniform_grid.h"
+
+namespace touchdown {
+
+class PeriodicSpline {
+public:
+    /// `values` [any unit] row by row, x fastest, nx ny of them.
+    PeriodicSpline(int nx, int ny, double dx, double dy, std::vector<double> values);
+
+    double value(double x, double y) const;
+    /// Adds the values at the grid's centres, moved by the shift, to `out`.
+    void addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// Adds the means over the grid's cells.
+    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+
+    int nx() const { return nx_; }
+    int ny() const { return ny_; }
+    double dx() const { return dx_; }
+    double dy() const { return dy_; }
+    /// No value is larger or smaller: the extremes of the coefficients.
+    double upperBound() const { return upper_; }
+    double lowerBound() const { return lower_; }
+
+private:
+    int nx_ = 0, ny_ = 0;
+    double dx_ = 0.0, dy_ = 0.0;
+    std::vector<double> sums_; // S
+    double upper_ = 0.0, lower_ = 0.0;
+};
+
+} // namespace touchdown

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Isotropic rough surfaces with Gaussian heights and a given spectrum, periodic in both directions. In the plane, with
+// C(q) over the wave vector so that its integral is the variance:
+//
+//   gaussian      R(r) = sigma^2 exp(-r^2/lc^2)
+//   exponential   R(r) = sigma^2 exp(-r/lc)
+//   self-affine   C(q) = C0 for q < q_r, C0 (q/q_r)^(-2-2H) for q_r <= q <= q_c, 0 beyond (Persson et al. 2005), q_r and q_c
+//                 2 pi over the roll-off and cut-off wavelengths; C0 from sigma.
+//
+// The first two are made from their autocovariance, repeated with the period (circulant embedding, Dietrich & Newsam
+// 1997): the heights at the points have exactly that covariance, and so what waves shorter than two cells would have held is
+// folded to longer ones, as in a measurement at those points. The third has no waves so short.
+//
+// Each realisation is then scaled to the exact RMS about its mean, 0. Over n correlated patches the RMS of a realisation
+// scatters by about 1/sqrt(2 n) of itself, and the scaling moves its whole spectrum by twice that: a few per cent, less than
+// the scatter of any single density.
+#pragma once
+
+#include <vector>
+
+#include "core/physics/disk_surface.h"
+
+namespace touchdown {
+
+/// Points of the map along the track and across.
+int mapColumns(const DiskSurface& surface);
+int mapRows(const DiskSurface& surface);
+
+/// Heights [m], row by row, x fastest. The same seed gives the same bits, on every run. Made in place: beside the result no
+/// second map is in memory.
+std::vector<double> generateRoughness(const DiskSurface& surface);
+
+/// What the density of a profile along the track may be expected to be.
+struct RequestedPsd {
+    double density = 0.0;        // expected, one-sided over q [m^3]
+    double low = 0.0, high = 0.0; // 95 % of realisations lie between [m^3]
+};
+
+/// Of the mean over all rows at wave number q = 2 pi/wavelength [rad/m], or of the mean of that many neighbouring ones. It
+/// is what the map is made with: at points, and periodic across. The limits are those of a chi-square variable with
+/// 2 modes (sum C)^2/sum C^2 degrees of freedom, the sums over the waves across that share q.
+RequestedPsd requestedProfilePsd(const DiskSurface& surface, double q, int modes = 1);
+
+} // namespace touchdown
