@@ -53,10 +53,15 @@ std::string defaultText(const Field& field)
         const std::string text = toText(defaultsOf(model), field);
         return text.empty() ? "(empty)" : text;
     };
-    const std::string springs = shown(ModelKind::Springs);
-    const std::string film = shown(ModelKind::Film);
+    std::string text = shown(ModelKind::Springs);
     // The choice of the model itself is no default of a model.
-    return springs == film || field.key == "model" ? springs : springs + "; film: " + film;
+    if (field.key == "model") return text;
+    const auto add = [&, springs = text](const char* name, ModelKind model) {
+        if (const std::string other = shown(model); other != springs) text += std::string("; ") + name + ": " + other;
+    };
+    add("film", ModelKind::Film);
+    add("contact", ModelKind::Contact);
+    return text;
 }
 
 std::string unitText(const Field& field)

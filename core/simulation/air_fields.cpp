@@ -11,6 +11,12 @@ namespace {
 
 constexpr const char* usualAir = "a usual value of air at 20 C";
 
+/// The disk's motion drags the air along, or a surface that is not flat.
+bool withMotion(const Case& c)
+{
+    return withFilm(c) || (withSurfaces(c) && c.diskSurface.kind != DiskSurfaceKind::Flat &&
+                           c.diskSurface.motion == SurfaceMotion::Moving);
+}
 bool withGivenAir(const Case& c) { return withFilm(c) && c.air.source == AirSource::Given; }
 /// A series over altitudes takes the temperature too.
 bool withTemperature(const Case& c)
@@ -145,7 +151,7 @@ std::vector<Field> diskFields()
                 .maximum = 1e5,
                 .help = "Speed of rotation of the disk.",
                 .source = "paper, section 4: 5400 rpm"},
-               at(&Case::disk, &DiskMotion::speed), withFilm),
+               at(&Case::disk, &DiskMotion::speed), withMotion),
         number({.key = "disk.radius",
                 .label = "radius",
                 .symbol = "R",
@@ -156,7 +162,7 @@ std::vector<Field> diskFields()
                 .minimumAllowed = false,
                 .help = "Radius of the track under the slider's centre.",
                 .source = "a typical track"},
-               at(&Case::disk, &DiskMotion::radius), withFilm),
+               at(&Case::disk, &DiskMotion::radius), withMotion),
         number({.key = "disk.skew",
                 .label = "skew",
                 .symbol = "phi",
@@ -167,7 +173,7 @@ std::vector<Field> diskFields()
                 .help = "Angle between the slider and the track; positive when air flows from the outer leading to the "
                         "inner trailing edge.",
                 .source = "ours: none"},
-               at(&Case::disk, &DiskMotion::skew), withFilm),
+               at(&Case::disk, &DiskMotion::skew), withMotion),
         choice({.key = "disk.velocity_field",
                 .label = "velocity field",
                 .choices = {"rotating", "uniform"},

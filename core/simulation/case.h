@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -196,6 +197,7 @@ struct Case {
     InitialCase initial;
     RunCase run;
     SpectrumCase spectrum;
+    std::filesystem::path folder; // of the case file, in which the files lie that it names; empty: the working one
 };
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 #include "core/simulation/fields.h"
 
 #include "core/physics/surface_check.h"
+#include "core/simulation/contact_check.h"
 #include "core/simulation/decimal.h"
 #include "core/simulation/surface_text.h"
 #include "core/simulation/units.h"
@@ -65,7 +66,7 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
     if (run.duration / run.sampleInterval > mostSamples)
         problems.push_back(
             {"run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval"});
-    if (c.spectrum.start >= run.duration) problems.push_back({"spectrum.start", "must be less than " + duration});
+    if (findField("spectrum.start")->used(c) && c.spectrum.start >= run.duration) problems.push_back({"spectrum.start", "must be less than " + duration});
 }
 
 void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
@@ -73,10 +74,10 @@ void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
     if (c.degreesOfFreedom != 2)
         problems.push_back(
             {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch alone"});
-    if (c.contact == ContactKind::OnoYamane && c.onoYamane.takeOff < c.onoYamane.touchDown)
-        problems.push_back({"ono_yamane.take_off", "d_e = " + inNanometres(c.onoYamane.takeOff) +
-                                                       " must be at least ono_yamane.touch_down (d_s = " +
-                                                       inNanometres(c.onoYamane.touchDown) + ")"});
+    if (c.contact == ContactKind::OnoYamane) checkCharacteristic(c.onoYamane, problems);
+    if (c.contact != ContactKind::OnoYamane && c.contact != ContactKind::None)
+        problems.push_back({"contact", "must be \"none\" or \"ono-yamane\" with model \"springs\"; elastic, asperity and "
+                                       "multi-asperity belong to model \"contact\""});
     checkSpacing(c,
                  {"front", "springs.front_stiffness", "springs.front_distance", c.springs.frontStiffness,
                   c.springs.frontDistance},
@@ -110,6 +111,15 @@ void checkSeries(const SteadyCase& steady, std::vector<CaseProblem>& problems)
                                                 counted(mostStates) + " are possible"});
 }
 
+void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
+{
+    if (c.surface.taperLength > c.slider.length)
+        problems.push_back(
+            {"abs.taper_length", "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")"});
+    for (const std::string& sentence : surfaceProblems(c.surface))
+        problems.push_back({surfaceKeyOf(sentence), sentence.substr(0, sentence.find_last_not_of('.') + 1)});
+}
+
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (c.contact != ContactKind::None)
@@ -117,11 +127,7 @@ void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
     if (!knowsAccommodation(c.air.slip.model) && c.air.slip.accommodation != 1.0)
         problems.push_back({"air.accommodation", "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) +
                                                      "), which knows diffuse walls alone"});
-    if (c.surface.taperLength > c.slider.length)
-        problems.push_back(
-            {"abs.taper_length", "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")"});
-    for (const std::string& sentence : surfaceProblems(c.surface))
-        problems.push_back({surfaceKeyOf(sentence), sentence.substr(0, sentence.find_last_not_of('.') + 1)});
+    checkSliderSurface(c, problems);
     checkSeries(c.steady, problems);
 }
 
@@ -133,7 +139,11 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
     switch (c.model) {
     case ModelKind::Springs: checkSprings(c, problems); break;
     case ModelKind::Film: checkFilm(c, problems); break;
-    case ModelKind::Contact: break;
+    case ModelKind::Contact:
+        if (usesSliderSurface(c)) checkSliderSurface(c, problems);
+        checkContact(c, problems);
+        checkTimes(c, problems);
+        break;
     }
     return problems;
 }

@@ -97,6 +97,7 @@ public:
             return;
         }
         document_.value = defaultsOf(modelOf(toml));
+        document_.value.folder = document_.folder;
         readRailFile(toml);
         for (const TomlTable& table : toml.tables) readTable(table);
         for (const TomlEntry& entry : toml.entries) readEntry(entry);
@@ -202,7 +203,7 @@ private:
             document_.problems.push_back({document_.name, lineOf(problem.key, toml), problem.key, problem.message});
         }
         const Case& c = document_.value;
-        if (c.model != ModelKind::Film || !document_.valid()) return;
+        if (!usesSliderSurface(c) || !document_.valid()) return;
         for (const std::string& sentence : surfaceWarnings(c.surface, c.slider.length, c.slider.width)) {
             const std::string key = surfaceKeyOf(sentence);
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});

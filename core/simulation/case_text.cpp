@@ -18,15 +18,22 @@ namespace {
 
 std::string_view groupComment(std::string_view group)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> comments{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 20> comments{{
         {"about", "What this case is about."},
         {"slider", "The slider as a rigid body."},
         {"springs", "The air bearing: two nonlinear springs with dashpots, given at the static state."},
         {"suspension", "The suspension, about the static state."},
+        {"pad", "The pad that meets the disk."},
+        {"approach", "How the pad moves."},
         {"ono_yamane", "Contact and adhesion: the simplified characteristic of Ono and Yamane, and the pad."},
+        {"elastic", "The two bodies, and the elastic contact of their surfaces."},
+        {"adhesion", "Intermolecular and electrostatic attraction of the surfaces."},
+        {"asperity", "The summits of a statistical surface."},
+        {"meniscus", "The lubricant's menisci on the summits."},
         {"abs", "The air bearing surface."},
         {"air", "The air and its slip at the walls."},
         {"disk", "The disk's motion under the slider."},
+        {"disk.surface", "The surface of the disk."},
         {"film", "The discretisation of the film and its solution."},
         {"steady", "The static state."},
         {"initial", "The start."},

@@ -68,7 +68,7 @@ CmlOutput formatCmlCase(const Case& c)
 {
     CmlOutput output;
     if (c.model != ModelKind::Film) {
-        output.problem = "model is springs; the established program's files describe an air film (model = \"film\")";
+        output.problem = "model is " + toText(c, *findField("model")) + "; the established program's files describe an air film (model = \"film\")";
         return output;
     }
     CmlFiles files;

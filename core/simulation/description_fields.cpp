@@ -14,17 +14,21 @@ std::vector<Field> descriptionFields()
         plain(Text, {.key = "title", .label = "title", .help = "What the case shows, in a line."}, at(&Case::title)),
         choice({.key = "model",
                 .label = "model",
-                .choices = {"springs", "film"},
+                .choices = {"springs", "film", "contact"},
                 .help = "Model of the air bearing: springs = two lumped nonlinear springs and dashpots (Ono & Yamane), "
-                        "film = the generalised Reynolds equation under the slider's surface.",
+                        "film = the generalised Reynolds equation under the slider's surface, contact = none: a pad alone, "
+                        "moved towards the disk and away from it again.",
                 .source = "the paper's third model, Fig. 9, and its first, section 2"},
                at(&Case::model)),
         choice({.key = "contact",
                 .label = "contact",
-                .choices = {"none", "ono-yamane"},
-                .help = "Contact and adhesion: none, or ono-yamane = the simplified multi-asperity characteristic with "
-                        "menisci (with the model springs). A film case has none where it does not say otherwise.",
-                .source = "paper, Fig. 3"},
+                .choices = {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
+                .help = "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
+                        "and, with the model contact, elastic = of surfaces given point by point, with intermolecular "
+                        "adhesion; asperity = of a statistical surface; multi-asperity = the same with menisci on a pad that "
+                        "yields, the full model of Ono & Yamane. A film case has none where it does not say otherwise, a "
+                        "contact case elastic.",
+                .source = "paper, section 2 and Fig. 3"},
                at(&Case::contact)),
         plain(
             Integer,
@@ -36,7 +40,7 @@ std::vector<Field> descriptionFields()
                  "Motions that are free: 2 = height and pitch, 3 = height, pitch and roll. The springs have 2; a film "
                  "case has 3 where it does not say 2, which holds the initial roll.",
              .source = "paper, equation (2), and section 4: a huge suspension roll stiffness"},
-            at(&Case::degreesOfFreedom)),
+            at(&Case::degreesOfFreedom), withBearing),
         plain(Text,
               {.key = "about.paper", .label = "what the paper saw", .help = "What the paper reports for this case."},
               at(&Case::about, &About::paper)),

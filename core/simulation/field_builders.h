@@ -18,10 +18,14 @@ std::vector<Field> descriptionFields();
 std::vector<Field> sliderFields();
 std::vector<Field> springFields();
 std::vector<Field> suspensionFields();
+std::vector<Field> padFields();
 std::vector<Field> contactFields();
+std::vector<Field> elasticFields();
+std::vector<Field> asperityFields();
 std::vector<Field> surfaceFields();
 std::vector<Field> airFields();
 std::vector<Field> diskFields();
+std::vector<Field> diskSurfaceFields();
 std::vector<Field> filmFields();
 std::vector<Field> steadyFields();
 std::vector<Field> runFields();
@@ -29,11 +33,23 @@ std::vector<Field> runFields();
 namespace field_builders {
 
 inline bool always(const Case&) { return true; }
-inline bool withContact(const Case& c) { return c.contact != ContactKind::None; }
+inline bool withContactModel(const Case& c) { return c.model == ModelKind::Contact; }
+inline bool withOnoYamane(const Case& c) { return c.contact == ContactKind::OnoYamane; }
+/// Surfaces that are given point by point: pad, disk, and what acts between them.
+inline bool withSurfaces(const Case& c) { return withContactModel(c) && c.contact == ContactKind::Elastic; }
+inline bool withAsperities(const Case& c)
+{
+    return withContactModel(c) && (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity);
+}
+/// The whole air bearing surface stands against the disk.
+inline bool withSliderPad(const Case& c) { return withSurfaces(c) && c.pad.shape == PadShape::Slider; }
 inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
 inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
-/// The film's motion in time has no integrator.
+inline bool withBearing(const Case& c) { return withSprings(c) || withFilm(c); }
+inline bool withSliderSurface(const Case& c) { return withFilm(c) || withSliderPad(c); }
+/// The film's motion in time has no integrator, and a pad alone moves as it is told.
 inline bool withTime(const Case& c) { return withSprings(c); }
+inline bool withRun(const Case& c) { return withSprings(c) || withContactModel(c); }
 inline bool withFixedStep(const Case& c)
 {
     using enum IntegratorKind;

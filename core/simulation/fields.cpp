@@ -13,8 +13,9 @@ namespace {
 std::vector<Field> allFields()
 {
     std::vector<Field> all;
-    for (auto part : {descriptionFields, sliderFields, springFields, suspensionFields, contactFields, surfaceFields,
-                      airFields, diskFields, filmFields, steadyFields, runFields})
+    for (auto part : {descriptionFields, sliderFields, springFields, suspensionFields, padFields, contactFields, elasticFields,
+                      asperityFields, surfaceFields, airFields, diskFields, diskSurfaceFields, filmFields, steadyFields,
+                      runFields})
         for (Field& field : part()) all.push_back(std::move(field));
     return all;
 }
@@ -25,7 +26,7 @@ std::string_view leaf(std::string_view key) { return key.substr(key.find_last_of
 
 std::string Field::group() const
 {
-    const auto dot = key.find('.');
+    const auto dot = key.find_last_of('.');
     return dot == std::string::npos ? std::string() : key.substr(0, dot);
 }
 
@@ -37,8 +38,14 @@ Case defaultsOf(ModelKind model)
         c.contact = ContactKind::None;
         c.degreesOfFreedom = 3;
     }
+    if (model == ModelKind::Contact) {
+        c.contact = ContactKind::Elastic;
+        c.run.sampleInterval = c.run.duration / 400.0;
+    }
     return c;
 }
+
+bool usesSliderSurface(const Case& c) { return field_builders::withSliderSurface(c); }
 
 std::span<const Field> fields()
 {

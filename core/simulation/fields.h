@@ -43,13 +43,16 @@ struct Field {
     std::function<void(Case&, const FieldValue&)> set{}; // the value's alternative must fit the kind
     std::function<bool(const Case&)> used{};             // false: the chosen model has no such parameter
 
-    /// "springs" of "springs.cutoff"; empty for the root keys.
+    /// "springs" of "springs.cutoff", "disk.surface" of "disk.surface.rms"; empty for the root keys.
     std::string group() const;
 };
 
 /// What a case has where nobody says otherwise: as in core/simulation/case.h, but a film case is without contact and
-/// free to roll.
+/// free to roll, and a contact case is elastic and takes 400 samples.
 Case defaultsOf(ModelKind model);
+
+/// Whether the air bearing surface takes part.
+bool usesSliderSurface(const Case& c);
 
 /// All fields, in the order of a case file.
 std::span<const Field> fields();

@@ -10,6 +10,9 @@ using namespace field_builders;
 namespace {
 
 constexpr double longestRun = 100.0; // [s]
+constexpr int mostSnapshots = 10000;
+
+bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
 
 std::vector<Field> initialFields()
 {
@@ -43,7 +46,7 @@ std::vector<Field> initialFields()
                 .maximum = 1,
                 .help = "Pitch angle at the start, leading edge up.",
                 .source = "paper, text on Fig. 10: 0 urad"},
-               at(&Case::initial, &InitialCase::pitch)),
+               at(&Case::initial, &InitialCase::pitch), withPitch),
         number({.key = "initial.roll",
                 .label = "initial roll",
                 .unit = "rad",
@@ -52,7 +55,7 @@ std::vector<Field> initialFields()
                 .maximum = 1,
                 .help = "Roll angle at the start, inner edge up; held where there are two degrees of freedom.",
                 .source = "ours: none"},
-               at(&Case::initial, &InitialCase::roll), withFilm),
+               at(&Case::initial, &InitialCase::roll), withSliderSurface),
         number({.key = "initial.vertical_velocity",
                 .label = "initial vertical velocity",
                 .unit = "m/s",
@@ -72,7 +75,7 @@ std::vector<Field> initialFields()
                 .choices = {"touch-down", "take-off"},
                 .help = "Branch of the contact characteristic at the start, where that is between d_s and d_e.",
                 .source = "paper, section 4: touch-down"},
-               at(&Case::initial, &InitialCase::branch), withContact),
+               at(&Case::initial, &InitialCase::branch), withOnoYamane),
     };
 }
 
@@ -88,7 +91,7 @@ std::vector<Field> integrationFields()
                 .minimumAllowed = false,
                 .help = "Simulated time.",
                 .source = "paper, Figs. 10-14: 2 ms"},
-               at(&Case::run, &RunCase::duration), withTime),
+               at(&Case::run, &RunCase::duration), withRun),
         choice(
             {.key = "run.integrator",
              .label = "integrator",
@@ -146,13 +149,22 @@ std::vector<Field> integrationFields()
                 .minimumAllowed = false,
                 .help = "Time between recorded samples.",
                 .source = "ours"},
-               at(&Case::run, &RunCase::sampleInterval), withTime),
+               at(&Case::run, &RunCase::sampleInterval), withRun),
         plain(FieldKind::Boolean,
               {.key = "run.step_check",
                .label = "step check",
                .help = "Whether a fixed-step run is repeated with half the step, to report a different end state.",
                .source = "paper, text on Table III: convergence between two steps"},
               at(&Case::run, &RunCase::stepCheck), withFixedStep),
+        plain(FieldKind::Integer,
+              {.key = "run.field_snapshots",
+               .label = "field snapshots",
+               .minimum = 0,
+               .maximum = mostSnapshots,
+               .help = "How often the fields over the contact patch are recorded, evenly over the run; that of the closest "
+                       "approach is recorded in any case, unless this is 0.",
+               .source = "ours"},
+              at(&Case::run, &RunCase::fieldSnapshots), withSurfaces),
     };
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* typicalPico = "assumed: Table II of the paper is lost; a typical pico slider";
 
-bool withThickness(const Case& c) { return withFilm(c) || withContact(c); }
+bool withThickness(const Case& c) { return withFilm(c) || (withSprings(c) && withOnoYamane(c)); }
 
 } // namespace
 
@@ -28,7 +28,7 @@ std::vector<Field> sliderFields()
                 .minimumAllowed = false,
                 .help = "Length of the slider, from the leading to the trailing edge.",
                 .source = "a pico slider, 1.25 mm"},
-               at(&Case::slider, &SliderCase::length), withFilm),
+               at(&Case::slider, &SliderCase::length), withSliderSurface),
         number({.key = "slider.width",
                 .label = "width",
                 .symbol = "W",
@@ -39,7 +39,7 @@ std::vector<Field> sliderFields()
                 .minimumAllowed = false,
                 .help = "Width of the slider, from the inner to the outer edge.",
                 .source = "a pico slider, 1.00 mm"},
-               at(&Case::slider, &SliderCase::width), withFilm),
+               at(&Case::slider, &SliderCase::width), withSliderSurface),
         number({.key = "slider.thickness",
                 .label = "thickness",
                 .symbol = "b",
@@ -61,7 +61,7 @@ std::vector<Field> sliderFields()
                 .minimumAllowed = false,
                 .help = "Mass of the slider.",
                 .source = typicalPico},
-               at(&Case::slider, &SliderCase::mass)),
+               at(&Case::slider, &SliderCase::mass), withBearing),
         number({.key = "slider.pitch_inertia",
                 .label = "pitch inertia",
                 .symbol = "J",
@@ -72,7 +72,7 @@ std::vector<Field> sliderFields()
                 .minimumAllowed = false,
                 .help = "Moment of inertia of the slider about its pitch axis through the mass centre.",
                 .source = typicalPico},
-               at(&Case::slider, &SliderCase::pitchInertia)),
+               at(&Case::slider, &SliderCase::pitchInertia), withBearing),
         number({.key = "slider.roll_inertia",
                 .label = "roll inertia",
                 .unit = "kg m^2",

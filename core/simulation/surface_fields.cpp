@@ -25,7 +25,7 @@ std::vector<Field> surfaceFields()
                 .maximum = 0.001,
                 .help = "Recess where there is no rail, from the zero plane and positive away from the disk.",
                 .source = "a typical etch depth"},
-               at(&Case::surface, &AirBearingSurface::baseRecess), withFilm),
+               at(&Case::surface, &AirBearingSurface::baseRecess), withSliderSurface),
         number({.key = "abs.crown",
                 .label = "crown",
                 .unit = "m",
@@ -36,7 +36,7 @@ std::vector<Field> surfaceFields()
                         "disk than leading and "
                         "trailing edge.",
                 .source = flat},
-               at(&Case::surface, &AirBearingSurface::crown), withFilm),
+               at(&Case::surface, &AirBearingSurface::crown), withSliderSurface),
         number({.key = "abs.camber",
                 .label = "camber",
                 .unit = "m",
@@ -46,7 +46,7 @@ std::vector<Field> surfaceFields()
                 .help = "Height of the surface's curve across the width, positive when the middle is nearer to the "
                         "disk than the sides.",
                 .source = flat},
-               at(&Case::surface, &AirBearingSurface::camber), withFilm),
+               at(&Case::surface, &AirBearingSurface::camber), withSliderSurface),
         number({.key = "abs.twist",
                 .label = "twist",
                 .unit = "m",
@@ -57,7 +57,7 @@ std::vector<Field> surfaceFields()
                         "the disk by this, the "
                         "other two go away.",
                 .source = flat},
-               at(&Case::surface, &AirBearingSurface::twist), withFilm),
+               at(&Case::surface, &AirBearingSurface::twist), withSliderSurface),
         number({.key = "abs.taper_length",
                 .label = "taper length",
                 .unit = "m",
@@ -66,7 +66,7 @@ std::vector<Field> surfaceFields()
                 .maximum = 0.1,
                 .help = "Length of the taper at the leading edge; zero for none.",
                 .source = "ours: no taper"},
-               at(&Case::surface, &AirBearingSurface::taperLength), withFilm),
+               at(&Case::surface, &AirBearingSurface::taperLength), withSliderSurface),
         number(
             {.key = "abs.taper_angle",
              .label = "taper angle",
@@ -77,7 +77,7 @@ std::vector<Field> surfaceFields()
              .help =
                  "Angle of the taper: at a distance x from the leading edge the recess is at least angle (length - x).",
              .source = "ours: no taper"},
-            at(&Case::surface, &AirBearingSurface::taperAngle), withFilm),
+            at(&Case::surface, &AirBearingSurface::taperAngle), withSliderSurface),
     };
 }
 

@@ -88,15 +88,31 @@ const TomlTable* TomlEditor::findTable(std::string_view key) const
     return found == toml_.tables.end() ? nullptr : &*found;
 }
 
-/// The last entry of a table, without those of [[tables]] in it; of the root for "".
+/// Whether a key stands in a table; in the root for "".
+bool TomlEditor::isBelow(std::string_view key, std::string_view group)
+{
+    return key.size() > group.size() && key.starts_with(group) && key[group.size()] == '.';
+}
+
+/// The header under which a key stands: "disk.surface" of "disk.surface.rms"; "" for the root.
+std::string_view TomlEditor::headerOf(std::string_view key) const
+{
+    std::string_view header;
+    for (const TomlTable& table : toml_.tables)
+        if (table.kind == TomlTableKind::Header && isBelow(key, table.key) && table.key.size() > header.size())
+            header = table.key;
+    return header;
+}
+
+/// The last entry of a table, without those of [[tables]] and of tables with a header of their own in it; of the root for "".
 const TomlEntry* TomlEditor::lastEntry(std::string_view group) const
 {
     const TomlEntry* last = nullptr;
     for (const TomlEntry& entry : toml_.entries) {
-        const bool below =
-            entry.key.size() > group.size() && entry.key.starts_with(group) && entry.key[group.size()] == '.';
         const bool inside = group.empty() ? entry.key.find('.') == std::string::npos
-                                          : below && entry.key.find('[', group.size()) == std::string::npos;
+                                          : isBelow(entry.key, group) &&
+                                                entry.key.find('[', group.size()) == std::string::npos &&
+                                                headerOf(entry.key).size() <= group.size();
         if (inside) last = &entry;
     }
     return last;
@@ -167,7 +183,9 @@ void TomlEditor::addToTable(const std::string& group, const std::string& line)
     } else if (table->kind == TomlTableKind::Header) {
         insertLineAfter(last != nullptr ? last->end : table->end, line);
     } else {
-        insertLineAfter(last != nullptr ? last->end : table->end, group + '.' + line);
+        const std::string_view header = headerOf(group);
+        insertLineAfter(last != nullptr ? last->end : table->end,
+                        group.substr(header.empty() ? 0 : header.size() + 1) + '.' + line);
     }
 }
 

@@ -41,6 +41,8 @@ private:
 
     const TomlEntry* find(std::string_view key) const;
     const TomlTable* findTable(std::string_view key) const;
+    static bool isBelow(std::string_view key, std::string_view group);
+    std::string_view headerOf(std::string_view key) const;
     const TomlEntry* lastEntry(std::string_view group) const;
     std::size_t lineBegin(std::size_t at) const;
     std::size_t lineEnd(std::size_t at) const;

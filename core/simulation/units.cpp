@@ -150,7 +150,7 @@ private:
 /// What fits, for a message.
 std::string fittingUnits(std::string_view unit)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 9> examples{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> examples{{
         {"m", "a length such as nm, um or mm"},
         {"kg", "a mass such as mg, g or kg"},
         {"s", "a time such as ns, us or ms"},
@@ -159,6 +159,10 @@ std::string fittingUnits(std::string_view unit)
         {"m/s", "a velocity such as um/s, mm/s or m/s"},
         {"rad/s", "an angular velocity such as rad/s, deg/s or rpm"},
         {"N/m", "a stiffness such as N/m, kN/m or mN/nm"},
+        {"Pa", "a pressure such as kPa, MPa or GPa"},
+        {"V", "a voltage such as mV or V"},
+        {"J", "an energy such as J or zJ"},
+        {"1/m^2", "a density such as 1/um^2 or 1/mm^2"},
         {"kg m^2", "a moment of inertia such as kg m^2 or g mm^2"},
     }};
     for (const auto& [key, text] : examples)
@@ -184,6 +188,8 @@ std::string_view trimmed(std::string_view text)
 bool looksLikeUnit(std::string_view text)
 {
     if (text.empty() || text.size() > 64) return false;
+    if (text.starts_with("1/")) text.remove_prefix(2); // "1/um^2"
+    if (text.empty()) return false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (isDigit(c)) { // an exponent, after a letter, '^' or ')', perhaps with a sign

@@ -122,7 +122,7 @@ private slots:
         row("a number for a boolean", "[run]\nstep_check = 1",
             "a.toml:2: run.step_check: is a number; true or false is needed");
         row("a number for a choice", "contact = 1",
-            "a.toml:1: contact: is a number; allowed is one of none, ono-yamane");
+            "a.toml:1: contact: is a number; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity");
         row("a number for a text", "title = 1", "a.toml:1: title: is a number; text in quotation marks is needed");
         row("a boolean for a number", "[run]\ntolerance = true",
             "a.toml:2: run.tolerance: is true; a number is needed");
@@ -132,7 +132,7 @@ private slots:
         row("tables for a table", "[[slider]]\nmass = 1", "a.toml:1: slider: is a table, not a value; write [slider]");
         row("a table for a value", "[slider.mass]\nx = 1", "a.toml:1: slider.mass: is a value, not a table");
         row("a model of a later version", "model = 'foil'",
-            "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film");
+            "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film, contact");
         row("a film that touches", "model = 'film'\ncontact = 'ono-yamane'",
             "a.toml:2: contact: must be \"none\" with model \"film\", which cannot yet touch the disk");
         row("springs that roll", "degrees_of_freedom = 3",
@@ -148,7 +148,7 @@ private slots:
         row("a wrong unit in a list", "[steady]\nskews = ['1 deg', '2 mm']",
             "a.toml:2: steady.skews: \"2 mm\" has the wrong unit; an angle such as urad, mrad or deg is needed");
         row("a list for a choice", "contact = ['none']",
-            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane");
+            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity");
         row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, saw '\\n'");
         row("Latin-1", "# \xb5", "a.toml:1: is not valid UTF-8 text");
     }
@@ -290,7 +290,7 @@ private slots:
         QTest::newRow("two problems")
             << QStringList{"slider.mass=0 mg", "contact=x"}
             << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is greater than 0 mg, at most 10 kg",
-                           "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane"};
+                           "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane, elastic, asperity, multi-asperity"};
         QTest::newRow("a list, and a quantity")
             << QStringList{"steady.radii=[20 mm, 30 mm]", "springs.flying_height=8 nm"} << QStringList();
         QTest::newRow("a short list")

@@ -133,11 +133,12 @@ private slots:
                                             << "1e30"
                                             << "1e30 is out of range: allowed is at least 2, at most 3";
         QTest::newRow("an unknown choice") << "contact"
-                                           << "elastic"
-                                           << "\"elastic\" is not known: allowed is one of none, ono-yamane";
+                                           << "plastic"
+                                           << "\"plastic\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
+                                              "multi-asperity";
         QTest::newRow("no such model") << "model"
                                        << "foil"
-                                       << "\"foil\" is not known: allowed is one of springs, film";
+                                       << "\"foil\" is not known: allowed is one of springs, film, contact";
         const char* nodes = "2 numbers, each 17, 33, 49 and so on to 2049";
         QTest::newRow("one number of nodes") << "film.nodes"
                                              << "97" << QString("has 1 number: allowed is %1").arg(nodes);
@@ -196,7 +197,7 @@ private slots:
         QVERIFY(setFromNumber(c, *findField("slider.mass"), -1.0).has_value());
         QVERIFY(setFromNumber(c, *findField("slider.mass"), std::numeric_limits<double>::quiet_NaN()).has_value());
         QCOMPARE(setFromNumber(c, *findField("contact"), 1.0).value_or(""),
-                 std::string("is a number; allowed is one of none, ono-yamane"));
+                 std::string("is a number; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity"));
         QVERIFY(!setFromNumber(c, *findField("steady.radii"), 0.02).has_value());
         QCOMPARE(c.steady.radii, std::vector<double>{0.02});
         QCOMPARE(setFromNumbers(c, *findField("slider.mass"), {1.0}).value_or(""),
@@ -222,9 +223,9 @@ private slots:
         QTest::newRow("a list of steps") << "film.nodes"
                                          << "2 numbers, each 17, 33, 49 and so on to 2049";
         QTest::newRow("choices") << "contact"
-                                 << "one of none, ono-yamane";
+                                 << "one of none, ono-yamane, elastic, asperity, multi-asperity";
         QTest::newRow("models") << "model"
-                                << "one of springs, film";
+                                << "one of springs, film, contact";
         QTest::newRow("a boolean") << "run.step_check"
                                    << "true or false";
     }

@@ -99,8 +99,9 @@ private slots:
             group = field.group();
             QVERIFY2(done.insert(group).second, group.c_str());
         }
-        QCOMPARE(done, (std::set<std::string>{"about", "slider", "springs", "suspension", "ono_yamane", "abs", "air",
-                                              "disk", "film", "steady", "initial", "run", "spectrum"}));
+        QCOMPARE(done, (std::set<std::string>{"about", "slider", "springs", "suspension", "pad", "approach", "ono_yamane",
+                                              "elastic", "adhesion", "asperity", "meniscus", "abs", "air", "disk",
+                                              "disk.surface", "film", "steady", "initial", "run", "spectrum"}));
     }
     void choicesFollowTheEnumerators()
     {
@@ -130,6 +131,34 @@ private slots:
             findField("air.slip")->set(c, std::string(name));
             QCOMPARE(c.air.slip.model, model);
         }
+        for (const auto& [name, contact] :
+             {std::pair{"none", ContactKind::None}, std::pair{"ono-yamane", ContactKind::OnoYamane},
+              std::pair{"elastic", ContactKind::Elastic}, std::pair{"asperity", ContactKind::Asperity},
+              std::pair{"multi-asperity", ContactKind::MultiAsperity}}) {
+            findField("contact")->set(c, std::string(name));
+            QCOMPARE(c.contact, contact);
+        }
+        findField("model")->set(c, std::string("contact"));
+        QCOMPARE(c.model, ModelKind::Contact);
+        findField("pad.shape")->set(c, std::string("slider"));
+        QCOMPARE(c.pad.shape, PadShape::Slider);
+        findField("adhesion.kind")->set(c, std::string("van-der-waals"));
+        QCOMPARE(c.adhesion.kind, AdhesionKind::VanDerWaals);
+        findField("asperity.model")->set(c, std::string("elastic-plastic"));
+        QCOMPARE(c.asperity.model, AsperityModel::ElasticPlastic);
+        for (const auto& [name, kind] :
+             {std::pair{"flat", DiskSurfaceKind::Flat}, std::pair{"waves", DiskSurfaceKind::Waves},
+              std::pair{"rough", DiskSurfaceKind::Rough}, std::pair{"file", DiskSurfaceKind::File},
+              std::pair{"bumps", DiskSurfaceKind::Bumps}, std::pair{"combined", DiskSurfaceKind::Combined}}) {
+            findField("disk.surface.kind")->set(c, std::string(name));
+            QCOMPARE(c.diskSurface.kind, kind);
+        }
+        findField("disk.surface.motion")->set(c, std::string("still"));
+        QCOMPARE(c.diskSurface.motion, SurfaceMotion::Still);
+        findField("disk.surface.spectrum")->set(c, std::string("self-affine"));
+        QCOMPARE(c.diskSurface.spectrum, RoughnessSpectrum::SelfAffine);
+        findField("disk.surface.bump_shape")->set(c, std::string("cosine"));
+        QCOMPARE(c.diskSurface.bumpShape, BumpShape::Cosine);
         findField("disk.velocity_field")->set(c, std::string("uniform"));
         QCOMPARE(c.disk.field, VelocityField::Uniform);
         findField("film.grid")->set(c, std::string("graded"));
@@ -155,6 +184,12 @@ private slots:
         for (const Field& field : fields()) {
             const bool differs = field.get(defaultsOf(ModelKind::Film)) != field.get(Case{});
             QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "degrees_of_freedom");
+        }
+        QCOMPARE(defaultsOf(ModelKind::Contact).contact, ContactKind::Elastic);
+        QVERIFY(checkCombinations(defaultsOf(ModelKind::Contact)).empty());
+        for (const Field& field : fields()) {
+            const bool differs = field.get(defaultsOf(ModelKind::Contact)) != field.get(Case{});
+            QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "run.sample_interval");
         }
     }
     void listsFillArraysAndVectors()
@@ -235,6 +270,72 @@ private slots:
         ofFilm("switch of another slip model", "air.switch_gap", "", false);
         ofFilm("switch of the combination", "air.switch_gap", "air.slip=combination", true);
         ofFilm("load tolerance of a fixed attitude", "steady.load_tolerance", "steady.fixed_attitude=true", false);
+        const auto ofContact = [](const char* key, const char* choice, bool used) {
+            const QString settings = (QString("model=contact contact=elastic ") + choice).trimmed();
+            QTest::addRow("%s with %s", key, choice) << key << settings << used;
+        };
+        ofContact("slider.mass", "", false);
+        ofContact("suspension.stiffness", "", false);
+        ofContact("degrees_of_freedom", "", false);
+        ofContact("run.integrator", "", false);
+        ofContact("spectrum.window", "", false);
+        ofContact("initial.pitch", "", false);
+        ofContact("ono_yamane.touch_down", "", false);
+        ofContact("ono_yamane.pad_distance", "contact=ono-yamane", false);
+        ofContact("run.duration", "", true);
+        ofContact("run.sample_interval", "contact=asperity", true);
+        ofContact("run.field_snapshots", "", true);
+        ofContact("run.field_snapshots", "contact=asperity", false);
+        ofContact("approach.start", "contact=ono-yamane", true);
+        ofContact("pad.length", "contact=ono-yamane", false);
+        ofContact("pad.length", "contact=asperity", true);
+        ofContact("pad.length", "pad.shape=slider", false);
+        ofContact("pad.radius", "pad.shape=flat", false);
+        ofContact("pad.radius", "pad.shape=sphere", true);
+        ofContact("slider.length", "pad.shape=slider", true);
+        ofContact("abs.crown", "pad.shape=slider", true);
+        ofContact("abs.crown", "pad.shape=sphere", false);
+        ofContact("initial.roll", "pad.shape=slider", true);
+        ofContact("initial.nominal_trailing_edge_height", "pad.shape=slider", false);
+        ofContact("elastic.modulus", "contact=multi-asperity", true);
+        ofContact("elastic.modulus", "contact=ono-yamane", false);
+        ofContact("elastic.cell", "contact=asperity", false);
+        ofContact("adhesion.kind", "", true);
+        ofContact("adhesion.kind", "contact=asperity", false);
+        ofContact("adhesion.surface_energy", "", false);
+        ofContact("adhesion.surface_energy", "adhesion.kind=lennard-jones", true);
+        ofContact("adhesion.equilibrium_distance", "", false);
+        ofContact("adhesion.equilibrium_distance", "adhesion.kind=van-der-waals", false);
+        ofContact("adhesion.equilibrium_distance", "adhesion.voltage=1", true);
+        ofContact("adhesion.hamaker_a", "adhesion.kind=van-der-waals", true);
+        ofContact("asperity.radius", "", false);
+        ofContact("asperity.radius", "contact=asperity", true);
+        ofContact("asperity.yield_strength", "contact=asperity", false);
+        ofContact("asperity.yield_strength", "contact=asperity asperity.model=elastic-plastic", true);
+        ofContact("meniscus.surface_tension", "contact=asperity", false);
+        ofContact("meniscus.surface_tension", "contact=multi-asperity", true);
+        ofContact("disk.surface.motion", "", false);
+        ofContact("disk.surface.motion", "disk.surface.kind=waves", true);
+        ofContact("disk.speed", "", false);
+        ofContact("disk.speed", "disk.surface.kind=waves", true);
+        ofContact("disk.speed", "disk.surface.kind=waves disk.surface.motion=still", false);
+        ofContact("disk.velocity_field", "disk.surface.kind=waves", false);
+        ofContact("disk.surface.wave_lengths", "disk.surface.kind=rough", false);
+        ofContact("disk.surface.wave_lengths", "disk.surface.kind=combined", true);
+        ofContact("disk.surface.rms", "disk.surface.kind=rough", true);
+        ofContact("disk.surface.rms", "disk.surface.kind=waves", false);
+        ofContact("disk.surface.hurst", "disk.surface.kind=rough", false);
+        ofContact("disk.surface.hurst", "disk.surface.kind=rough disk.surface.spectrum=self-affine", true);
+        ofContact("disk.surface.correlation_length", "disk.surface.kind=rough disk.surface.spectrum=self-affine", false);
+        ofContact("disk.surface.file", "disk.surface.kind=file", true);
+        ofContact("disk.surface.track", "disk.surface.kind=file", false);
+        ofContact("disk.surface.bump_heights", "disk.surface.kind=bumps", true);
+        ofContact("disk.surface.kind", "contact=asperity", false);
+        ofFilm("disk surface of a film case", "disk.surface.kind", "", false);
+        ofFilm("elasticity of a film case", "elastic.modulus", "", false);
+        for (const char* key : {"pad.shape", "approach.start", "elastic.modulus", "adhesion.kind", "asperity.radius",
+                                "meniscus.surface_tension", "disk.surface.kind", "run.field_snapshots"})
+            QTest::addRow("%s of springs", key) << key << "model=springs" << false;
         for (const char* key : {"abs.crown", "air.slip", "disk.speed", "film.nodes", "steady.radii", "slider.length",
                                 "suspension.preload", "initial.roll", "initial.nominal_trailing_edge_height"})
             QTest::addRow("%s of springs", key) << key << "model=springs" << false;

@@ -65,6 +65,23 @@ private slots:
                  }),
                  std::string("[[t.row]]\nb = 2\nc = 3\n[[t.row]]\nc = 4\n"));
     }
+    /// [disk.surface] is a table of its own, whatever comes first and however it is written.
+    void putsIntoTablesInTables()
+    {
+        const auto both = [](TomlEditor& e) {
+            e.put("a.x", "3");
+            e.put("a.b.y", "4");
+        };
+        QCOMPARE(edited("[a]\nu = 1\n\n[a.b]\nv = 2\n", both),
+                 std::string("[a]\nu = 1\nx = 3\n\n[a.b]\nv = 2\ny = 4\n"));
+        QCOMPARE(edited("[a.b]\nv = 2\n\n[a]\nu = 1\n", both),
+                 std::string("[a.b]\nv = 2\ny = 4\n\n[a]\nu = 1\nx = 3\n"));
+        QCOMPARE(edited("[a.b]\nv = 2\n", both), std::string("[a.b]\nv = 2\ny = 4\n\n[a]\nx = 3\n"));
+        QCOMPARE(edited("[a]\nu = 1\n", both), std::string("[a]\nu = 1\nx = 3\n\n[a.b]\ny = 4\n"));
+        QCOMPARE(edited("[a]\nb.v = 2\n", both), std::string("[a]\nb.v = 2\nx = 3\nb.y = 4\n"));
+        QCOMPARE(edited("a.b.v = 2\n", both), std::string("a.b.v = 2\na.x = 3\na.b.y = 4\n"));
+        QCOMPARE(edited("[a]\nb = { v = 2 }\n", both), std::string("[a]\nb = { v = 2, y = 4 }\nx = 3\n"));
+    }
     void removes()
     {
         const std::string text = "[t]\na = 1 # one\nb = 2\nc = 3\n";

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Combinations that make no sense in a case of the model "contact".
+#pragma once
+
+#include "core/simulation/fields.h"
+
+#include <vector>
+
+namespace touchdown {
+
+/// Cells of one side of a contact patch.
+inline constexpr int fewestPatchCells = 2;
+inline constexpr int mostPatchCells = 2048;
+
+void checkContact(const Case& c, std::vector<CaseProblem>& problems);
+
+/// d_e >= d_s, wherever the simplified characteristic is used.
+void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);
+
+} // namespace touchdown
