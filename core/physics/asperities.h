@@ -15,6 +15,7 @@ struct Asperities {
     double radius = 2e-6;            // R of the summits [m]
     double density = 10e12;          // eta [1/m^2]
     double heightDeviation = 0.5e-9; // sigma_s of the summits' heights [m]
+    double planeHeight = 2e-9;       // of the summits' mean plane above the disk's mean plane [m]
     double yieldStrength = 2e9;      // Y [Pa], elastic-plastic
     double friction = 0.3;           // mu [-]
 };

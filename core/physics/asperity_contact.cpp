@@ -41,8 +41,8 @@ std::array<double, 8> hermite(const std::array<double, 4>& a, const std::array<d
 } // namespace
 
 AsperityContact::AsperityContact(const Asperities& asperities, const ElasticPair& pair)
-    : sigma_(asperities.heightDeviation), inverseSigma_(1.0 / asperities.heightDeviation), density_(asperities.density),
-      radius_(asperities.radius), criticalInterference_(std::numeric_limits<double>::infinity())
+    : sigma_(asperities.heightDeviation), inverseSigma_(1.0 / asperities.heightDeviation), planeHeight_(asperities.planeHeight),
+      density_(asperities.density), radius_(asperities.radius), criticalInterference_(std::numeric_limits<double>::infinity())
 {
     const double modulus = contactModulus(pair);
     assert(sigma_ > 0.0 && density_ > 0.0 && radius_ > 0.0 && modulus > 0.0);
@@ -119,7 +119,7 @@ AsperityContact::Derivatives AsperityContact::integrate(double t) const
 
 double AsperityContact::stiffness(double separation) const
 {
-    const double t = separation * inverseSigma_;
+    const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
     const double scale = inverseSigma_ * inverseSigma_;
     if (t < lowerEnd) return integrate(t)[2] * scale;
@@ -130,7 +130,7 @@ double AsperityContact::stiffness(double separation) const
 
 double AsperityContact::energy(double separation) const
 {
-    const double t = separation * inverseSigma_;
+    const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
     if (t < lowerEnd) return integrate(t)[0];
     const auto [c, x] = place(t);
@@ -140,7 +140,7 @@ double AsperityContact::energy(double separation) const
 double AsperityContact::contactArea(double separation) const
 {
     // A/(pi R) = w up to w_c and w + (w - w_c) beyond.
-    const double t = separation * inverseSigma_;
+    const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
     const double flowing = t + criticalInterference_ * inverseSigma_;
     const double excess = meanExcess(t) + (flowing < upperEnd ? meanExcess(flowing) : 0.0);
@@ -149,7 +149,7 @@ double AsperityContact::contactArea(double separation) const
 
 double AsperityContact::contactDensity(double separation) const
 {
-    const double t = separation * inverseSigma_;
+    const double t = deviations(separation);
     return t < upperEnd ? density_ * share(t) : 0.0;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), for each unit of area. A summit
-// of height z above the summits' mean plane is pressed by w = z - d, where d is the separation of the flat and THAT plane
-// (not the surface's own mean plane, which lies lower: summitPlaneHeight()). With the density phi of Gaussian heights,
+// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), for each unit of area. d is the
+// separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s (Asperities::planeHeight; for a
+// Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is pressed by w = z - (d - y_s); with the
+// density phi of Gaussian heights,
 //
-//   p = eta int_d^inf P(z - d) phi(z) dz, likewise the contacts (P -> 1) and their area (P -> A) and energy.
+//   p = eta int P(w) phi(z) dz over w > 0, likewise the contacts (P -> 1), their area (P -> A) and energy.
 //
 //   greenwood-williamson   P = (4/3) E* sqrt(R) w^(3/2), A = pi R w (Hertz)
 //   elastic-plastic        the same up to w_c = (pi K H/(2 E*))^2 R; beyond it the summit's volume is conserved under the
@@ -12,7 +13,7 @@
 //                          (Chang, Etsion & Bogy 1987, 1988). P of one summit jumps at w_c from 2/3 to 1 of K H A, as
 //                          theirs does; p does not. It depends on d alone: unloading after flow is not theirs, nor ours.
 //
-// Pressure, stiffness and energy come from one table of polynomials in t = d/sigma_s, which meet the energy and its first
+// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s, which meet the energy and its first
 // three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its error is below 1e-9
 // of p or p(0), whichever is larger. Left of the table, where every summit is pressed deep, the integral itself is taken,
 // which is slow.
@@ -39,7 +40,7 @@ public:
     double contactArea(double separation) const;    // real over nominal [-]; summits are taken one by one: it may pass 1
     double contactDensity(double separation) const; // [1/m^2]
     /// Nothing touches from this separation on [m].
-    double reach() const { return upperEnd * sigma_; }
+    double reach() const { return planeHeight_ + upperEnd * sigma_; }
     /// w_c, where a summit begins to flow [m]; infinite for greenwood-williamson.
     double criticalInterference() const { return criticalInterference_; }
 
@@ -55,6 +56,8 @@ private:
     double summitForce(double interference) const;
     double summitEnergy(double interference) const;
 
+    /// t = (d - y_s)/sigma_s.
+    double deviations(double separation) const { return (separation - planeHeight_) * inverseSigma_; }
     /// A piece of the table and the place in it, 0..1.
     struct Place {
         const std::array<double, 8>& c;
@@ -70,6 +73,7 @@ private:
 
     double sigma_ = 0.0;                // sigma_s [m]
     double inverseSigma_ = 0.0;         // [1/m]
+    double planeHeight_ = 0.0;          // y_s [m]
     double density_ = 0.0;              // eta [1/m^2]
     double radius_ = 0.0;               // R [m]
     double hertz_ = 0.0;                // (4/3) E* sqrt(R) [N/m^(3/2)]
@@ -78,16 +82,15 @@ private:
     std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
 
-/// Height of the summits' mean plane above the surface's [m], y_s = 0.045944/(eta R) (McCool 1986 and Chang, Etsion & Bogy
-/// 1987, after Nayak 1971). d of this file is the separation from the surface's mean plane less y_s.
-inline double summitPlaneHeight(const Asperities& asperities)
+/// y_s of an isotropic Gaussian surface with these summits [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy 1987).
+inline double isotropicPlaneHeight(const Asperities& asperities)
 {
     return 0.045944 / (asperities.density * asperities.radius);
 }
 
 inline double AsperityContact::pressure(double separation) const
 {
-    const double t = separation * inverseSigma_;
+    const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
     if (t < lowerEnd) return -integrate(t)[1] * inverseSigma_;
     const auto [c, x] = place(t);

@@ -41,11 +41,11 @@ struct MultiAsperity::Path {
     double slope(double s) const
     {
         const double pressing = model.area_ * model.contact_.stiffness(s);
-        const double gathering = drags(s) ? model.meniscusForce_ * normal((s - lag()) / model.sigma_) / model.sigma_ : 0.0;
+        const double gathering = drags(s) ? model.meniscusForce_ * normal((s - lag() - model.planeHeight_) / model.sigma_) / model.sigma_ : 0.0;
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
-    /// |zeta| <= this [m] wherever d'(s) can be negative: there phi(zeta/sigma_s) > sigma_s k_b/(largest adhesion).
+    /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest adhesion).
     double foldingHeight() const
     {
         const double peak = model.meniscusForce_ / (std::sqrt(2.0 * std::numbers::pi) * model.sigma_ * model.bulkStiffness_);
@@ -80,8 +80,8 @@ void MultiAsperity::Path::walk(double end, Visit visit) const
 {
     const double zone = foldingHeight();
     // The zone's near and far end in s, beyond the bend.
-    const double near = lag() - sign() * zone;
-    const double far = lag() + sign() * zone;
+    const double near = model.planeHeight_ + lag() - sign() * zone;
+    const double far = model.planeHeight_ + lag() + sign() * zone;
     const double step = sign() * model.sigma_ / 16.0;
     const auto ahead = [&](double x, double y) { return sign() * (x - y) > 0.0; };
     double s = from.separation;
@@ -143,7 +143,7 @@ double MultiAsperity::Path::firstMeeting(double target) const
 
 MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& meniscus, const ElasticPair& pair, double padArea)
     : contact_(asperities, pair), sigma_(asperities.heightDeviation), film_(meniscus.filmThickness), bridge_(meniscus.breakingLength),
-      area_(padArea), density_(asperities.density)
+      planeHeight_(asperities.planeHeight), area_(padArea), density_(asperities.density)
 {
     assert(padArea > 0.0 && film_ >= 0.0 && bridge_ >= film_ && meniscus.surfaceTension >= 0.0);
     // Mean distance of the points of a unit square, inverted: 4 [ln(1 + sqrt 2) - (sqrt 2 - 1)/3]; u = p sqrt(A)/(pi E*) times
@@ -154,11 +154,13 @@ MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& menis
     meniscusForce_ = density_ * padArea * oneMeniscus;
 }
 
+double MultiAsperity::wettedShare(double wettedAbove) const { return shareAbove((wettedAbove - planeHeight_) / sigma_); }
+
 MultiAsperityForces MultiAsperity::forces(const MultiAsperityState& state) const
 {
     MultiAsperityForces f;
     f.contact = area_ * contact_.pressure(state.separation);
-    const double wetted = shareAbove(state.wettedAbove / sigma_);
+    const double wetted = wettedShare(state.wettedAbove);
     f.adhesion = -meniscusForce_ * wetted;
     f.contactArea = area_ * contact_.contactArea(state.separation);
     f.contacts = area_ * contact_.contactDensity(state.separation);
@@ -169,11 +171,11 @@ MultiAsperityForces MultiAsperity::forces(const MultiAsperityState& state) const
 
 double MultiAsperity::padSeparation(const MultiAsperityState& state) const
 {
-    const double adhesion = meniscusForce_ * shareAbove(state.wettedAbove / sigma_);
+    const double adhesion = meniscusForce_ * wettedShare(state.wettedAbove);
     return state.separation - (area_ * contact_.pressure(state.separation) - adhesion) / bulkStiffness_;
 }
 
-double MultiAsperity::reach() const { return bridge_ + farthest * sigma_ + meniscusForce_ / bulkStiffness_; }
+double MultiAsperity::reach() const { return planeHeight_ + bridge_ + farthest * sigma_ + meniscusForce_ / bulkStiffness_; }
 
 MultiAsperityState MultiAsperity::start(double padSeparation) const
 {
@@ -195,7 +197,7 @@ std::optional<MultiAsperityJump> MultiAsperity::nextJump(const MultiAsperityStat
     const double zone = path.foldingHeight();
     if (zone == 0.0) return std::nullopt;
     std::optional<double> turn;
-    path.walk(path.lag() + path.sign() * zone, [&](double a, double b) {
+    path.walk(planeHeight_ + path.lag() + path.sign() * zone, [&](double a, double b) {
         if (path.slope(a) > 0.0 && path.slope(b) < 0.0) turn = path.fold(a, b);
         return turn.has_value();
     });

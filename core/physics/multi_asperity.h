@@ -5,14 +5,15 @@
 // lubricant's surface energy; the contact area does not change; menisci alone adhere. The equations were not available:
 // these are a reading.
 //
-//   s = d + F_c/k_b                    local separation of pad and summits' mean plane; the bulk gives way to F_c
+//   s = d + F_c/k_b                    local separation of pad and the disk's mean plane; the bulk gives way to F_c
 //   F_c = F_cr + F_m
 //   F_cr = A p(s)                      p of core/physics/asperity_contact.h
-//   F_m = -eta A Q(zeta/sigma_s) 2 pi R gamma (1 + cos theta), Q(x) the share of Gaussian heights above x
+//   F_m = -eta A Q((zeta - y_s)/sigma_s) 2 pi R gamma (1 + cos theta), Q(x) the share of Gaussian heights above x
 //   k_b = 1.0566 E* sqrt(A)            mean displacement of a square under uniform pressure (Love 1929)
 //
-// A summit of height z wets when its gap s - z falls to the film's thickness t and dries when it passes the bridge's length
-// h_b. So the wetted ones are always those above one height zeta, which s drags along with play:
+// Heights are above the disk's mean plane, those of the summits lie about y_s. A summit of height z wets when its gap s - z
+// falls to the film's thickness t and dries when it passes the bridge's length h_b. So the wetted ones are always those above
+// one height zeta, which s drags along with play:
 //
 //   zeta <- min(max(zeta, s - h_b), s - t).
 //
@@ -78,10 +79,13 @@ public:
 
 private:
     struct Path;
+    double wettedShare(double wettedAbove) const;
+
     AsperityContact contact_;
     double sigma_ = 0.0;         // sigma_s [m]
     double film_ = 0.0;          // t [m]
     double bridge_ = 0.0;        // h_b [m]
+    double planeHeight_ = 0.0;   // y_s [m]
     double area_ = 0.0;          // A [m^2]
     double density_ = 0.0;       // eta [1/m^2]
     double bulkStiffness_ = 0.0; // k_b [N/m]

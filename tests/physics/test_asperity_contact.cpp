@@ -67,6 +67,7 @@ Asperities surface(AsperityModel model, double yield)
     a.density = 10e12;
     a.heightDeviation = 0.5e-9;
     a.yieldStrength = yield;
+    a.planeHeight = 0.0;
     return a;
 }
 
@@ -204,8 +205,23 @@ private slots:
         }
     }
 
-    /// 0.045944/(10e12 * 2e-6) = 2.2972 nm.
-    void summitsLieAboveTheMeanPlane() { QVERIFY(std::abs(summitPlaneHeight(surface(AsperityModel::GreenwoodWilliamson, 1.0)) - 2.2972e-9) < 1e-15); }
+    /// Summits that lie higher by y_s meet the flat y_s earlier. 0.045944/(10e12 * 2e-6) = 2.2972 nm.
+    void summitsLieAboveTheMeanPlane()
+    {
+        Asperities a = surface(AsperityModel::GreenwoodWilliamson, 1.0);
+        QVERIFY(std::abs(isotropicPlaneHeight(a) - 2.2972e-9) < 1e-15);
+        const AsperityContact low(a, {});
+        a.planeHeight = 2e-9;
+        const AsperityContact high(a, {});
+        for (const double d : {-20e-9, -1e-9, 0.0, 1e-9}) {
+            QVERIFY(relative(high.pressure(d + 2e-9), low.pressure(d)) < 1e-12);
+            QVERIFY(relative(high.stiffness(d + 2e-9), low.stiffness(d)) < 1e-12);
+            QVERIFY(relative(high.energy(d + 2e-9), low.energy(d)) < 1e-12);
+            QVERIFY(relative(high.contactArea(d + 2e-9), low.contactArea(d)) < 1e-12);
+            QVERIFY(relative(high.contactDensity(d + 2e-9), low.contactDensity(d)) < 1e-12);
+        }
+        QCOMPARE(high.reach(), 2e-9 + low.reach());
+    }
 
     void allocatesNothing()
     {
