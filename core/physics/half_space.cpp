@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/half_space.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -38,6 +39,7 @@ HalfSpace::HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edg
     stiffnessTransform_ = edges == HalfSpaceEdges::Free ? freeTransform() : periodicTransform();
     compliance_.setTransform(stiffnessTransform_);
     ownCompliance_ = kernelAtOrigin(stiffnessTransform_, stiffnessGrid_.nx, stiffnessGrid_.ny);
+    largestCompliance_ = *std::max_element(stiffnessTransform_.begin(), stiffnessTransform_.end());
     for (double& factor : stiffnessTransform_) factor = factor > 0.0 ? 1.0 / factor : 0.0;
     ownStiffness_ = kernelAtOrigin(stiffnessTransform_, stiffnessGrid_.nx, stiffnessGrid_.ny);
 }

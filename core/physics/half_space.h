@@ -41,6 +41,8 @@ public:
     void displace(std::span<const double> pressure, std::span<double> displacement) { compliance_.apply(pressure, displacement); }
     /// Displacement of a cell's centre by unit pressure on it alone [m/Pa].
     double ownCompliance() const { return ownCompliance_; }
+    /// The most that pressure displaces, whatever its shape, in the mean of squares [m/Pa].
+    double largestCompliance() const { return largestCompliance_; }
 
     const UniformGrid& stiffnessGrid() const { return stiffnessGrid_; }
     /// pressure [Pa] of a displacement [m], each stiffnessGrid().cells() long; may be the same array. Periodic: the mean
@@ -56,7 +58,7 @@ private:
     UniformGrid grid_, stiffnessGrid_;
     double modulus_;
     HalfSpaceEdges edges_;
-    double ownCompliance_ = 0.0, ownStiffness_ = 0.0;
+    double ownCompliance_ = 0.0, largestCompliance_ = 0.0, ownStiffness_ = 0.0;
     PlaneConvolution compliance_;
     std::vector<double> stiffnessTransform_; // until the first stress()
     std::optional<PlaneConvolution> stiffness_;

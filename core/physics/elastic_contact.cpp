@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/elastic_contact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "core/numerics/vector_clones.h"
+
+namespace touchdown {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double residualShare = 0.1; // to which conjugate gradients reduce the gap before the cells are chosen anew
+constexpr int mostSteps = 8;          // that they take for it
+
+TOUCHDOWN_VECTOR_CLONES void addTo(std::span<double> to, double factor, std::span<const double> from)
+{
+    double* a = to.data();
+    const double* b = from.data();
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < to.size(); ++i) a[i] += factor * b[i];
+}
+
+TOUCHDOWN_VECTOR_CLONES void mix(std::span<double> to, double part, std::span<const double> from)
+{
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = part * to[i] + (1.0 - part) * from[i];
+}
+
+double sum(std::span<const double> values)
+{
+    double total = 0.0;
+    for (const double value : values) total += value;
+    return total;
+}
+
+template <typename... Values>
+std::string sentence(const char* format, Values... values)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+} // namespace
+
+ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& options)
+    : space_(std::move(space)), options_(options), cells_(space_)
+{
+    const std::size_t cells = space_.grid().cells();
+    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
+        field->assign(cells, 0.0);
+    residual_.assign(cells + 2 * cells_.margin(), 0.0);
+}
+
+void ElasticContact::reset()
+{
+    std::fill(pressure_.begin(), pressure_.end(), 0.0);
+    std::fill(displacement_.begin(), displacement_.end(), 0.0);
+    displacementHolds_ = true;
+}
+
+double ElasticContact::contactArea() const
+{
+    const auto cells = std::count_if(pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; });
+    return static_cast<double>(cells) * space_.grid().cellArea();
+}
+
+double ElasticContact::largestPressure() const { return options_.hardness > 0.0 ? options_.hardness : infinity; }
+
+ElasticContactSummary ElasticContact::refuse(std::string message)
+{
+    reset();
+    std::fill(gap_.begin(), gap_.end(), 0.0);
+    ElasticContactSummary summary;
+    summary.message = std::move(message);
+    return summary;
+}
+
+ElasticContactSummary ElasticContact::solve(std::span<const double> separation)
+{
+    assert(separation.size() == pressure_.size());
+    double least = infinity;
+    double mean = 0.0;
+    for (const double s : separation) {
+        least = std::min(least, s);
+        mean += s;
+    }
+    mean /= static_cast<double>(separation.size());
+    if (!std::isfinite(mean)) return refuse("The separation of the surfaces is not a finite number everywhere.");
+    if (least >= 0.0) {
+        reset();
+        std::copy(separation.begin(), separation.end(), gap_.begin());
+        ElasticContactSummary summary;
+        summary.converged = true;
+        return summary;
+    }
+    if (space_.edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
+        return refuse(sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space displaces nothing: "
+                               "give a load, or a greater separation.", -mean));
+    return iterate(separation, std::nullopt);
+}
+
+ElasticContactSummary ElasticContact::solveLoad(std::span<const double> separation, double load)
+{
+    assert(separation.size() == pressure_.size());
+    const UniformGrid& grid = space_.grid();
+    if (!std::isfinite(sum(separation))) return refuse("The separation of the surfaces is not a finite number everywhere.");
+    if (!(load > 0.0) || !std::isfinite(load)) return refuse(sentence("A load of %g N cannot be held: it must be positive.", load));
+    const double most = options_.hardness * static_cast<double>(grid.cells()) * grid.cellArea();
+    if (options_.hardness > 0.0 && load > most)
+        return refuse(sentence("A load of %g N cannot be held: the hardness times the area is %g N.", load, most));
+    return iterate(separation, load / grid.cellArea());
+}
+
+// `total`: the sum of pressures to be held, if any [Pa].
+ElasticContactSummary ElasticContact::iterate(std::span<const double> separation, std::optional<double> total)
+{
+    iterations_ = 0;
+    ElasticContactSummary summary;
+    start(total);
+    for (;;) {
+        measure(separation, total.has_value(), summary);
+        summary.iterations = iterations_;
+        summary.converged = summary.error <= options_.tolerance;
+        if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) break;
+        pressureBefore_ = pressure_;
+        displacementBefore_ = displacement_;
+        step(total.has_value(), options_.maximumIterations - iterations_);
+        if (project(total)) {
+            displace();
+            descend(total);
+        }
+    }
+    if (!std::isfinite(summary.error)) return refuse("The numbers of the contact are too large or too small to compute with.");
+    summary.load = sum(pressure_) * space_.grid().cellArea();
+    if (!summary.converged)
+        summary.message = sentence("The contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_, summary.error,
+                                   options_.tolerance);
+    return summary;
+}
+
+void ElasticContact::displace()
+{
+    space_.displace(pressure_, displacement_);
+    displacementHolds_ = true;
+    ++iterations_;
+}
+
+// From the last pressure, which may have another sum; where its cells cannot hold the load, from the same on all cells.
+void ElasticContact::start(std::optional<double> total)
+{
+    if (total) {
+        cells_.clear();
+        for (std::size_t i = 0; i < pressure_.size(); ++i)
+            if (pressure_[i] > 0.0) cells_.add(i);
+        if (static_cast<double>(cells_.count()) * largestPressure() < *total || cells_.count() == 0) {
+            std::fill(pressure_.begin(), pressure_.end(), *total / static_cast<double>(pressure_.size()));
+            displacementHolds_ = false;
+        } else if (project(total)) {
+            displacementHolds_ = false;
+        }
+    }
+    if (!displacementHolds_) displace();
+}
+
+// Sets the gap, its error, and the cells whose pressure is to change.
+void ElasticContact::measure(std::span<const double> separation, bool load, ElasticContactSummary& summary)
+{
+    const double hardness = largestPressure();
+    const std::size_t cells = pressure_.size();
+    double approach = 0.0;
+    if (load) {
+        double sumBetween = 0.0, atLeast = -infinity, atMost = infinity;
+        std::size_t between = 0;
+        for (std::size_t i = 0; i < cells; ++i) {
+            const double needed = -(separation[i] + displacement_[i]);
+            if (pressure_[i] <= 0.0) {
+                atLeast = std::max(atLeast, needed);
+            } else if (pressure_[i] >= hardness) {
+                atMost = std::min(atMost, needed);
+            } else {
+                sumBetween += needed;
+                ++between;
+            }
+        }
+        if (between > 0) approach = sumBetween / static_cast<double>(between);
+        else if (!std::isfinite(atLeast)) approach = atMost;
+        else if (!std::isfinite(atMost)) approach = atLeast;
+        else approach = 0.5 * (atLeast + atMost);
+    }
+    double worst = 0.0, lowest = infinity, highest = -infinity, peak = 0.0;
+    cells_.clear();
+    for (std::size_t i = 0; i < cells; ++i) {
+        const double p = pressure_[i];
+        const double u = displacement_[i];
+        const double gap = separation[i] + u + approach;
+        gap_[i] = gap;
+        lowest = std::min(lowest, u);
+        highest = std::max(highest, u);
+        peak = std::max(peak, p);
+        if ((p <= 0.0 && gap >= 0.0) || (p >= hardness && gap <= 0.0)) continue;
+        worst = std::max(worst, std::abs(gap));
+        cells_.add(i);
+    }
+    // Where the displacement is the same everywhere, as under a uniform pressure that repeats, a cell's own is the measure.
+    const double scale = std::max(highest - lowest, peak * space_.ownCompliance());
+    summary.approach = approach;
+    summary.error = worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
+    if (!std::isfinite(worst + scale)) summary.error = infinity;
+    wrongGap_ = options_.tolerance * scale;
+}
+
+// Preconditioned conjugate gradients for g = 0 on the cells, bounds left aside: r = -g, z = M r; with a load, z - l M 1 so
+// that its sum is zero, and r - l: l closes in on what the approach lacks.
+void ElasticContact::step(bool load, int mostIterations)
+{
+    std::fill(residual_.begin(), residual_.end(), 0.0);
+    std::fill(direction_.begin(), direction_.end(), 0.0);
+    double* r = residual_.data() + cells_.margin();
+    double* z = change_.data();
+    double* d = direction_.data();
+    double constantSum = 0.0;
+    if (load) {
+        cells_.fill(1.0, r);
+        constantSum = cells_.precondition(r, constant_.data());
+    }
+    cells_.forEach([&](std::size_t i) { r[i] = -gap_[i]; });
+    double goal = 0.0, before = 0.0;
+    for (int k = 0; k < std::min(mostSteps, mostIterations); ++k) {
+        const double zSum = cells_.precondition(r, z);
+        if (load) {
+            const double shift = zSum / constantSum;
+            cells_.add(-shift, constant_.data(), z);
+            cells_.forEach([&](std::size_t i) { r[i] -= shift; });
+        }
+        const double left = cells_.largest(r);
+        if (k == 0) goal = std::max(residualShare * left, 0.3 * wrongGap_);
+        else if (left <= goal) break;
+        const double rz = cells_.product(r, z);
+        cells_.scaleAndAdd(k > 0 ? rz / before : 0.0, z, d);
+        before = rz;
+        space_.displace(direction_, image_);
+        ++iterations_;
+        const double curvature = cells_.product(d, image_.data());
+        if (!(curvature > 0.0)) break;
+        const double length = rz / curvature;
+        cells_.add(length, d, pressure_.data());
+        cells_.add(-length, image_.data(), r);
+        addTo(displacement_, length, image_);
+    }
+}
+
+// The nearest pressure on the cells between the bounds, and of the given sum. Returns whether it is another.
+bool ElasticContact::project(std::optional<double> total)
+{
+    const double hardness = largestPressure();
+    double shift = 0.0;
+    if (total) {
+        double others = sum(pressure_);
+        cells_.forEach([&](std::size_t i) { others -= pressure_[i]; });
+        // Newton's method for the sum of bounded p + shift, which rises with the shift, within bounds that close in.
+        double low = -infinity, high = infinity;
+        for (int k = 0; k < 200; ++k) {
+            double excess = others - *total;
+            double slope = 0.0;
+            cells_.forEach([&](std::size_t i) {
+                const double p = pressure_[i] + shift;
+                excess += std::clamp(p, 0.0, hardness);
+                if (p > 0.0 && p < hardness) slope += 1.0;
+            });
+            if (std::abs(excess) <= 1e-12 * *total) break;
+            (excess > 0.0 ? high : low) = shift;
+            double next = slope > 0.0 ? shift - excess / slope : infinity;
+            if (!(next > low && next < high)) {
+                const double width = *total / static_cast<double>(cells_.count()) + std::abs(shift);
+                next = std::isinf(low) ? high - 2.0 * width : std::isinf(high) ? low + 2.0 * width : 0.5 * (low + high);
+            }
+            if (next == shift) break;
+            shift = next;
+        }
+    }
+    bool changed = false;
+    cells_.forEach([&](std::size_t i) {
+        const double p = pressure_[i];
+        const double bounded = std::clamp(p + shift, 0.0, hardness);
+        changed = changed || bounded != p;
+        pressure_[i] = bounded;
+    });
+    return changed;
+}
+
+// Between the pressure before the step and after, energy changes by t a + t^2 b/2, with a = g.dp, b = dp.du; t = 1 is kept
+// unless it raises it.
+void ElasticContact::descend(std::optional<double> total)
+{
+    double slope = 0.0, curvature = 0.0;
+    cells_.forEach([&](std::size_t i) {
+        const double change = pressure_[i] - pressureBefore_[i];
+        slope += gap_[i] * change;
+        curvature += change * (displacement_[i] - displacementBefore_[i]);
+    });
+    if (slope + 0.5 * curvature <= 0.0) return;
+    if (slope < 0.0) {
+        const double part = -slope / curvature;
+        mix(pressure_, part, pressureBefore_);
+        mix(displacement_, part, displacementBefore_);
+        return;
+    }
+    pressure_ = pressureBefore_;
+    cells_.add(-1.0 / space_.largestCompliance(), gap_.data(), pressure_.data());
+    project(total);
+    displace();
+}
+
+} // namespace touchdown
