@@ -34,7 +34,7 @@ struct CharacteristicFit {
     std::string message;         // a sentence: how well, or what the five parameters cannot say of this model
 };
 
-/// `start` lies beyond the model's reach or is put there; `closest` < start is the deepest d [m].
+/// From beyond the model's reach, or from `start` if that is farther, to `closest`, which is less [m].
 CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, double closest, const OnoYamane& rest = {});
 
 } // namespace touchdown

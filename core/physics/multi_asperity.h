@@ -70,7 +70,8 @@ public:
     std::optional<MultiAsperityJump> nextJump(const MultiAsperityState& state, PadMotion motion) const;
 
     const AsperityContact& asperities() const { return contact_; }
-    double padArea() const { return area_; }              // A [m^2]
+    double padArea() const { return area_; }                // A [m^2]
+    double summitDensity() const { return density_; }       // eta [1/m^2]
     double bulkStiffness() const { return bulkStiffness_; } // k_b [N/m]
     /// With every summit wetted [N].
     double largestAdhesion() const { return meniscusForce_; }
