@@ -10,7 +10,7 @@
 
 namespace touchdown {
 
-/// Of a generated map: 64 million points take 0.5 GB, and as much again for a moment while it is made.
+/// Of a generated map: 64 million points take 0.5 GB.
 inline constexpr double mostMapPoints = 64e6;
 inline constexpr std::size_t mostWaves = 1000;
 inline constexpr std::size_t mostBumps = 10000;

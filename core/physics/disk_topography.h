@@ -6,7 +6,7 @@
 //   waves      analytic; they run on without end;
 //   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which lie at
 //              multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map repeats. Halfway
-//              between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.83, 0.972, 0.9987, 0.99992 of its amplitude;
+//              between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its amplitude;
 //   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
 //
 // A surface that has moved by (sx, sy) is w(x - sx, y - sy). Moved by whole cells of a map it returns the same bits, as
@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
@@ -35,7 +34,7 @@ public:
     /// Flat.
     DiskTopography() = default;
     /// `surface` without problems (core/physics/disk_surface_check.h); `file` for the kinds that read one.
-    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map, twice for a moment.
+    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map.
     explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {});
 
     bool flat() const;

@@ -12,9 +12,10 @@
 // 1997): the heights at the points have exactly that covariance, and so what waves shorter than two cells would have held is
 // folded to longer ones, as in a measurement at those points. The third has no waves so short.
 //
-// Each realisation is then scaled to the exact RMS about its mean, 0. Over n correlated patches the RMS of a realisation
-// scatters by about 1/sqrt(2 n) of itself, and the scaling moves its whole spectrum by twice that: a few per cent, less than
-// the scatter of any single density.
+// Each realisation has the exact RMS about its mean, 0; left alone, over n correlated patches it would scatter by 1/sqrt(2 n)
+// of itself, 1 % and more. To that end the power P of each wave is multiplied by 1 + alpha P, one alpha for all: what powers
+// of normal waves are expected to be, given their sum. The few strong waves that make the RMS scatter are changed, by a few
+// per cent, and the many weak ones are left alone: the density stays within the scatter of the request.
 #pragma once
 
 #include <vector>
@@ -33,13 +34,28 @@ std::vector<double> generateRoughness(const DiskSurface& surface);
 
 /// What the density of a profile along the track may be expected to be.
 struct RequestedPsd {
-    double density = 0.0;        // expected, one-sided over q [m^3]
+    double density = 0.0;         // expected, one-sided over q [m^3]
     double low = 0.0, high = 0.0; // 95 % of realisations lie between [m^3]
 };
 
-/// Of the mean over all rows at wave number q = 2 pi/wavelength [rad/m], or of the mean of that many neighbouring ones. It
-/// is what the map is made with: at points, and periodic across. The limits are those of a chi-square variable with
-/// 2 modes (sum C)^2/sum C^2 degrees of freedom, the sums over the waves across that share q.
+/// The spectrum that the map is made with: at points, and periodic across.
+class RequestedSpectrum {
+public:
+    explicit RequestedSpectrum(const DiskSurface& surface);
+
+    /// Of the mean over all rows at wave number q = 2 pi/wavelength > 0 [rad/m], or of the mean over that many wave numbers
+    /// of the period about q. The limits are those of a chi-square variable with 2 modes (sum C)^2/sum C^2 degrees of
+    /// freedom, the sums over the waves across that share q (its quantiles after Wilson & Hilferty 1931).
+    RequestedPsd profile(double q, int modes = 1) const;
+    /// C at a wave vector of that size [m^4]: of the self-affine spectrum as made, of the others without what is folded.
+    double density(double q) const;
+
+private:
+    DiskSurface surface_;
+    double variance_ = 1.0; // of all waves with the mean [m^2]; C0 of the self-affine spectrum [m^4]
+};
+
+/// The same, once.
 RequestedPsd requestedProfilePsd(const DiskSurface& surface, double q, int modes = 1);
 
 } // namespace touchdown
