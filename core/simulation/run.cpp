@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/numerics/cvode.h"
+#include "core/simulation/contact_model.h"
+#include "core/simulation/contact_run.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/run_statistics.h"
 #include "core/simulation/spring_run.h"
@@ -156,7 +158,7 @@ std::string reasonNotToRun(const Case& c)
 {
     switch (c.model) {
     case ModelKind::Springs: break;
-    case ModelKind::Contact: break;
+    case ModelKind::Contact: return {};
     case ModelKind::Film:
         return "model \"film\" has a static state and modes, but no motion in time yet: `touchdown steady` and `touchdown modes` compute them";
     }
@@ -167,10 +169,15 @@ std::string reasonNotToRun(const Case& c)
 
 std::vector<Quantity> recordedQuantities(const Case& c)
 {
-    return c.model == ModelKind::Springs ? SpringModel::quantities(c) : std::vector<Quantity>();
+    switch (c.model) {
+    case ModelKind::Springs: return SpringModel::quantities(c);
+    case ModelKind::Contact: return contactQuantities(c);
+    case ModelKind::Film: break;
+    }
+    return {};
 }
 
-RecordedFields recordedFields(const Case&) { return {}; }
+RecordedFields recordedFields(const Case& c) { return c.model == ModelKind::Contact ? contactMaps(c) : RecordedFields{}; }
 
 Summary run(const Case& c, const RunCallback& callback)
 {
@@ -180,6 +187,12 @@ Summary run(const Case& c, const RunCallback& callback)
         refused.message = reason;
         refused.model = toText(c, *findField("model"));
         return refused;
+    }
+    if (c.model == ModelKind::Contact) {
+        Summary summary = runContact(c, callback);
+        summary.model = toText(c, *findField("model"));
+        summary.integrator = "quasi-static";
+        return summary;
     }
     Summary summary = runOnce(c, c.run.step, callback);
     summary.model = toText(c, *findField("model"));

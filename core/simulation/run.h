@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/physics/characteristic_fit.h"
 #include "core/simulation/case.h"
 #include "core/simulation/field_snapshot.h"
 #include "core/simulation/quantity.h"
@@ -53,6 +54,12 @@ struct StepCheck {
     std::string message;       // a sentence
 };
 
+/// What one reads off a run: "pull_off_force".
+struct RunFigure {
+    Quantity quantity;
+    double value = 0.0; // [unit of the quantity]; finite
+};
+
 struct Summary {
     RunStatus status = RunStatus::Completed;
     std::string message;       // why it ended, for a person
@@ -72,6 +79,8 @@ struct Summary {
     std::vector<SpectrumPeak> peaks;  // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
+    std::vector<RunFigure> figures;            // model contact
+    std::optional<CharacteristicFit> fit;      // contact multi-asperity
 };
 
 /// Why a valid case cannot be run in time, in a sentence; "" when it can.

@@ -13,6 +13,7 @@ constexpr std::size_t mostSamples = std::size_t{1} << 21; // 16 MiB a signal
 RunSpectra::RunSpectra(const Case& c, const std::vector<Quantity>& quantities)
     : options_(c.spectrum), interval_(c.run.sampleInterval)
 {
+    if (c.model == ModelKind::Contact) return; // it is moved, and does not oscillate
     for (const char* name : {"flying_height", "minimum_spacing", "pitch", "roll"})
         if (const int i = findQuantity(quantities, name); i >= 0) {
             const auto column = static_cast<std::size_t>(i);

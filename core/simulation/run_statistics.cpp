@@ -70,7 +70,8 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
     return options;
 }
 
-RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantities) : case_(c), quantities_(quantities)
+RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantities)
+    : case_(c), quantities_(quantities), oscillates_(c.model != ModelKind::Contact)
 {
     for (const char* name : {"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"}) {
         const int column = findQuantity(quantities, name);
@@ -97,7 +98,7 @@ void RunStatistics::finish(Summary& summary) const
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::string& name = quantities_[columns_[i]].name;
         summary.tail.emplace_back(name, blocks_[i].over(0.9, 1.0));
-        if (name != "minimum_spacing") continue;
+        if (name != "minimum_spacing" || !oscillates_) continue;
         const Statistics before = blocks_[i].over(0.8, 0.9);
         const Statistics& tail = summary.tail.back().second;
         const double swing = tail.max - tail.min;
@@ -108,6 +109,7 @@ void RunStatistics::finish(Summary& summary) const
                                + " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing)
                                + " after " + nm(swingBefore);
     }
+    if (!oscillates_) return;
     const Spectrum spectrum = welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
     for (const Peak& peak : findPeaks(spectrum, case_.spectrum.scaling)) summary.peaks.push_back({peak.frequency, peak.amplitude});
 }

@@ -40,6 +40,7 @@ public:
 private:
     const Case& case_;
     const std::vector<Quantity>& quantities_;
+    bool oscillates_;                  // a pad that is moved does not
     std::vector<std::size_t> columns_; // of the tail quantities
     std::vector<BlockStatistics> blocks_;
     std::size_t spacingColumn_;

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/physics/contact_path.h"
+#include "core/simulation/contact_figures.h"
+#include "core/simulation/contact_model.h"
+#include "core/simulation/run_statistics.h"
+#include "core/simulation/units.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double longestSilence = 0.015;      // between updates [s]
+constexpr std::size_t samplesInBatch = 1024;
+constexpr std::size_t mostEvents = 100'000;
+constexpr double jumpResolution = 1e-12;      // of the separation [m]
+constexpr double smallestJump = 1e-3;         // against the largest force of the run so far [-]
+constexpr int mostJumpsInStep = 20;
+
+double wallClock()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Where the pad goes: the times of all states, and which of them are recorded.
+struct Station {
+    double time = 0.0; // [s]
+    bool sample = false;
+    bool snapshot = false;
+};
+
+std::vector<Station> stations(const Case& c)
+{
+    const double duration = c.run.duration, interval = c.run.sampleInterval;
+    const double slack = 1e-9 * interval;
+    const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1;
+    std::vector<Station> list(count);
+    for (std::size_t i = 0; i < count; ++i) list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
+    if (list.back().time > duration - slack) list.back().time = duration;
+
+    const auto snapshots = static_cast<std::size_t>(c.run.fieldSnapshots);
+    for (std::size_t i = 0; i < std::min(snapshots, count); ++i)
+        list[snapshots == 1 ? 0 : i * (count - 1) / (std::min(snapshots, count) - 1)].snapshot = true;
+    // The closest approach is a state of its own where no sample falls onto it.
+    const double middle = 0.5 * duration;
+    const auto next = std::ranges::find_if(list, [&](const Station& station) { return station.time > middle - slack; });
+    if (next != list.end() && next->time < middle + slack) {
+        next->time = middle;
+        next->snapshot = snapshots > 0;
+    } else {
+        list.insert(next, {middle, false, snapshots > 0});
+    }
+    return list;
+}
+
+/// Moves the pad from station to station, and tells.
+class ContactRun {
+public:
+    ContactRun(const Case& c, const RunCallback& callback)
+        : case_(c), callback_(callback), quantities_(contactQuantities(c)), statistics_(c, quantities_), figures_(c),
+          model_(makeContactModel(c)), recordsFields_(!contactMaps(c).empty()), values_(quantities_.size())
+    {
+        batch_.columns.resize(quantities_.size());
+    }
+
+    Summary run()
+    {
+        const double begin = wallClock();
+        lastUpdate_ = begin;
+        for (const Station& station : stations(case_))
+            if (!visit(station)) break;
+        flush();
+        Summary summary;
+        summary.status = status_;
+        summary.message = message_;
+        summary.endTime = time_;
+        summary.steps = steps_;
+        summary.evaluations = iterations_;
+        summary.events = std::move(events_);
+        if (status_ != RunStatus::Failed || haveSample_)
+            for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
+        statistics_.finish(summary);
+        summary.figures = figures_.figures(model_->surfaceStatistics());
+        summary.fit = model_->fit();
+        summary.warnings = model_->remarks();
+        if (summary.fit && !summary.fit->describes) summary.warnings.push_back(summary.fit->message);
+        summary.wallSeconds = wallClock() - begin;
+        summary.solverSeconds = summary.wallSeconds - secondsOutside_;
+        return summary;
+    }
+
+private:
+    /// False when the run ends here.
+    bool visit(const Station& station)
+    {
+        const double d = padSeparation(case_, station.time);
+        const bool away = station.time > 0.5 * case_.run.duration;
+        for (const ContactSwitch& known : model_->switchesUntil(d))
+            addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation), known.name);
+        if (!go(station.time, d)) return fail(station.time);
+        time_ = station.time;
+        figures_.add(forces_, away);
+        if (station.sample) record(station.time);
+        if (station.snapshot && recordsFields_) {
+            fields_.push_back({station.time, {}});
+            model_->observe(fields_.back());
+        }
+        if (batch_.size() >= samplesInBatch || wallClock() - lastUpdate_ > longestSilence) flush();
+        return status_ == RunStatus::Completed;
+    }
+
+    /// Moves the pad; looks for jumps where the law may have jumped. False when a solution was not found.
+    bool go(double time, double d)
+    {
+        const double from = forces_.separation, fromTime = time_;
+        const double before = forces_.net();
+        if (started_ && model_->canJump()) model_->remember();
+        if (!move(d, time)) return false;
+        started_ = true;
+        if (steps_ == 1 || !model_->mayHaveJumped()) return true;
+        return findJumps(from, fromTime, before, d, time);
+    }
+
+    bool findJumps(double from, double fromTime, double before, double d, double time)
+    {
+        const auto timeAt = [&](double separation) {
+            return from == d ? time : fromTime + (time - fromTime) * (separation - from) / (d - from);
+        };
+        bool good = true;
+        const ContactPath path{[&](double separation) {
+                                   good = move(separation, timeAt(separation)) && good;
+                                   return forces_.net();
+                               },
+                               [&] { model_->remember(); }, [&] { model_->recall(); }};
+        model_->recall();
+        double at = from, force = before;
+        for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
+            const ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
+            if (!good) return false;
+            if (!jump.found) break;
+            addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.forceAfter < jump.forceBefore ? "snap-in" : "pull-off");
+            figures_.addJump(jump);
+            at = jump.after;
+            force = path.force(at);
+        }
+        return move(d, time) && good;
+    }
+
+    bool move(double d, double time)
+    {
+        forces_ = model_->move(d, time);
+        ++steps_;
+        iterations_ += forces_.iterations;
+        largestForce_ = std::max({largestForce_, forces_.contact, -forces_.adhesion});
+        return forces_.problem.empty();
+    }
+
+    void record(double time)
+    {
+        contactValues(case_, forces_, values_.data());
+        haveSample_ = true;
+        batch_.time.push_back(time);
+        for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
+    }
+
+    bool fail(double time)
+    {
+        status_ = RunStatus::Failed;
+        message_ = "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
+                   ", where the separation is " + formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " +
+                   forces_.problem + "; the samples end with the last good state";
+        return false;
+    }
+
+    void addEvent(double time, const std::string& name)
+    {
+        if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, name});
+    }
+
+    void flush()
+    {
+        const double begin = wallClock();
+        statistics_.add(batch_);
+        if (callback_ && !callback_({time_, case_.run.duration, batch_, newEvents_, fields_}) && status_ == RunStatus::Completed) {
+            status_ = RunStatus::Cancelled;
+            message_ = "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us");
+        }
+        events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
+        newEvents_.clear();
+        fields_.clear();
+        batch_.time.clear();
+        for (std::vector<double>& column : batch_.columns) column.clear();
+        lastUpdate_ = wallClock();
+        secondsOutside_ += lastUpdate_ - begin;
+    }
+
+    const Case& case_;
+    const RunCallback& callback_;
+    std::vector<Quantity> quantities_;
+    RunStatistics statistics_;
+    ContactFigures figures_;
+    std::unique_ptr<ContactModel> model_;
+    bool recordsFields_;
+    std::vector<double> values_; // of the newest sample
+    bool haveSample_ = false, started_ = false;
+    ContactForces forces_;
+    double time_ = 0.0;          // of the last good state [s]
+    double largestForce_ = 0.0;  // so far [N]
+    long long steps_ = 0, iterations_ = 0;
+    SampleBatch batch_;
+    std::vector<RunEvent> events_, newEvents_;
+    std::vector<FieldSnapshot> fields_;
+    RunStatus status_ = RunStatus::Completed;
+    std::string message_;
+    double lastUpdate_ = 0.0, secondsOutside_ = 0.0; // wall clock [s]
+};
+
+} // namespace
+
+double padSeparation(const Case& c, double time)
+{
+    const double half = 0.5 * c.run.duration;
+    const double share = std::min(std::abs(time - half) / half, 1.0); // 0 at the closest, 1 at both ends
+    return share == 1.0 ? c.approach.start : c.approach.closest + share * (c.approach.start - c.approach.closest);
+}
+
+double approachTime(const Case& c, double separation)
+{
+    return 0.5 * c.run.duration * (c.approach.start - separation) / (c.approach.start - c.approach.closest);
+}
+
+double retractionTime(const Case& c, double separation) { return c.run.duration - approachTime(c, separation); }
+
+Summary runContact(const Case& c, const RunCallback& callback) { return ContactRun(c, callback).run(); }
+
+} // namespace touchdown

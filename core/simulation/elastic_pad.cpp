@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/elastic_pad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/simulation/contact_check.h"
+#include "core/simulation/disk_setup.h"
+#include "core/simulation/units.h"
+
+namespace touchdown {
+
+namespace {
+
+/// The attraction falls to about a thousandth of its largest value within so many of its own lengths.
+constexpr double adhesionReach = 10.0;
+
+double reachOf(const Case& c, const DiskTopography& surface)
+{
+    double reach = surface.highest() - c.approach.closest;
+    if (c.adhesion.acts()) {
+        const AdhesionLaw law(c.adhesion);
+        reach += adhesionReach * std::max(c.adhesion.equilibriumDistance, law.peakGap());
+    }
+    return std::max(reach, 0.0);
+}
+
+HalfSpaceEdges edgesOf(const Case& c) { return c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free; }
+
+std::vector<double> lines(double first, double step, int count)
+{
+    std::vector<double> result;
+    for (int i = 0; i <= count; ++i) result.push_back(first + i * step);
+    return result;
+}
+
+} // namespace
+
+SliderPatches patchesOf(const Case& c, const DiskTopography& surface)
+{
+    SliderPatches result;
+    switch (c.pad.shape) {
+    case PadShape::Flat: result.patches.push_back(flatPatch(c.pad.length, c.pad.width, c.elastic.cell)); break;
+    case PadShape::Sphere:
+        result.patches.push_back(spherePatch(c.pad.length, c.pad.width, c.elastic.cell, c.pad.radius));
+        break;
+    case PadShape::Slider:
+        result = sliderPatches(c.surface, c.slider.length, c.slider.width, c.initial.pitch, c.initial.roll, c.elastic.cell,
+                               reachOf(c, surface), mostPatchCells);
+        break;
+    }
+    return result;
+}
+
+ElasticPad::ElasticPad(const Case& c) : case_(c), topography_(diskTopography(c)), modulus_(contactModulus(c.elastic.pair))
+{
+    if (c.diskSurface.motion == SurfaceMotion::Moving && !topography_.flat())
+        velocity_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    for (ContactPatch& patch : patchesOf(c, topography_).patches) {
+        HalfSpace space(patch.grid, modulus_, edgesOf(c));
+        const std::size_t cells = patch.grid.cells();
+        std::vector<double> surface(topography_.flat() ? 0 : cells);
+        const auto add = [&](auto contact) {
+            parts_.push_back({std::move(patch), std::move(contact), std::move(surface), std::vector<double>(cells)});
+        };
+        add(ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
+                                                  .maximumIterations = c.elastic.maximumIterations,
+                                                  .hardness = c.elastic.hardness}));
+    }
+}
+
+const ContactForces& ElasticPad::move(double separation, double time)
+{
+    forces_ = {};
+    forces_.separation = separation;
+    forces_.minimumGap = std::numeric_limits<double>::infinity();
+    jumped_ = false;
+    for (Part& part : parts_) solve(part, separation, time);
+    forces_.friction = case_.elastic.friction * forces_.contact;
+    return forces_;
+}
+
+void ElasticPad::solve(Part& part, double separation, double time)
+{
+    const bool moves = velocity_.x != 0.0 || velocity_.y != 0.0;
+    if (!part.surface.empty() && (part.surfaceTime < 0.0 || (moves && part.surfaceTime != time))) {
+        topography_.heights(part.patch.grid, velocity_.x * time, velocity_.y * time, part.surface);
+        part.surfaceTime = time;
+    }
+    for (std::size_t i = 0; i < part.separation.size(); ++i)
+        part.separation[i] = separation + part.patch.height[i] - (part.surface.empty() ? 0.0 : part.surface[i]);
+
+    const double cell = part.patch.grid.cellArea();
+    const auto take = [&](const auto& summary, std::span<const double> pressure, std::span<const double> gap) {
+        forces_.iterations += summary.iterations;
+        if (!summary.converged && forces_.problem.empty()) forces_.problem = summary.message;
+        for (const double p : pressure) {
+            if (p <= 0.0) continue;
+            forces_.contact += p * cell;
+            forces_.area += cell;
+            forces_.peakPressure = std::max(forces_.peakPressure, p);
+        }
+        forces_.minimumGap = std::min(forces_.minimumGap, *std::ranges::min_element(gap));
+    };
+    const ElasticContactSummary summary = part.contact.solve(part.separation);
+    take(summary, part.contact.pressure(), part.contact.gap());
+}
+
+void ElasticPad::observe(FieldSnapshot& snapshot) const
+{
+    const Part& part = parts_.front();
+    snapshot.values.clear();
+    const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
+    add(part.contact.gap());
+    add(part.contact.pressure());
+    if (!part.surface.empty()) add(part.surface);
+}
+
+std::vector<std::string> ElasticPad::remarks() const
+{
+    if (parts_.size() < 2) return {};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        for (std::size_t k = i + 1; k < parts_.size(); ++k)
+            nearest = std::min(nearest, patchDistance(parts_[i].patch.grid, parts_[k].patch.grid));
+    // Boussinesq: F/(pi E* r).
+    const double perNewton = 1.0 / (std::numbers::pi * modulus_ * nearest);
+    return {std::to_string(parts_.size()) + " patches are solved as if each were alone; the nearest two are " +
+            formatQuantity(std::round(nearest * 1e7) / 1e7, "um") + " apart, so that a force of 1 mN on one would lower the disk under the other by " +
+            formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out"};
+}
+
+std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
+{
+    if (topography_.flat()) return std::nullopt;
+    return touchdown::surfaceStatistics(topography_);
+}
+
+RecordedFields ElasticPad::fields(const Case& c)
+{
+    const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
+    const SliderPatches patches = patchesOf(c, surface);
+    RecordedFields fields;
+    if (patches.patches.empty()) return fields;
+    const UniformGrid& grid = patches.patches.front().grid;
+    fields.grid = {lines(grid.x0, grid.dx, grid.nx), lines(grid.y0, grid.dy, grid.ny)};
+    fields.quantities = {{"gap", "m", "nm", "Gap of the deformed surfaces"},
+                         {"contact_pressure", "Pa", "MPa", "Contact pressure"}};
+    if (c.adhesion.acts()) fields.quantities.push_back({"adhesion_pressure", "Pa", "MPa", "Adhesion pressure"});
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat)
+        fields.quantities.push_back({"disk_surface", "m", "nm", "Height of the disk's surface"});
+    return fields;
+}
+
+} // namespace touchdown

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A pad and a disk whose surfaces are given point by point: s = d + pad height - w, w the disk's surface, on patches of an
+// elastic half-space, with adhesion where there is one.
+#pragma once
+
+#include "core/physics/contact_patch.h"
+#include "core/physics/disk_topography.h"
+#include "core/physics/disk_velocity.h"
+#include "core/physics/elastic_contact.h"
+#include "core/simulation/contact_model.h"
+
+namespace touchdown {
+
+/// The patches of a case's pad that can touch, or why there are none.
+SliderPatches patchesOf(const Case& c, const DiskTopography& surface);
+
+class ElasticPad final : public ContactModel {
+public:
+    explicit ElasticPad(const Case& c);
+
+    const ContactForces& move(double separation, double time) override;
+    bool canJump() const override { return case_.adhesion.acts(); }
+    bool mayHaveJumped() const override { return jumped_; }
+    void observe(FieldSnapshot& snapshot) const override;
+    std::vector<std::string> remarks() const override;
+    std::optional<SurfaceStatistics> surfaceStatistics() const override;
+
+    static RecordedFields fields(const Case& c);
+
+private:
+    /// One patch and all that is solved on it.
+    struct Part {
+        ContactPatch patch;
+        ElasticContact contact;
+        std::vector<double> surface;    // w [m]; empty: flat
+        std::vector<double> separation; // s [m]
+        double surfaceTime = -1.0;      // of `surface` [s]
+    };
+    void solve(Part& part, double separation, double time);
+
+    Case case_;
+    DiskTopography topography_;
+    Velocity velocity_; // of the surface under the pad [m/s]
+    double modulus_;    // E* [Pa]
+    std::vector<Part> parts_;
+    ContactForces forces_;
+    bool jumped_ = false;
+};
+
+} // namespace touchdown
