@@ -67,6 +67,7 @@ ContactCells::ContactCells(const HalfSpace& space)
     : margin_(reach * static_cast<std::size_t>(space.grid().nx) + reach), stride_(static_cast<std::size_t>(space.grid().nx))
 {
     static_assert(reach == 2, "applyStencil()");
+    runs_.reserve(space.grid().cells() / 2 + 1);
     // What near cells do to each other hardly depends on how large the grid is.
     constexpr int n = 16;
     HalfSpace small({n, n, space.grid().dx, space.grid().dy}, space.modulus(), HalfSpaceEdges::Periodic);

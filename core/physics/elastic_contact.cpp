@@ -129,7 +129,8 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
         if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) break;
         pressureBefore_ = pressure_;
         displacementBefore_ = displacement_;
-        step(total.has_value(), options_.maximumIterations - iterations_);
+        if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = infinity;
+        if (!std::isfinite(summary.error)) break;
         if (project(total)) {
             displace();
             descend(total);
@@ -192,13 +193,14 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
         else if (!std::isfinite(atMost)) approach = atLeast;
         else approach = 0.5 * (atLeast + atMost);
     }
-    double worst = 0.0, lowest = infinity, highest = -infinity, peak = 0.0;
+    double worst = 0.0, lowest = infinity, highest = -infinity, peak = 0.0, all = 0.0;
     cells_.clear();
     for (std::size_t i = 0; i < cells; ++i) {
         const double p = pressure_[i];
         const double u = displacement_[i];
         const double gap = separation[i] + u + approach;
         gap_[i] = gap;
+        all += gap + p;
         lowest = std::min(lowest, u);
         highest = std::max(highest, u);
         peak = std::max(peak, p);
@@ -210,13 +212,13 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const double scale = std::max(highest - lowest, peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
-    if (!std::isfinite(worst + scale)) summary.error = infinity;
+    if (!std::isfinite(all + scale)) summary.error = infinity;
     wrongGap_ = options_.tolerance * scale;
 }
 
 // Preconditioned conjugate gradients for g = 0 on the cells, bounds left aside: r = -g, z = M r; with a load, z - l M 1 so
-// that its sum is zero, and r - l: l closes in on what the approach lacks.
-void ElasticContact::step(bool load, int mostIterations)
+// that its sum is zero, and r - l: l closes in on what the approach lacks. Returns whether the numbers stayed finite.
+bool ElasticContact::step(bool load, int mostIterations)
 {
     std::fill(residual_.begin(), residual_.end(), 0.0);
     std::fill(direction_.begin(), direction_.end(), 0.0);
@@ -246,12 +248,14 @@ void ElasticContact::step(bool load, int mostIterations)
         space_.displace(direction_, image_);
         ++iterations_;
         const double curvature = cells_.product(d, image_.data());
-        if (!(curvature > 0.0)) break;
+        if (!std::isfinite(curvature)) return false;
+        if (curvature <= 0.0) break;
         const double length = rz / curvature;
         cells_.add(length, d, pressure_.data());
         cells_.add(-length, image_.data(), r);
         addTo(displacement_, length, image_);
     }
+    return true;
 }
 
 // The nearest pressure on the cells between the bounds, and of the given sum. Returns whether it is another.

@@ -66,7 +66,7 @@ private:
     ElasticContactSummary iterate(std::span<const double> separation, std::optional<double> total);
     void start(std::optional<double> total);
     void measure(std::span<const double> separation, bool load, ElasticContactSummary& summary);
-    void step(bool load, int mostIterations);
+    bool step(bool load, int mostIterations);
     bool project(std::optional<double> total);
     void descend(std::optional<double> total);
     void displace();
