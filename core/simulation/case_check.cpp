@@ -141,8 +141,8 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
     case ModelKind::Film: checkFilm(c, problems); break;
     case ModelKind::Contact:
         if (usesSliderSurface(c)) checkSliderSurface(c, problems);
-        checkContact(c, problems);
         checkTimes(c, problems);
+        checkContact(c, problems);
         break;
     }
     return problems;

@@ -3,6 +3,7 @@
 
 #include "core/simulation/case_reader.h"
 #include "core/simulation/cml_case.h"
+#include "core/simulation/disk_setup.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
@@ -96,7 +97,9 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
 {
     // A setting may mend a combination of the file, or spoil one.
     const auto before = checkCombinations(document.value);
+    const auto ofFile = diskFileProblems(document.value);
     std::erase_if(document.problems, [&](const InputProblem& problem) {
+        if (std::ranges::any_of(ofFile, [&](const InputProblem& old) { return old.text() == problem.text(); })) return true;
         return std::ranges::any_of(
             before, [&](const CaseProblem& old) { return old.key == problem.key && old.message == problem.message; });
     });
@@ -106,6 +109,8 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back({document.name, 0, problem.key, problem.message});
+    if (document.valid())
+        for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
 }
 

@@ -4,6 +4,7 @@
 #include "core/physics/surface_check.h"
 #include "core/simulation/cml_rail_file.h"
 #include "core/simulation/cml_text.h"
+#include "core/simulation/disk_setup.h"
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
 #include "core/simulation/surface_text.h"
@@ -104,6 +105,8 @@ public:
         for (const InputProblem& problem : readSurface(toml, document_.value.surface))
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);
+        if (document_.valid())
+            for (const InputProblem& problem : diskFileProblems(document_.value)) document_.problems.push_back(problem);
         std::ranges::stable_sort(document_.problems, {}, &InputProblem::line);
     }
 

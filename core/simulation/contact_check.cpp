@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/physics/disk_surface_check.h"
+#include "core/physics/disk_surface_check.h"
 #include "core/simulation/decimal.h"
+#include "core/simulation/elastic_pad.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -17,6 +19,8 @@ using Problems = std::vector<CaseProblem>;
 /// To four digits, for a message.
 std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
 std::string inMicrometres(double length) { return decimalText(length, 6, 4) + " um"; }
+
+constexpr double mostSnapshotBytes = 4e9;
 
 /// A whole number of cells to within rounding of both, and not too many.
 void checkSide(const char* key, double side, double cell, Problems& problems)
@@ -42,9 +46,62 @@ void checkPad(const Case& c, Problems& problems)
     }
 }
 
+/// The patch must see what the surface holds.
+void checkSampling(const Case& c, Problems& problems)
+{
+    const double cell = c.elastic.cell;
+    const auto refuse = [&](const std::string& than) {
+        problems.push_back({"elastic.cell", inMicrometres(cell) + " must be at most " + than});
+    };
+    if (hasRoughness(c.diskSurface) && cell > c.diskSurface.cell * (1.0 + 1e-9))
+        refuse("disk.surface.cell (" + inMicrometres(c.diskSurface.cell) + "), the cell of the surface's map");
+    if (!hasWaves(c.diskSurface)) return;
+    const double shortest = *std::ranges::min_element(c.diskSurface.waveLengths);
+    if (cell > 0.25 * shortest)
+        refuse("a quarter of the shortest wave of disk.surface.wave_lengths (" + inMicrometres(shortest) + ")");
+}
+
+/// A periodic half-space gives no way to its mean pressure, so that the mean gap must stay open.
+void checkPeriodic(const Case& c, Problems& problems)
+{
+    if (!c.elastic.periodic || c.elastic.hardness > 0.0) return;
+    const double mean = c.pad.shape == PadShape::Sphere
+                            ? (c.pad.length * c.pad.length + c.pad.width * c.pad.width) / (24.0 * c.pad.radius)
+                            : 0.0;
+    if (c.approach.closest + mean <= 0.0)
+        problems.push_back({"approach.closest", inNanometres(c.approach.closest) + " must be greater than " +
+                                                    inNanometres(-mean) + " with elastic.periodic: a patch that repeats can be "
+                                                    "pressed flat, but no further"});
+}
+
+/// Snapshots wait in memory for the window.
+void checkMemory(const Case& c, Problems& problems)
+{
+    const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
+    const double fields = 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
+    const double bytes = cells * fields * (c.run.fieldSnapshots + 1.0) * sizeof(double);
+    if (c.pad.shape != PadShape::Slider && c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
+        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " + decimalText(cells, -6, 3) +
+                                                       " million cells take " + decimalText(bytes, -9, 3) +
+                                                       " GB; at most " + decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
+}
+
 void checkElastic(const Case& c, Problems& problems)
 {
+    const std::size_t before = problems.size();
     checkPad(c, problems);
+    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(c.diskSurface))
+        problems.push_back({"disk.surface." + problem.key, problem.sentence});
+    if (c.diskSurface.kind == DiskSurfaceKind::Combined && !hasWaves(c.diskSurface) && !hasRoughness(c.diskSurface) &&
+        !hasFile(c.diskSurface) && !hasBumps(c.diskSurface))
+        problems.push_back({"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+    if (problems.size() == before) checkSampling(c, problems);
+    // Without the surface's own heights, which take time to make: the run looks again with them.
+    if (c.pad.shape == PadShape::Slider && problems.empty())
+        if (const std::string problem = patchesOf(c, DiskTopography()).problem; !problem.empty())
+            problems.push_back({"initial.pitch", problem + "; tilt the slider more, or take a larger elastic.cell"});
+    checkPeriodic(c, problems);
+    checkMemory(c, problems);
 }
 
 } // namespace

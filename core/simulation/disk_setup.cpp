@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/disk_setup.h"
 
+#include "core/physics/disk_surface_check.h"
+#include "core/simulation/fields.h"
+#include "core/simulation/height_map_file.h"
+
 namespace touchdown {
 
-std::filesystem::path diskSurfaceFile(const Case& c) { return c.folder / c.diskSurface.file; }
+namespace {
 
-DiskTopography diskTopography(const Case& c) { return DiskTopography(c.diskSurface); }
+bool readsFile(const Case& c) { return findField("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
+
+HeightMapDocument readMap(const Case& c) { return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file); }
+
+} // namespace
+
+std::vector<InputProblem> diskFileProblems(const Case& c)
+{
+    if (!readsFile(c) || c.diskSurface.file.empty()) return {};
+    std::vector<InputProblem> problems = readMap(c).problems;
+    for (InputProblem& problem : problems)
+        if (problem.key.empty()) problem.key = "disk.surface.file";
+    return problems;
+}
+
+DiskTopography diskTopography(const Case& c)
+{
+    if (readsFile(c)) return DiskTopography(c.diskSurface, readMap(c).map);
+    return DiskTopography(c.diskSurface);
+}
 
 } // namespace touchdown

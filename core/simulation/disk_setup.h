@@ -3,15 +3,17 @@
 // From a case to the surface of its disk.
 #pragma once
 
+#include <vector>
+
 #include "core/physics/disk_topography.h"
-#include "core/simulation/case.h"
+#include "core/simulation/case_file.h"
 
 namespace touchdown {
 
-/// The file of disk.surface.file, from the folder of the case.
-std::filesystem::path diskSurfaceFile(const Case& c);
+/// Why the file of a measured surface cannot be used; empty where it can, or where the case has none.
+std::vector<InputProblem> diskFileProblems(const Case& c);
 
-/// `c` is valid: its file can be read.
+/// `c` is valid, its file too.
 DiskTopography diskTopography(const Case& c);
 
 } // namespace touchdown

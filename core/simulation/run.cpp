@@ -7,6 +7,8 @@
 #include "core/numerics/cvode.h"
 #include "core/simulation/contact_model.h"
 #include "core/simulation/contact_run.h"
+#include "core/simulation/disk_setup.h"
+#include "core/simulation/elastic_pad.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/run_statistics.h"
 #include "core/simulation/spring_run.h"
@@ -158,7 +160,13 @@ std::string reasonNotToRun(const Case& c)
 {
     switch (c.model) {
     case ModelKind::Springs: break;
-    case ModelKind::Contact: return {};
+    case ModelKind::Contact: {
+        // A file may have changed since the case was read.
+        const std::vector<InputProblem> problems = diskFileProblems(c);
+        if (!problems.empty()) return problems.front().text();
+        if (usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
+        return {};
+    }
     case ModelKind::Film:
         return "model \"film\" has a static state and modes, but no motion in time yet: `touchdown steady` and `touchdown modes` compute them";
     }
