@@ -14,6 +14,9 @@ namespace {
 /// Heights beyond this many deviations count as none, as in core/physics/asperity_contact.h.
 constexpr double farthest = 9.0;
 
+/// Pieces of the way in the folding zone, in deviations; shallower folds are none.
+constexpr double piece = 1.0 / 16.0;
+
 /// Share of Gaussian heights above x deviations.
 double shareAbove(double x) { return x < farthest ? 0.5 * std::erfc(x / std::numbers::sqrt2) : 0.0; }
 
@@ -53,8 +56,8 @@ struct MultiAsperity::Path {
     }
 
     /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it says true. Pieces end at the bend; in
-    /// the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a piece. (A fold that
-    /// comes and goes within one piece would be far shallower than any force counts.)
+    /// the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a piece, but for folds
+    /// too shallow to count.
     template <typename Visit>
     void walk(double end, Visit visit) const;
 
@@ -71,8 +74,13 @@ struct MultiAsperity::Path {
 
     /// s between a and b, where d passes `target`: Newton, halving where it leaves the bracket.
     double meet(double a, double b, double target) const;
+    /// An s ahead by which d has come to `target`.
+    double end(double target) const;
+    bool reached(double s, double target) const { return sign() * (padSeparation(s) - target) >= 0.0; }
     /// The first s ahead where d has come to `target`.
     double firstMeeting(double target) const;
+    /// Where s lands after a fold at the path's start: d turns back there and comes again.
+    double landing() const;
 };
 
 template <typename Visit>
@@ -82,7 +90,7 @@ void MultiAsperity::Path::walk(double end, Visit visit) const
     // The zone's near and far end in s, beyond the bend.
     const double near = model.planeHeight_ + lag() - sign() * zone;
     const double far = model.planeHeight_ + lag() + sign() * zone;
-    const double step = sign() * model.sigma_ / 16.0;
+    const double step = sign() * piece * model.sigma_;
     const auto ahead = [&](double x, double y) { return sign() * (x - y) > 0.0; };
     double s = from.separation;
     while (ahead(end, s)) {
@@ -116,25 +124,40 @@ double MultiAsperity::Path::meet(double a, double b, double target) const
     return s;
 }
 
-double MultiAsperity::Path::firstMeeting(double target) const
+double MultiAsperity::Path::end(double target) const
 {
     // F_m never exceeds the largest adhesion; F_cr at any s > d is at most its value at s = d.
-    const double farAway = target + model.area_ * model.contact_.pressure(target) / model.bulkStiffness_;
-    const double deepest = target - model.meniscusForce_ / model.bulkStiffness_;
     const double margin = model.sigma_ + 1e-9 * std::abs(target); // against rounding
-    const double end = motion == PadMotion::Away ? farAway + margin : deepest - margin;
-    const auto reached = [&](double s) { return sign() * (padSeparation(s) - target) >= 0.0; };
+    return motion == PadMotion::Away ? target + model.area_ * model.contact_.pressure(target) / model.bulkStiffness_ + margin
+                                     : target - model.meniscusForce_ / model.bulkStiffness_ - margin;
+}
+
+double MultiAsperity::Path::firstMeeting(double target) const
+{
     double found = from.separation;
-    walk(end, [&](double a, double b) {
+    walk(end(target), [&](double a, double b) {
         found = b;
         if (slope(a) > 0.0 && slope(b) < 0.0) {
             const double turn = fold(a, b);
-            if (reached(turn)) {
+            if (reached(turn, target)) {
                 found = meet(a, turn, target);
                 return true;
             }
         }
-        if (!reached(b)) return false;
+        if (!reached(b, target)) return false;
+        found = meet(a, b, target);
+        return true;
+    });
+    return found;
+}
+
+double MultiAsperity::Path::landing() const
+{
+    const double target = padSeparation(from.separation);
+    double found = from.separation;
+    walk(end(target), [&](double a, double b) {
+        found = b;
+        if (slope(b) < 0.0 || !reached(b, target)) return false;
         found = meet(a, b, target);
         return true;
     });
@@ -196,18 +219,16 @@ std::optional<MultiAsperityJump> MultiAsperity::nextJump(const MultiAsperityStat
     const Path path{*this, state, motion};
     const double zone = path.foldingHeight();
     if (zone == 0.0) return std::nullopt;
-    std::optional<double> turn;
+    std::optional<MultiAsperityJump> jump;
     path.walk(planeHeight_ + path.lag() + path.sign() * zone, [&](double a, double b) {
-        if (path.slope(a) > 0.0 && path.slope(b) < 0.0) turn = path.fold(a, b);
-        return turn.has_value();
+        if (!(path.slope(a) > 0.0 && path.slope(b) < 0.0)) return false;
+        const MultiAsperityState turn = path.state(path.fold(a, b));
+        const Path beyond{*this, turn, motion};
+        const double landing = beyond.landing();
+        if (std::abs(landing - turn.separation) < piece * sigma_) return false;
+        jump = {path.padSeparation(turn.separation), turn, beyond.state(landing)};
+        return true;
     });
-    if (!turn) return std::nullopt;
-    MultiAsperityJump jump;
-    jump.from = path.state(*turn);
-    jump.padSeparation = path.padSeparation(*turn);
-    // A hair beyond the fold the spacing is met only after the jump.
-    const double hair = 1e-9 * sigma_;
-    jump.to = path.state(path.firstMeeting(jump.padSeparation + path.sign() * hair));
     return jump;
 }
 

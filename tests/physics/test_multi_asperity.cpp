@@ -267,6 +267,25 @@ private slots:
         QVERIFY2(near(finer.work, curve.work, 1e-3 * curve.work), qPrintable(QString("%1 %2").arg(finer.work).arg(curve.work)));
     }
 
+    /// Menisci so strong against the bulk that it stretches half a millimetre before they let go: still one jump each way, and
+    /// take-off at y_s + h_b + f_m/k_b, where the lowest summits (nine deviations) are of no account.
+    void strongMenisciOnASoftBulk()
+    {
+        Setting s;
+        s.asperities = {.radius = 78e-6, .density = 8e12, .heightDeviation = 5e-12, .planeHeight = 2e-9};
+        s.meniscus = {.surfaceTension = 0.66, .contactAngle = 0.0, .filmThickness = 1e-9, .breakingLength = 4e-9};
+        s.pair.diskModulus = 40e6;
+        s.area = 18e-12;
+        const MultiAsperity model = s.model();
+        const double stretch = s.adhesion() / model.bulkStiffness();
+        QVERIFY(stretch > 0.4e-3);
+        const auto curve = multiAsperityCurve(model, model.reach(), 2e-9, 101);
+        QCOMPARE(curve.touchDowns.size(), std::size_t(1));
+        QCOMPARE(curve.takeOffs.size(), std::size_t(1));
+        QVERIFY(near(curve.takeOffs[0].padSeparation, 6e-9 + stretch, 1e-6 * stretch));
+        QVERIFY(curve.work > 0.0);
+    }
+
     /// Where nothing wets or dries, the work of the pad's drive goes into what is stored and into the menisci's stretch:
     /// -int F_c dd = [E] + |F_m| [s]. The integral by trapezoids.
     void storedEnergyIsTheWork()
