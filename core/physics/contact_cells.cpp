@@ -45,38 +45,78 @@ TOUCHDOWN_VECTOR_CLONES void multiplyAndAdd(Runs runs, double factor, const doub
         for (std::size_t at = first; at < last; ++at) a[at] = b[at] + factor * a[at];
 }
 
-/// One row of five cells of the stencil, even about its middle.
-inline double row(const double (&c)[3], const double* v)
+constexpr int neighbours = 12;
+// Columns and rows from a cell to those before it that its row of G may use, and to itself.
+constexpr int columnOf[neighbours + 1] = {-2, -1, 0, 1, 2, -2, -1, 0, 1, 2, -2, -1, 0};
+constexpr int rowOf[neighbours + 1] = {-2, -2, -2, -2, -2, -1, -1, -1, -1, -1, 0, 0, 0};
+
+// The last row of L^-1 with A = L L^T over the cells of the set and the cell itself: y/sqrt(y_last) with A y = (0, .., 0, 1).
+std::array<double, neighbours + 4> inverseRow(unsigned set, std::span<const double> compliance)
 {
-    return c[0] * v[0] + (c[1] * (v[-1] + v[1]) + c[2] * (v[-2] + v[2]));
+    int member[neighbours + 1];
+    int count = 0;
+    for (int k = 0; k <= neighbours; ++k)
+        if (k == neighbours || (set >> k & 1u) != 0) member[count++] = k;
+    double factor[neighbours + 1][neighbours + 1];
+    for (int a = 0; a < count; ++a)
+        for (int b = 0; b <= a; ++b) {
+            const int columns = std::abs(columnOf[member[a]] - columnOf[member[b]]);
+            const int rows = std::abs(rowOf[member[a]] - rowOf[member[b]]);
+            double value = compliance[static_cast<std::size_t>(5 * rows + columns)];
+            for (int c = 0; c < b; ++c) value -= factor[a][c] * factor[b][c];
+            factor[a][b] = a == b ? std::sqrt(value) : value / factor[b][b];
+        }
+    std::array<double, neighbours + 4> row{};
+    double y[neighbours + 1] = {};
+    for (int a = count - 1; a >= 0; --a) {
+        double value = a == count - 1 ? 1.0 : 0.0;
+        for (int c = a + 1; c < count; ++c) value -= factor[c][a] * y[c];
+        y[a] = value / factor[a][a];
+        row[static_cast<std::size_t>(member[a])] = y[a];
+    }
+    return row;
 }
 
-TOUCHDOWN_VECTOR_CLONES void applyStencil(Runs runs, const double (&c)[3][3], std::ptrdiff_t stride, const double* in, double* out)
+TOUCHDOWN_VECTOR_CLONES void applyRows(Runs runs, const std::uint16_t* sets, const std::array<double, 16>* rows, std::ptrdiff_t stride, const double* in,
+                                       double* half, double* out)
 {
     for (const auto [first, last] : runs)
-#pragma GCC ivdep
         for (std::size_t at = first; at < last; ++at) {
+            const double* c = rows[sets[at]].data();
             const double* v = in + at;
-            out[at] = row(c[0], v) + ((row(c[1], v - stride) + row(c[1], v + stride)) + (row(c[2], v - 2 * stride) + row(c[2], v + 2 * stride)));
+            double sum = 0.0;
+            for (int k = 0; k < 5; ++k) sum += c[k] * v[k - 2 - 2 * stride] + c[5 + k] * v[k - 2 - stride];
+            half[at] = sum + (c[10] * v[-2] + c[11] * v[-1] + c[12] * v[0]);
+            out[at] = 0.0;
+        }
+    for (const auto [first, last] : runs)
+        for (std::size_t at = first; at < last; ++at) {
+            const double* c = rows[sets[at]].data();
+            double* v = out + at;
+            const double h = half[at];
+            for (int k = 0; k < 5; ++k) v[k - 2 - 2 * stride] += c[k] * h;
+            for (int k = 0; k < 5; ++k) v[k - 2 - stride] += c[5 + k] * h;
+            for (int k = 0; k < 3; ++k) v[k - 2] += c[10 + k] * h;
         }
 }
 
 } // namespace
 
 ContactCells::ContactCells(const HalfSpace& space)
-    : margin_(reach * static_cast<std::size_t>(space.grid().nx) + reach), stride_(static_cast<std::size_t>(space.grid().nx))
+    : margin_(2 * static_cast<std::size_t>(space.grid().nx) + 2), stride_(space.grid().nx)
 {
-    static_assert(reach == 2, "applyStencil()");
-    runs_.reserve(space.grid().cells() / 2 + 1);
-    // What near cells do to each other hardly depends on how large the grid is.
-    constexpr int n = 16;
-    HalfSpace small({n, n, space.grid().dx, space.grid().dy}, space.modulus(), HalfSpaceEdges::Periodic);
-    std::vector<double> field(n * n, 0.0);
-    field[0] = 1.0;
-    small.stress(field, field);
-    const auto triangle = [](int i) { return 1.0 - static_cast<double>(i) / (reach + 1); };
-    for (int j = 0; j <= reach; ++j)
-        for (int i = 0; i <= reach; ++i) stencil_[j][i] = triangle(j) * triangle(i) * field[static_cast<std::size_t>(j * n + i)];
+    const std::size_t cells = space.grid().cells();
+    runs_.reserve(cells / 2 + 1);
+    takesPart_.assign(cells + margin_, 0);
+    set_.assign(cells, 0);
+    half_.assign(cells + 2 * margin_, 0.0);
+    // What near cells do to each other hardly depends on how large the grid is, nor on its edges.
+    constexpr int n = 5;
+    HalfSpace small({n, n, space.grid().dx, space.grid().dy}, space.modulus());
+    std::vector<double> compliance(n * n, 0.0);
+    compliance[0] = 1.0;
+    small.displace(compliance, compliance);
+    for (unsigned set = 0; set < 1u << neighbours; ++set) rows_.push_back(inverseRow(set, compliance));
 }
 
 void ContactCells::clear()
@@ -92,9 +132,21 @@ void ContactCells::add(std::size_t cell)
     ++count_;
 }
 
-double ContactCells::precondition(const double* in, double* out) const
+void ContactCells::prepare()
 {
-    applyStencil(runs_, stencil_, static_cast<std::ptrdiff_t>(stride_), in, out);
+    std::fill(takesPart_.begin(), takesPart_.end(), static_cast<unsigned char>(0));
+    unsigned char* taken = takesPart_.data() + margin_;
+    forEach([&](std::size_t i) { taken[i] = 1; });
+    forEach([&](std::size_t i) {
+        unsigned set = 0;
+        for (int k = 0; k < neighbours; ++k) set |= static_cast<unsigned>(taken[static_cast<std::ptrdiff_t>(i) + rowOf[k] * stride_ + columnOf[k]]) << k;
+        set_[i] = static_cast<std::uint16_t>(set);
+    });
+}
+
+double ContactCells::precondition(const double* in, double* out)
+{
+    applyRows(runs_, set_.data(), rows_.data(), stride_, in, half_.data() + margin_, out);
     double sum = 0.0;
     for (const Run& run : runs_)
         for (std::size_t at = run.first; at < run.last; ++at) sum += out[at];

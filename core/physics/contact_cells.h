@@ -3,13 +3,16 @@
 // The cells of a contact whose pressure is sought, as runs of neighbours in the order of storage, and what conjugate
 // gradients do on them alone. Fields are those of the whole grid; sums are taken in an order that depends on the cells only.
 //
-// Preconditioner: the stiffness K of the half-space itself (Stanley & Kato 1997; Vollebregt 2014 uses it by FFT), which falls
-// as 1/r^3, cut to the nearest cells. Cutting by the triangle (1 - |i|/m)(1 - |j|/m), whose transform is nowhere negative,
-// keeps it positive definite. It takes the array as one line, so that it reaches round the ends of rows: there it couples
-// cells that are apart, which costs nothing but a little of its worth.
+// Preconditioner: the factorised sparse approximate inverse of the cells' compliances (Kolotilina & Yeremin 1993), M = G^T G.
+// Row i of G serves cell i and those of the twelve cells before it, at most two rows and two columns away, that take part: it
+// is the last row of the inverse Cholesky factor of their compliances. These depend on distances alone, so that rows are
+// looked up by which of the twelve take part. The array counts as one line, so that neighbours reach round the ends of rows:
+// there cells are coupled that are apart, which costs nothing but a little of its worth; M is positive definite whatever the cells.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/physics/half_space.h"
@@ -25,11 +28,12 @@ public:
     void add(std::size_t cell);
     std::size_t count() const { return count_; }
 
-    /// Values that a field given to precondition() needs before its first cell and after its last; there and wherever no
-    /// cell is, it must be zero.
+    /// After the last add(), before precondition().
+    void prepare();
+    /// Values that fields given to precondition() need before the first cell; there and wherever no cell is, `in` must be zero.
     std::size_t margin() const { return margin_; }
-    /// out = K cut * in. Returns the sum of out.
-    double precondition(const double* in, double* out) const;
+    /// out = M in. Returns the sum of out.
+    double precondition(const double* in, double* out);
 
     double product(const double* a, const double* b) const;
     /// a += factor b
@@ -52,10 +56,16 @@ public:
     };
 
 private:
-    static constexpr int reach = 2; // cells
+    static constexpr int neighbours = 12;
+    using Row = std::array<double, neighbours + 4>; // G's, in the order of `offsets_`, the cell itself last; padded
+
     std::vector<Run> runs_;
-    std::size_t count_ = 0, margin_, stride_;
-    double stencil_[reach + 1][reach + 1]; // by |j|, |i| [Pa/m]
+    std::size_t count_ = 0, margin_;
+    std::vector<Row> rows_;                    // by the set of neighbours that take part, as bits
+    std::vector<unsigned char> takesPart_;     // with the margin before
+    std::vector<std::uint16_t> set_;           // of each cell, by index
+    std::vector<double> half_;                 // G in, with the margin before
+    std::ptrdiff_t stride_;
 };
 
 } // namespace touchdown

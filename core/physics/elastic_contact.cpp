@@ -16,6 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double residualShare = 0.1; // to which conjugate gradients reduce the gap before the cells are chosen anew
 constexpr int mostSteps = 8;          // that they take for it
+constexpr int mostRises = 12;         // of the energy that are let pass, before it must fall
 
 TOUCHDOWN_VECTOR_CLONES void addTo(std::span<double> to, double factor, std::span<const double> from)
 {
@@ -51,9 +52,9 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     : space_(std::move(space)), options_(options), cells_(space_)
 {
     const std::size_t cells = space_.grid().cells();
-    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
+    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &direction_, &image_})
         field->assign(cells, 0.0);
-    residual_.assign(cells + 2 * cells_.margin(), 0.0);
+    for (auto* field : {&residual_, &constant_, &change_}) field->assign(cells + cells_.margin(), 0.0);
 }
 
 void ElasticContact::reset()
@@ -120,6 +121,7 @@ ElasticContactSummary ElasticContact::solveLoad(std::span<const double> separati
 ElasticContactSummary ElasticContact::iterate(std::span<const double> separation, std::optional<double> total)
 {
     iterations_ = 0;
+    rises_ = 0;
     ElasticContactSummary summary;
     start(total);
     for (;;) {
@@ -212,6 +214,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const double scale = std::max(highest - lowest, peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
+    cells_.prepare();
     if (!std::isfinite(all + scale)) summary.error = infinity;
     wrongGap_ = options_.tolerance * scale;
 }
@@ -223,12 +226,13 @@ bool ElasticContact::step(bool load, int mostIterations)
     std::fill(residual_.begin(), residual_.end(), 0.0);
     std::fill(direction_.begin(), direction_.end(), 0.0);
     double* r = residual_.data() + cells_.margin();
-    double* z = change_.data();
+    double* z = change_.data() + cells_.margin();
     double* d = direction_.data();
+    double* constant = constant_.data() + cells_.margin();
     double constantSum = 0.0;
     if (load) {
         cells_.fill(1.0, r);
-        constantSum = cells_.precondition(r, constant_.data());
+        constantSum = cells_.precondition(r, constant);
     }
     cells_.forEach([&](std::size_t i) { r[i] = -gap_[i]; });
     double goal = 0.0, before = 0.0;
@@ -236,7 +240,7 @@ bool ElasticContact::step(bool load, int mostIterations)
         const double zSum = cells_.precondition(r, z);
         if (load) {
             const double shift = zSum / constantSum;
-            cells_.add(-shift, constant_.data(), z);
+            cells_.add(-shift, constant, z);
             cells_.forEach([&](std::size_t i) { r[i] -= shift; });
         }
         const double left = cells_.largest(r);
@@ -307,7 +311,7 @@ void ElasticContact::descend(std::optional<double> total)
         slope += gap_[i] * change;
         curvature += change * (displacement_[i] - displacementBefore_[i]);
     });
-    if (slope + 0.5 * curvature <= 0.0) return;
+    if (slope + 0.5 * curvature <= 0.0 || ++rises_ <= mostRises) return;
     if (slope < 0.0) {
         const double part = -slope / curvature;
         mix(pressure_, part, pressureBefore_);

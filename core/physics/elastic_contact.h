@@ -5,11 +5,12 @@
 // negative: there the softer body has flowed (elastic - perfectly plastic, Almqvist et al. 2007).
 //
 // The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). Conjugate gradients on FFT
-// convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that take a fourth of the convolutions.
+// convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that take a fifth of the convolutions.
 // Theirs change the cells in contact at every step and convolve twice for it; here a few steps are taken on the same cells,
 // and then cells whose pressure left the bounds are fixed there and cells whose gap has the wrong sign are freed (primal-dual
-// active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned (contact_cells.h). A change that raises the
-// energy is cut to the point of least energy on its way, and replaced by a short step along the gradient where there is none.
+// active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned (contact_cells.h). If the
+// energy rises often, changes that raise it are cut to the point of least energy on their way, and replaced by a short step along
+// the gradient where there is none.
 //
 // A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear less
 // than H, as Polonsky & Keer's.
@@ -80,7 +81,7 @@ private:
     std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
     bool displacementHolds_ = true; // displacement_ is of pressure_
     double wrongGap_ = 0.0;         // that the tolerance allows [m]
-    int iterations_ = 0;
+    int iterations_ = 0, rises_ = 0;
 };
 
 } // namespace touchdown
