@@ -32,7 +32,7 @@ namespace touchdown {
 class DiskTopography {
 public:
     /// Flat.
-    DiskTopography() = default;
+    DiskTopography() : DiskTopography(DiskSurface{}) {}
     /// `surface` without problems (core/physics/disk_surface_check.h); `file` for the kinds that read one.
     /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map.
     explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {});

@@ -115,6 +115,7 @@ struct Moments {
 
 SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic)
 {
+    assert(grid.cells() > 0);
     SurfaceStatistics s;
     const auto columns = static_cast<std::size_t>(grid.nx);
     const double points = static_cast<double>(grid.cells());
@@ -161,7 +162,7 @@ SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source,
 
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic)
 {
-    assert(heights.size() == grid.cells() && !heights.empty());
+    assert(heights.size() == grid.cells());
     const auto columns = static_cast<std::size_t>(grid.nx);
     return statisticsOf(
         grid,
