@@ -41,15 +41,19 @@ std::array<double, 8> hermite(const std::array<double, 4>& a, const std::array<d
 } // namespace
 
 AsperityContact::AsperityContact(const Asperities& asperities, const ElasticPair& pair)
-    : sigma_(asperities.heightDeviation), inverseSigma_(1.0 / asperities.heightDeviation), planeHeight_(asperities.planeHeight),
-      density_(asperities.density), radius_(asperities.radius), criticalInterference_(std::numeric_limits<double>::infinity())
+    : sigma_(asperities.heightDeviation),
+      inverseSigma_(1.0 / asperities.heightDeviation),
+      planeHeight_(asperities.planeHeight),
+      density_(asperities.density),
+      radius_(asperities.radius),
+      criticalInterference_(std::numeric_limits<double>::infinity())
 {
     const double modulus = contactModulus(pair);
     assert(sigma_ > 0.0 && density_ > 0.0 && radius_ > 0.0 && modulus > 0.0);
     hertz_ = 4.0 / 3.0 * modulus * std::sqrt(radius_);
     if (asperities.model == AsperityModel::ElasticPlastic) {
         assert(asperities.yieldStrength > 0.0);
-        const double hardness = 2.8 * asperities.yieldStrength;                  // H [Pa]
+        const double hardness = 2.8 * asperities.yieldStrength;                    // H [Pa]
         const double pressure = (0.454 + 0.41 * pair.diskPoissonRatio) * hardness; // K H [Pa]
         flow_ = std::numbers::pi * radius_ * pressure;
         const double root = std::numbers::pi * pressure / (2.0 * modulus);
@@ -117,14 +121,44 @@ AsperityContact::Derivatives AsperityContact::integrate(double t) const
     return sum;
 }
 
+AsperityContact::Derivatives AsperityContact::deep(double t) const
+{
+    const double mean = -t * sigma_; // of w [m]
+    const double wc = criticalInterference_;
+    const double spread = upperEnd * sigma_;
+    if (mean + spread < wc) {
+        // E[w^n] = mean^n (1 + sum over even k of binomial(n, k) (k - 1)!! t^-k), asymptotic; four terms leave 1e-11 at t = -16.
+        const auto moment = [&](double n) {
+            double term = 1.0, sum = 1.0;
+            for (int k = 2; k <= 8; k += 2) {
+                term *= (n - k + 2.0) * (n - k + 1.0) / (k * t * t);
+                sum += term;
+            }
+            return sum;
+        };
+        const double root = std::sqrt(mean);
+        return {density_ * 0.4 * hertz_ * mean * mean * root * moment(2.5),
+                -density_ * sigma_ * hertz_ * mean * root * moment(1.5),
+                density_ * sigma_ * sigma_ * 1.5 * hertz_ * root * moment(0.5)};
+    }
+    if (mean - spread > wc) {
+        const double square = mean * mean + sigma_ * sigma_; // E[w^2]
+        const double elastic = 0.4 * hertz_ * wc * wc * std::sqrt(wc);
+        return {density_ * (elastic + flow_ * (square - wc * mean)), -density_ * sigma_ * flow_ * (2.0 * mean - wc),
+                density_ * sigma_ * sigma_ * 2.0 * flow_};
+    }
+    return integrate(t);
+}
+
 double AsperityContact::stiffness(double separation) const
 {
     const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
     const double scale = inverseSigma_ * inverseSigma_;
-    if (t < lowerEnd) return integrate(t)[2] * scale;
+    if (t < lowerEnd) return deep(t)[2] * scale;
     const auto [c, x] = place(t);
-    const double curvature = 2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * (20.0 * c[5] + x * (30.0 * c[6] + x * 42.0 * c[7]))));
+    const double curvature =
+        2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * (20.0 * c[5] + x * (30.0 * c[6] + x * 42.0 * c[7]))));
     return curvature * perDeviation * perDeviation * scale;
 }
 
@@ -132,7 +166,7 @@ double AsperityContact::energy(double separation) const
 {
     const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
-    if (t < lowerEnd) return integrate(t)[0];
+    if (t < lowerEnd) return deep(t)[0];
     const auto [c, x] = place(t);
     return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * (c[5] + x * (c[6] + x * c[7]))))));
 }

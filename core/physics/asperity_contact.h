@@ -15,8 +15,8 @@
 //
 // Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s, which meet the energy and its first
 // three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its error is below 1e-9
-// of p or p(0), whichever is larger. Left of the table, where every summit is pressed deep, the integral itself is taken,
-// which is slow.
+// of p or p(0), whichever is larger. Left of the table every summit is pressed deep: there all are elastic or all flow, and the
+// moments of w are known. Only where some flow, because w_c happens to lie there, is the integral itself taken (5 us).
 #pragma once
 
 #include <algorithm>
@@ -53,6 +53,7 @@ private:
     /// W and its derivatives to t.
     using Derivatives = std::array<double, 4>;
     Derivatives integrate(double t) const;
+    Derivatives deep(double t) const;
     double summitForce(double interference) const;
     double summitEnergy(double interference) const;
 
@@ -92,9 +93,10 @@ inline double AsperityContact::pressure(double separation) const
 {
     const double t = deviations(separation);
     if (t >= upperEnd) return 0.0;
-    if (t < lowerEnd) return -integrate(t)[1] * inverseSigma_;
+    if (t < lowerEnd) return -deep(t)[1] * inverseSigma_;
     const auto [c, x] = place(t);
-    const double slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * (5.0 * c[5] + x * (6.0 * c[6] + x * 7.0 * c[7])))));
+    const double higher = 4.0 * c[4] + x * (5.0 * c[5] + x * (6.0 * c[6] + x * 7.0 * c[7]));
+    const double slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * higher));
     return -slope * perDeviation * inverseSigma_;
 }
 

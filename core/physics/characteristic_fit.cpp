@@ -12,8 +12,8 @@ namespace touchdown {
 namespace {
 
 constexpr int samplesEachWay = 801;
-constexpr double allowed = 0.1;   // of the scale, see the header
-constexpr double barely = 1e-3;   // share of the summits, below which the pad has not been there
+constexpr double allowed = 0.1; // of the scale, see the header
+constexpr double barely = 1e-3; // share of the summits, below which the pad has not been there
 
 /// Largest |F_m| and F_cr on the way: what errors are measured against.
 struct Scales {
@@ -33,8 +33,8 @@ Scales scalesOf(const MultiAsperityCurve& curve)
 }
 
 /// The jump of the largest change of F_m, or where |F_m| first passes half its largest value; `otherwise` where it has none.
-double turningPlace(const MultiAsperity& model, const std::vector<MultiAsperityJump>& jumps, const std::vector<MultiAsperityPoint>& way,
-                    double largest, double otherwise)
+double turningPlace(const MultiAsperity& model, const std::vector<MultiAsperityJump>& jumps,
+                    const std::vector<MultiAsperityPoint>& way, double largest, double otherwise)
 {
     double place = otherwise, change = 0.0;
     for (const MultiAsperityJump& jump : jumps) {
@@ -71,7 +71,9 @@ void fitContact(const MultiAsperityCurve& curve, OnoYamane& p)
     // On the way in what lies at d_s itself counts after its jump.
     std::size_t first = curve.towards.size();
     while (first > 0 && curve.towards[first - 1].padSeparation <= p.touchDown) --first;
-    if (first + 1 < curve.towards.size() && curve.towards[first].padSeparation == curve.towards[first + 1].padSeparation) ++first;
+    if (first + 1 < curve.towards.size() &&
+        curve.towards[first].padSeparation == curve.towards[first + 1].padSeparation)
+        ++first;
     std::size_t last = 0;
     while (last < curve.away.size() && curve.away[last].padSeparation <= p.touchDown) ++last;
     take(curve.towards, first, curve.towards.size());
@@ -88,7 +90,8 @@ void fitContact(const MultiAsperityCurve& curve, OnoYamane& p)
 }
 
 /// Which way the law goes through its jump at a point that lies exactly on one: as the model does.
-ContactRegion regionAt(const OnoYamaneLaw& law, const OnoYamane& p, bool inwards, const std::vector<MultiAsperityPoint>& way, std::size_t i)
+ContactRegion regionAt(const OnoYamaneLaw& law, const OnoYamane& p, bool inwards,
+                       const std::vector<MultiAsperityPoint>& way, std::size_t i)
 {
     const double d = way[i].padSeparation;
     const bool before = i + 1 < way.size() && way[i + 1].padSeparation == d;
@@ -120,8 +123,10 @@ Errors compare(const MultiAsperityCurve& curve, const OnoYamane& p, const Scales
         for (std::size_t i = 0; i < way.size(); ++i) {
             const double d = way[i].padSeparation;
             const ContactRegion region = regionAt(law, p, inwards, way, i);
-            if (scales.contact > 0.0) add(errors.contact, (law.contactForce(region, d) - way[i].forces.contact) / scales.contact, d);
-            if (scales.adhesion > 0.0) add(errors.adhesion, (law.adhesionForce(region, d) - way[i].forces.adhesion) / scales.adhesion, d);
+            if (scales.contact > 0.0)
+                add(errors.contact, (law.contactForce(region, d) - way[i].forces.contact) / scales.contact, d);
+            if (scales.adhesion > 0.0)
+                add(errors.adhesion, (law.adhesionForce(region, d) - way[i].forces.adhesion) / scales.adhesion, d);
             count += 1.0;
         }
     }
@@ -161,19 +166,22 @@ double spreadOfAdhesion(const std::vector<MultiAsperityPoint>& way, double large
 }
 
 /// What the five parameters cannot say.
-std::vector<std::string> shortcomings(const CharacteristicFit& fit, const MultiAsperityCurve& curve, const Scales& scales)
+std::vector<std::string> shortcomings(const CharacteristicFit& fit, const MultiAsperityCurve& curve,
+                                      const Scales& scales)
 {
     std::vector<std::string> found;
     if (fit.adhesion.worst > allowed) {
         if (curve.touchDowns.empty()) {
-            found.push_back("menisci gather gradually, over " + nanometres(spreadOfAdhesion(curve.towards, scales.adhesion)) +
+            found.push_back("menisci gather gradually, over " +
+                            nanometres(spreadOfAdhesion(curve.towards, scales.adhesion)) +
                             ", without a jump at touch-down");
         }
         if (curve.takeOffs.empty()) {
             found.push_back("they break gradually, over " + nanometres(spreadOfAdhesion(curve.away, scales.adhesion)) +
                             ", without a jump at take-off");
         }
-        found.push_back("F_m is off by " + percent(fit.adhesion.worst) + " of its largest value at " + nanometres(fit.adhesion.at));
+        found.push_back("F_m is off by " + percent(fit.adhesion.worst) + " of its largest value at " +
+                        nanometres(fit.adhesion.at));
     }
     if (fit.contact.worst > allowed) {
         found.push_back("F_cr is no straight line: off by " + percent(fit.contact.worst) + " of its largest value at " +
@@ -188,19 +196,25 @@ void judge(CharacteristicFit& fit, const MultiAsperity& model, const MultiAsperi
     const double deepest = curve.away.front().padSeparation;
     const MultiAsperityForces& forces = curve.away.front().forces;
     const double summits = model.padArea() * model.summitDensity();
+    const std::string nearest = "The pad comes no nearer than " + nanometres(deepest);
     if (std::max(forces.menisci, forces.contacts) < barely * summits) {
-        fit.message = "The pad comes no nearer than " + nanometres(deepest) + " and touches next to nothing: it must go deeper.";
+        fit.message = nearest + " and touches next to nothing: it must go deeper.";
+        return;
+    }
+    if (const auto ahead = model.nextJump(curve.away.front().state, PadMotion::Towards)) {
+        fit.message = nearest + ", but touches down at " + nanometres(ahead->padSeparation) + ": it must go deeper.";
         return;
     }
     if (model.largestAdhesion() == 0.0) {
-        fit.message = "There is no adhesion, so no touch-down and no take-off: the five parameters do not describe the model.";
+        fit.message =
+            "There is no adhesion, so no touch-down and no take-off: the five parameters do not describe the model.";
         return;
     }
     const std::vector<std::string> reasons = shortcomings(fit, curve, scales);
     fit.describes = reasons.empty();
     if (fit.describes) {
-        fit.message = "The five parameters describe the model: F_cr within " + percent(fit.contact.worst) + " of its largest value, F_m within " +
-                      percent(fit.adhesion.worst) + ".";
+        fit.message = "The five parameters describe the model: F_cr within " + percent(fit.contact.worst) +
+                      " of its largest value, F_m within " + percent(fit.adhesion.worst) + ".";
         return;
     }
     fit.message = "The five parameters do not describe the model: ";

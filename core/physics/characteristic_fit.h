@@ -27,14 +27,15 @@ struct CharacteristicError {
 };
 
 struct CharacteristicFit {
-    OnoYamane parameters;        // friction and padDistance as they came
-    CharacteristicError contact; // of F_cr, against its largest value on the way
+    OnoYamane parameters;         // friction and padDistance as they came
+    CharacteristicError contact;  // of F_cr, against its largest value on the way
     CharacteristicError adhesion; // of F_m, against the largest adhesion
     bool describes = false;
-    std::string message;         // a sentence: how well, or what the five parameters cannot say of this model
+    std::string message; // a sentence: how well, or what the five parameters cannot say of this model
 };
 
 /// From beyond the model's reach, or from `start` if that is farther, to `closest`, which is less [m].
-CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, double closest, const OnoYamane& rest = {});
+CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, double closest,
+                                    const OnoYamane& rest = {});
 
 } // namespace touchdown

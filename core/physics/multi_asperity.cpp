@@ -20,7 +20,10 @@ constexpr double piece = 1.0 / 16.0;
 /// Share of Gaussian heights above x deviations.
 double shareAbove(double x) { return x < farthest ? 0.5 * std::erfc(x / std::numbers::sqrt2) : 0.0; }
 
-double normal(double x) { return std::abs(x) < farthest ? std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi) : 0.0; }
+double normal(double x)
+{
+    return std::abs(x) < farthest ? std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi) : 0.0;
+}
 
 } // namespace
 
@@ -44,14 +47,17 @@ struct MultiAsperity::Path {
     double slope(double s) const
     {
         const double pressing = model.area_ * model.contact_.stiffness(s);
-        const double gathering = drags(s) ? model.meniscusForce_ * normal((s - lag() - model.planeHeight_) / model.sigma_) / model.sigma_ : 0.0;
+        const double gathering =
+            drags(s) ? model.meniscusForce_ * normal((s - lag() - model.planeHeight_) / model.sigma_) / model.sigma_
+                     : 0.0;
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
     /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest adhesion).
     double foldingHeight() const
     {
-        const double peak = model.meniscusForce_ / (std::sqrt(2.0 * std::numbers::pi) * model.sigma_ * model.bulkStiffness_);
+        const double peak =
+            model.meniscusForce_ / (std::sqrt(2.0 * std::numbers::pi) * model.sigma_ * model.bulkStiffness_);
         return peak > 1.0 ? std::min(farthest, std::sqrt(2.0 * std::log(peak))) * model.sigma_ : 0.0;
     }
 
@@ -128,8 +134,9 @@ double MultiAsperity::Path::end(double target) const
 {
     // F_m never exceeds the largest adhesion; F_cr at any s > d is at most its value at s = d.
     const double margin = model.sigma_ + 1e-9 * std::abs(target); // against rounding
-    return motion == PadMotion::Away ? target + model.area_ * model.contact_.pressure(target) / model.bulkStiffness_ + margin
-                                     : target - model.meniscusForce_ / model.bulkStiffness_ - margin;
+    return motion == PadMotion::Away
+               ? target + model.area_ * model.contact_.pressure(target) / model.bulkStiffness_ + margin
+               : target - model.meniscusForce_ / model.bulkStiffness_ - margin;
 }
 
 double MultiAsperity::Path::firstMeeting(double target) const
@@ -164,20 +171,30 @@ double MultiAsperity::Path::landing() const
     return found;
 }
 
-MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& meniscus, const ElasticPair& pair, double padArea)
-    : contact_(asperities, pair), sigma_(asperities.heightDeviation), film_(meniscus.filmThickness), bridge_(meniscus.breakingLength),
-      planeHeight_(asperities.planeHeight), area_(padArea), density_(asperities.density)
+MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& meniscus, const ElasticPair& pair,
+                             double padArea)
+    : contact_(asperities, pair),
+      sigma_(asperities.heightDeviation),
+      film_(meniscus.filmThickness),
+      bridge_(meniscus.breakingLength),
+      planeHeight_(asperities.planeHeight),
+      area_(padArea),
+      density_(asperities.density)
 {
     assert(padArea > 0.0 && film_ >= 0.0 && bridge_ >= film_ && meniscus.surfaceTension >= 0.0);
     // Mean distance of the points of a unit square, inverted: 4 [ln(1 + sqrt 2) - (sqrt 2 - 1)/3]; u = p sqrt(A)/(pi E*) times
     // it (Love 1929; Johnson 1985, section 3.3). A circle is 1.2 % softer, 3 pi^(3/2)/16 = 1.0441 (Johnson, equation 3.29).
     const double square = 4.0 * (std::log(1.0 + std::numbers::sqrt2) - (std::numbers::sqrt2 - 1.0) / 3.0);
     bulkStiffness_ = std::numbers::pi / square * contactModulus(pair) * std::sqrt(padArea);
-    const double oneMeniscus = 2.0 * std::numbers::pi * asperities.radius * meniscus.surfaceTension * (1.0 + std::cos(meniscus.contactAngle));
+    const double oneMeniscus =
+        2.0 * std::numbers::pi * asperities.radius * meniscus.surfaceTension * (1.0 + std::cos(meniscus.contactAngle));
     meniscusForce_ = density_ * padArea * oneMeniscus;
 }
 
-double MultiAsperity::wettedShare(double wettedAbove) const { return shareAbove((wettedAbove - planeHeight_) / sigma_); }
+double MultiAsperity::wettedShare(double wettedAbove) const
+{
+    return shareAbove((wettedAbove - planeHeight_) / sigma_);
+}
 
 MultiAsperityForces MultiAsperity::forces(const MultiAsperityState& state) const
 {
@@ -198,7 +215,10 @@ double MultiAsperity::padSeparation(const MultiAsperityState& state) const
     return state.separation - (area_ * contact_.pressure(state.separation) - adhesion) / bulkStiffness_;
 }
 
-double MultiAsperity::reach() const { return planeHeight_ + bridge_ + farthest * sigma_ + meniscusForce_ / bulkStiffness_; }
+double MultiAsperity::reach() const
+{
+    return planeHeight_ + bridge_ + farthest * sigma_ + meniscusForce_ / bulkStiffness_;
+}
 
 MultiAsperityState MultiAsperity::start(double padSeparation) const
 {
@@ -237,9 +257,12 @@ MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, 
     assert(start > closest && points > 1);
     MultiAsperityCurve curve;
     MultiAsperityState state = model.start(start);
-    const auto follow = [&](double from, double to, std::vector<MultiAsperityPoint>& way, std::vector<MultiAsperityJump>& jumps) {
+    const auto follow = [&](double from, double to, std::vector<MultiAsperityPoint>& way,
+                            std::vector<MultiAsperityJump>& jumps) {
         const PadMotion motion = to < from ? PadMotion::Towards : PadMotion::Away;
-        const auto passed = [&](double place, double d) { return motion == PadMotion::Towards ? d < place : d > place; };
+        const auto passed = [&](double place, double d) {
+            return motion == PadMotion::Towards ? d < place : d > place;
+        };
         const auto add = [&](double d) { way.push_back({d, state, model.forces(state)}); };
         auto jump = model.nextJump(state, motion);
         for (int i = 0; i < points; ++i) {

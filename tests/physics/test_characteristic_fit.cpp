@@ -25,10 +25,11 @@ bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tole
 bool finite(const CharacteristicFit& fit)
 {
     const OnoYamane& p = fit.parameters;
-    for (const double value : {p.meniscusForce, p.contactStiffness, p.initialContactForce, p.touchDown, p.takeOff, fit.contact.worst, fit.contact.rms,
-                               fit.adhesion.worst, fit.adhesion.rms})
+    for (const double value : {p.meniscusForce, p.contactStiffness, p.initialContactForce, p.touchDown, p.takeOff,
+                               fit.contact.worst, fit.contact.rms, fit.adhesion.worst, fit.adhesion.rms})
         if (!std::isfinite(value)) return false;
-    return p.meniscusForce >= 0.0 && p.contactStiffness >= 0.0 && p.initialContactForce >= 0.0 && p.takeOff >= p.touchDown;
+    return p.meniscusForce >= 0.0 && p.contactStiffness >= 0.0 && p.initialContactForce >= 0.0 &&
+           p.takeOff >= p.touchDown;
 }
 
 } // namespace
@@ -59,11 +60,15 @@ private slots:
         s.asperities.heightDeviation = deviation;
         const CharacteristicFit fit = fitCharacteristic(s.model(), 0.0, 1e-9);
         QVERIFY(finite(fit));
-        const QString found = QString("%1 contact %2 adhesion %3").arg(fit.message.c_str()).arg(fit.contact.worst).arg(fit.adhesion.worst);
+        const QString found = QString("%1 contact %2 adhesion %3")
+                                  .arg(fit.message.c_str())
+                                  .arg(fit.contact.worst)
+                                  .arg(fit.adhesion.worst);
         QVERIFY2(fit.describes == describes, qPrintable(found));
         QCOMPARE(fit.describes, fit.contact.worst <= 0.1 && fit.adhesion.worst <= 0.1);
         QVERIFY(fit.contact.rms <= fit.contact.worst && fit.adhesion.rms <= fit.adhesion.worst);
-        QVERIFY(fit.message.starts_with(describes ? "The five parameters describe" : "The five parameters do not describe"));
+        QVERIFY(fit.message.starts_with(describes ? "The five parameters describe"
+                                                  : "The five parameters do not describe"));
     }
 
     /// Summits all alike at y_s: d_s = y_s + t, d_e = y_s + h_b + f_m/k_b, f_m of all menisci; F_cr is stiff against the bulk, so
@@ -105,12 +110,17 @@ private slots:
                 // The two ends of a jump lie at one d, where either side is right.
                 if (d == fit.parameters.touchDown || d == fit.parameters.takeOff) continue;
                 const ContactRegion region = law.region(branch, d);
-                worstContact = std::max(worstContact, std::abs(law.contactForce(region, d) - (*way)[i].forces.contact) / largest);
-                worstAdhesion = std::max(worstAdhesion, std::abs(law.adhesionForce(region, d) - (*way)[i].forces.adhesion) / fit.parameters.meniscusForce);
+                worstContact =
+                    std::max(worstContact, std::abs(law.contactForce(region, d) - (*way)[i].forces.contact) / largest);
+                worstAdhesion =
+                    std::max(worstAdhesion, std::abs(law.adhesionForce(region, d) - (*way)[i].forces.adhesion) /
+                                                fit.parameters.meniscusForce);
             }
         }
-        QVERIFY2(worstContact < 1.05 * fit.contact.worst, qPrintable(QString("%1 %2").arg(worstContact).arg(fit.contact.worst)));
-        QVERIFY2(worstAdhesion < 1.05 * fit.adhesion.worst, qPrintable(QString("%1 %2").arg(worstAdhesion).arg(fit.adhesion.worst)));
+        QVERIFY2(worstContact < 1.05 * fit.contact.worst,
+                 qPrintable(QString("%1 %2").arg(worstContact).arg(fit.contact.worst)));
+        QVERIFY2(worstAdhesion < 1.05 * fit.adhesion.worst,
+                 qPrintable(QString("%1 %2").arg(worstAdhesion).arg(fit.adhesion.worst)));
     }
 
     /// The default surface and lubricant, on a pad of 62 x 62 um, come near the paper's five values.
@@ -142,6 +152,7 @@ private slots:
         QTest::newRow("menisci before the jump") << 8.5e12 << 0.6e-9 << 0.025 << 1e-9 << "F_m is off by";
         QTest::newRow("contact not straight") << 1e12 << 0.8e-9 << 0.025 << 1e-9 << "F_cr is no straight line";
         QTest::newRow("no adhesion") << 8.5e12 << 0.2e-9 << 0.0 << 1e-9 << "no adhesion";
+        QTest::newRow("turned before touch-down") << 8.5e12 << 0.2e-9 << 0.025 << 3.05e-9 << "but touches down at 3.02 nm";
         QTest::newRow("not deep enough") << 8.5e12 << 0.2e-9 << 0.025 << 6e-9 << "must go deeper";
     }
     void messageNamesWhatFails()
@@ -164,7 +175,8 @@ private slots:
     /// Friction, arm and the rest stay as given.
     void keepsTheRest()
     {
-        const CharacteristicFit fit = fitCharacteristic(Setting{}.model(), 0.0, 1e-9, {.friction = 0.7, .padDistance = 1e-4});
+        const CharacteristicFit fit =
+            fitCharacteristic(Setting{}.model(), 0.0, 1e-9, {.friction = 0.7, .padDistance = 1e-4});
         QCOMPARE(fit.parameters.friction, 0.7);
         QCOMPARE(fit.parameters.padDistance, 1e-4);
     }

@@ -22,7 +22,10 @@ struct Setting {
     double area = 3.6e-9;
 
     MultiAsperity model() const { return {asperities, meniscus, pair, area}; }
-    double adhesion() const { return asperities.density * area * 4.0 * pi * asperities.radius * meniscus.surfaceTension; }
+    double adhesion() const
+    {
+        return asperities.density * area * 4.0 * pi * asperities.radius * meniscus.surfaceTension;
+    }
 };
 
 /// A pad so small against its summits' stiffness that the bulk does not give way: k_b grows with sqrt(A), the forces with A.
@@ -39,7 +42,8 @@ double worstSpacing(const MultiAsperityCurve& curve, const MultiAsperity& model)
 {
     double worst = 0.0;
     for (const auto* way : {&curve.towards, &curve.away})
-        for (const MultiAsperityPoint& point : *way) worst = std::max(worst, std::abs(model.padSeparation(point.state) - point.padSeparation));
+        for (const MultiAsperityPoint& point : *way)
+            worst = std::max(worst, std::abs(model.padSeparation(point.state) - point.padSeparation));
     return worst;
 }
 
@@ -79,17 +83,22 @@ private slots:
         const double closest = 1.5e-9;
         const auto curve = multiAsperityCurve(model, 6e-9, closest, 101);
         QVERIFY(curve.touchDowns.empty() && curve.takeOffs.empty());
-        const auto wetted = [&](double height) { return 0.5 * std::erfc((height - s.asperities.planeHeight) / s.asperities.heightDeviation / std::sqrt(2.0)); };
+        const auto wetted = [&](double height) {
+            return 0.5 * std::erfc((height - s.asperities.planeHeight) / s.asperities.heightDeviation / std::sqrt(2.0));
+        };
         // What is left of the bulk's giving way, F_c/k_b, is below 1e-15 m.
         for (const MultiAsperityPoint& point : curve.towards) {
             const double d = point.padSeparation;
-            QVERIFY(near(point.forces.contact, s.area * contact.pressure(d), 1e-5 * s.area * contact.pressure(closest)));
+            QVERIFY(
+                near(point.forces.contact, s.area * contact.pressure(d), 1e-5 * s.area * contact.pressure(closest)));
             QVERIFY(near(-point.forces.adhesion, s.adhesion() * wetted(d - 0.5e-9), 1e-5 * s.adhesion()));
         }
         for (const MultiAsperityPoint& point : curve.away) {
             const double d = point.padSeparation;
-            QVERIFY(near(point.forces.contact, s.area * contact.pressure(d), 1e-5 * s.area * contact.pressure(closest)));
-            QVERIFY(near(-point.forces.adhesion, s.adhesion() * wetted(std::max(closest - 0.5e-9, d - 1.5e-9)), 1e-5 * s.adhesion()));
+            QVERIFY(
+                near(point.forces.contact, s.area * contact.pressure(d), 1e-5 * s.area * contact.pressure(closest)));
+            QVERIFY(near(-point.forces.adhesion, s.adhesion() * wetted(std::max(closest - 0.5e-9, d - 1.5e-9)),
+                         1e-5 * s.adhesion()));
         }
     }
 
@@ -100,7 +109,8 @@ private slots:
         const Setting s = stiffBulk();
         const auto curve = multiAsperityCurve(s.model(), 6e-9, 1.5e-9, 2001);
         const double expected = s.adhesion() * 1e-9;
-        QVERIFY2(near(curve.work, expected, 1e-5 * expected), qPrintable(QString::number(curve.work / expected, 'g', 9)));
+        QVERIFY2(near(curve.work, expected, 1e-5 * expected),
+                 qPrintable(QString::number(curve.work / expected, 'g', 9)));
     }
 
     /// Without surface tension the way out retraces the way in and nothing is lost, soft as the bulk may be; d = s - A p(s)/k_b.
@@ -143,8 +153,11 @@ private slots:
         QVERIFY(near(out.padSeparation, 3.5e-9 + fm / kb, 5e-12));
 
         // s after touch-down, by halving.
-        const double hertz = s.asperities.density * s.area * 4.0 / 3.0 * contactModulus(s.pair) * std::sqrt(s.asperities.radius);
-        const auto excess = [&](double place) { return hertz * std::pow(std::max(0.0, 2e-9 - place), 1.5) - fm - kb * (place - in.padSeparation); };
+        const double hertz =
+            s.asperities.density * s.area * 4.0 / 3.0 * contactModulus(s.pair) * std::sqrt(s.asperities.radius);
+        const auto excess = [&](double place) {
+            return hertz * std::pow(std::max(0.0, 2e-9 - place), 1.5) - fm - kb * (place - in.padSeparation);
+        };
         double low = 0.0, high = in.padSeparation;
         for (int i = 0; i < 100; ++i) {
             const double middle = 0.5 * (low + high);
@@ -153,7 +166,8 @@ private slots:
         const MultiAsperityForces after = model.forces(in.to);
         QVERIFY(near(in.to.separation, low, 1e-13));
         QVERIFY(near(after.adhesion, -fm, 1e-9 * fm));
-        QVERIFY(near(after.total(), kb * (low - in.padSeparation), 2e-3 * fm)); // 0.1 pm of 2 nm pressed by k_b + dF_cr/ds
+        QVERIFY(
+            near(after.total(), kb * (low - in.padSeparation), 2e-3 * fm)); // 0.1 pm of 2 nm pressed by k_b + dF_cr/ds
         QVERIFY(near(model.forces(out.from).adhesion, -fm, 0.02 * fm));
         QCOMPARE(model.forces(out.to).total(), 0.0);
     }
@@ -264,7 +278,8 @@ private slots:
         QCOMPARE(curve.away.back().forces.total(), 0.0);
         // Two samplings agree: the trapezoid's area has settled.
         const auto finer = multiAsperityCurve(model, model.reach(), closest, 4001);
-        QVERIFY2(near(finer.work, curve.work, 1e-3 * curve.work), qPrintable(QString("%1 %2").arg(finer.work).arg(curve.work)));
+        QVERIFY2(near(finer.work, curve.work, 1e-3 * curve.work),
+                 qPrintable(QString("%1 %2").arg(finer.work).arg(curve.work)));
     }
 
     /// Menisci so strong against the bulk that it stretches half a millimetre before they let go: still one jump each way, and
@@ -304,7 +319,8 @@ private slots:
         }
         QCOMPARE(state.wettedAbove, begin.wettedAbove);
         const MultiAsperityForces last = model.forces(state);
-        const double expected = last.storedEnergy - first.storedEnergy - last.adhesion * (state.separation - begin.separation);
+        const double expected =
+            last.storedEnergy - first.storedEnergy - last.adhesion * (state.separation - begin.separation);
         QVERIFY2(near(work, expected, 1e-6 * std::abs(expected)), qPrintable(QString("%1 %2").arg(work).arg(expected)));
     }
 
