@@ -108,8 +108,12 @@ ContactCells::ContactCells(const HalfSpace& space)
     const std::size_t cells = space.grid().cells();
     runs_.reserve(cells / 2 + 1);
     takesPart_.assign(cells + margin_, 0);
+    // On fewer than five columns the line would bring some neighbours back as others.
+    for (int k = 0; k < neighbours; ++k)
+        if (2 * std::abs(columnOf[k]) < space.grid().nx) usable_.push_back(k);
     set_.assign(cells, 0);
-    half_.assign(cells + 2 * margin_, 0.0);
+    half_.assign(cells, 0.0);
+    whole_.assign(cells + 2 * margin_, 0.0);
     // What near cells do to each other hardly depends on how large the grid is, nor on its edges.
     constexpr int n = 5;
     HalfSpace small({n, n, space.grid().dx, space.grid().dy}, space.modulus());
@@ -123,6 +127,7 @@ void ContactCells::clear()
 {
     runs_.clear();
     count_ = 0;
+    setsHold_ = false;
 }
 
 void ContactCells::add(std::size_t cell)
@@ -130,26 +135,33 @@ void ContactCells::add(std::size_t cell)
     if (runs_.empty() || runs_.back().last != cell) runs_.push_back({cell, cell});
     ++runs_.back().last;
     ++count_;
+    setsHold_ = false;
 }
 
-void ContactCells::prepare()
+void ContactCells::findSets()
 {
+    setsHold_ = true;
     std::fill(takesPart_.begin(), takesPart_.end(), static_cast<unsigned char>(0));
     unsigned char* taken = takesPart_.data() + margin_;
     forEach([&](std::size_t i) { taken[i] = 1; });
     forEach([&](std::size_t i) {
         unsigned set = 0;
-        for (int k = 0; k < neighbours; ++k) set |= static_cast<unsigned>(taken[static_cast<std::ptrdiff_t>(i) + rowOf[k] * stride_ + columnOf[k]]) << k;
+        for (const int k : usable_) set |= static_cast<unsigned>(taken[static_cast<std::ptrdiff_t>(i) + rowOf[k] * stride_ + columnOf[k]]) << k;
         set_[i] = static_cast<std::uint16_t>(set);
     });
 }
 
 double ContactCells::precondition(const double* in, double* out)
 {
-    applyRows(runs_, set_.data(), rows_.data(), stride_, in, half_.data() + margin_, out);
+    if (!setsHold_) findSets();
+    double* whole = whole_.data() + margin_;
+    applyRows(runs_, set_.data(), rows_.data(), stride_, in, half_.data(), whole);
     double sum = 0.0;
     for (const Run& run : runs_)
-        for (std::size_t at = run.first; at < run.last; ++at) sum += out[at];
+        for (std::size_t at = run.first; at < run.last; ++at) {
+            out[at] = whole[at];
+            sum += whole[at];
+        }
     return sum;
 }
 

@@ -28,9 +28,8 @@ public:
     void add(std::size_t cell);
     std::size_t count() const { return count_; }
 
-    /// After the last add(), before precondition().
-    void prepare();
-    /// Values that fields given to precondition() need before the first cell; there and wherever no cell is, `in` must be zero.
+    /// Values that a field given to precondition() needs before its first cell and after its last; there and wherever no
+    /// cell is, it must be zero.
     std::size_t margin() const { return margin_; }
     /// out = M in. Returns the sum of out.
     double precondition(const double* in, double* out);
@@ -56,6 +55,8 @@ public:
     };
 
 private:
+    void findSets();
+
     static constexpr int neighbours = 12;
     using Row = std::array<double, neighbours + 4>; // G's, in the order of `offsets_`, the cell itself last; padded
 
@@ -64,7 +65,9 @@ private:
     std::vector<Row> rows_;                    // by the set of neighbours that take part, as bits
     std::vector<unsigned char> takesPart_;     // with the margin before
     std::vector<std::uint16_t> set_;           // of each cell, by index
-    std::vector<double> half_;                 // G in, with the margin before
+    bool setsHold_ = false;
+    std::vector<double> half_, whole_;         // G in; G^T G in, with the margin before and after
+    std::vector<int> usable_;                  // neighbours
     std::ptrdiff_t stride_;
 };
 

@@ -52,9 +52,9 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     : space_(std::move(space)), options_(options), cells_(space_)
 {
     const std::size_t cells = space_.grid().cells();
-    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &direction_, &image_})
+    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
         field->assign(cells, 0.0);
-    for (auto* field : {&residual_, &constant_, &change_}) field->assign(cells + cells_.margin(), 0.0);
+    residual_.assign(cells + 2 * cells_.margin(), 0.0);
 }
 
 void ElasticContact::reset()
@@ -214,7 +214,6 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const double scale = std::max(highest - lowest, peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
-    cells_.prepare();
     if (!std::isfinite(all + scale)) summary.error = infinity;
     wrongGap_ = options_.tolerance * scale;
 }
@@ -226,9 +225,9 @@ bool ElasticContact::step(bool load, int mostIterations)
     std::fill(residual_.begin(), residual_.end(), 0.0);
     std::fill(direction_.begin(), direction_.end(), 0.0);
     double* r = residual_.data() + cells_.margin();
-    double* z = change_.data() + cells_.margin();
+    double* z = change_.data();
     double* d = direction_.data();
-    double* constant = constant_.data() + cells_.margin();
+    double* constant = constant_.data();
     double constantSum = 0.0;
     if (load) {
         cells_.fill(1.0, r);
