@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "core/physics/multi_asperity_curve.h"
+
 namespace touchdown {
 
 namespace {

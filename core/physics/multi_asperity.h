@@ -23,7 +23,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "core/physics/asperity_contact.h"
 
@@ -66,6 +65,8 @@ public:
     MultiAsperityForces forces(const MultiAsperityState& state) const;
     /// d = s - F_c/k_b [m].
     double padSeparation(const MultiAsperityState& state) const;
+    /// -dF_c/dd of a small move from `state` [N/m], k_b (d' - 1)/d' with d'(s); infinite at a fold.
+    double stiffness(const MultiAsperityState& state, PadMotion motion) const;
     /// The first jump ahead, if there is one before all summits are wetted or dry.
     std::optional<MultiAsperityJump> nextJump(const MultiAsperityState& state, PadMotion motion) const;
 
@@ -92,22 +93,5 @@ private:
     double bulkStiffness_ = 0.0; // k_b [N/m]
     double meniscusForce_ = 0.0; // eta A 2 pi R gamma (1 + cos theta) [N]
 };
-
-/// One point of the curve of a pad that goes in and out.
-struct MultiAsperityPoint {
-    double padSeparation = 0.0; // d [m]
-    MultiAsperityState state;
-    MultiAsperityForces forces;
-};
-
-/// In from `start` to `closest` and back out, `points` evenly spaced ones each way; a jump adds its two ends at one d.
-struct MultiAsperityCurve {
-    std::vector<MultiAsperityPoint> towards, away;
-    std::vector<MultiAsperityJump> touchDowns, takeOffs;
-    /// What the pad's drive lost on the way in and out: the area of the loop F_c(d) [J].
-    double work = 0.0;
-};
-
-MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, double closest, int points = 401);
 
 } // namespace touchdown

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "core/physics/multi_asperity_curve.h"
+
 using namespace touchdown;
 
 namespace {
