@@ -16,6 +16,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double residualShare = 0.1; // to which conjugate gradients reduce the gap before the cells are chosen anew
 constexpr int mostSteps = 8;          // that they take for it
+constexpr int fewestCells = 16;       // along a side of a grid that has a coarser one
+constexpr double coarseTolerance = 1e-2;
+constexpr int mostCoarseIterations = 30;
 constexpr int mostRises = 12;         // of the energy that are let pass, before it must fall
 
 TOUCHDOWN_VECTOR_CLONES void addTo(std::span<double> to, double factor, std::span<const double> from)
@@ -55,6 +58,12 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
         field->assign(cells, 0.0);
     residual_.assign(cells + 2 * cells_.margin(), 0.0);
+    const UniformGrid& grid = space_.grid();
+    if (grid.nx % 2 != 0 || grid.ny % 2 != 0 || std::min(grid.nx, grid.ny) < fewestCells) return;
+    const UniformGrid coarse{grid.nx / 2, grid.ny / 2, 2.0 * grid.dx, 2.0 * grid.dy, grid.x0, grid.y0};
+    coarser_ = std::make_unique<ElasticContact>(HalfSpace(coarse, space_.modulus(), space_.edges()),
+                                                ElasticContactOptions{coarseTolerance, mostCoarseIterations, options.hardness});
+    coarseSeparation_.assign(coarse.cells(), 0.0);
 }
 
 void ElasticContact::reset()
@@ -62,6 +71,7 @@ void ElasticContact::reset()
     std::fill(pressure_.begin(), pressure_.end(), 0.0);
     std::fill(displacement_.begin(), displacement_.end(), 0.0);
     displacementHolds_ = true;
+    cold_ = true;
 }
 
 double ElasticContact::contactArea() const
@@ -123,7 +133,7 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
     iterations_ = 0;
     rises_ = 0;
     ElasticContactSummary summary;
-    start(total);
+    start(separation, total);
     for (;;) {
         measure(separation, total.has_value(), summary);
         summary.iterations = iterations_;
@@ -154,8 +164,10 @@ void ElasticContact::displace()
 }
 
 // From the last pressure, which may have another sum; where its cells cannot hold the load, from the same on all cells.
-void ElasticContact::start(std::optional<double> total)
+void ElasticContact::start(std::span<const double> separation, std::optional<double> total)
 {
+    if (cold_ && coarser_) startFromCoarser(separation, total);
+    cold_ = false;
     if (total) {
         cells_.clear();
         for (std::size_t i = 0; i < pressure_.size(); ++i)
@@ -168,6 +180,20 @@ void ElasticContact::start(std::optional<double> total)
         }
     }
     if (!displacementHolds_) displace();
+}
+
+void ElasticContact::startFromCoarser(std::span<const double> separation, std::optional<double> total)
+{
+    const auto nx = static_cast<std::size_t>(space_.grid().nx);
+    const std::size_t coarseX = nx / 2;
+    for (std::size_t c = 0; c < coarseSeparation_.size(); ++c) {
+        const double* corner = separation.data() + 2 * (c / coarseX * nx + c % coarseX);
+        coarseSeparation_[c] = 0.25 * ((corner[0] + corner[1]) + (corner[nx] + corner[nx + 1]));
+    }
+    coarser_->reset();
+    coarser_->iterate(coarseSeparation_, total ? std::optional(*total / 4.0) : std::nullopt);
+    for (std::size_t i = 0; i < pressure_.size(); ++i) pressure_[i] = coarser_->pressure_[i / nx / 2 * coarseX + i % nx / 2];
+    displacementHolds_ = false;
 }
 
 // Sets the gap, its error, and the cells whose pressure is to change.

@@ -12,10 +12,13 @@
 // energy rises often, changes that raise it are cut to the point of least energy on their way, and replaced by a short step along
 // the gradient where there is none.
 //
+// Without a last solution it starts from the one on a grid of cells twice as large, and so on.
+//
 // A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear less
 // than H, as Polonsky & Keer's.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,7 +39,7 @@ struct ElasticContactOptions {
 
 struct ElasticContactSummary {
     bool converged = false;
-    int iterations = 0;           // each one convolution; 0 where nothing could touch
+    int iterations = 0;           // each one convolution on the grid itself; 0 where nothing could touch
     double error = 0.0;           // as the tolerance measures it [-]
     double load = 0.0;            // [N]
     double approach = 0.0;        // load control: what was added to the separation [m]
@@ -65,7 +68,8 @@ public:
 private:
     ElasticContactSummary refuse(std::string message);
     ElasticContactSummary iterate(std::span<const double> separation, std::optional<double> total);
-    void start(std::optional<double> total);
+    void start(std::span<const double> separation, std::optional<double> total);
+    void startFromCoarser(std::span<const double> separation, std::optional<double> total);
     void measure(std::span<const double> separation, bool load, ElasticContactSummary& summary);
     bool step(bool load, int mostIterations);
     bool project(std::optional<double> total);
@@ -80,6 +84,9 @@ private:
     std::vector<double> pressureBefore_, displacementBefore_;
     std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
     bool displacementHolds_ = true; // displacement_ is of pressure_
+    bool cold_ = true;              // there is no last solution
+    std::unique_ptr<ElasticContact> coarser_; // of half the cells along each side, where there are many
+    std::vector<double> coarseSeparation_;
     double wrongGap_ = 0.0;         // that the tolerance allows [m]
     int iterations_ = 0, rises_ = 0;
 };
