@@ -52,7 +52,8 @@ public:
         if (!arguments.out.empty()) {
             // Without the files that the text may name, so that the results stand alone.
             const std::string text = updateCaseText(document.text, document.value);
-            problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_);
+            problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
+                                                   recordedFields(document.value));
             spectra_.emplace(document.value, quantities_);
         }
         if (problem_.empty() && !arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
@@ -61,10 +62,10 @@ public:
     const std::vector<Quantity>& quantities() const { return quantities_; }
     const std::string& problem() const { return problem_; }
 
-    void add(const SampleBatch& batch)
+    void add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)
     {
         if (spectra_) spectra_->add(batch);
-        if (problem_.empty() && results_) problem_ = results_->append(batch);
+        if (problem_.empty() && results_) problem_ = results_->append(batch, fields);
         if (problem_.empty() && csv_) problem_ = csv_->append(batch);
     }
 
@@ -109,7 +110,7 @@ int runCommand(const RunArguments& arguments)
     }
     ProgressLine progress(arguments.progress, output.quantities());
     Summary summary = run(document.value, [&](const RunUpdate& update) {
-        output.add(update.samples);
+        output.add(update.samples, update.fields);
         progress.show(update);
         return !stop.requested() && output.problem().empty();
     });

@@ -8,6 +8,7 @@
 #include "app/json_text.h"
 #include "app/progress_line.h"
 #include "app/report_row.h"
+#include "core/simulation/contact_run.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -64,6 +65,32 @@ Json stepCheckJson(const std::optional<StepCheck>& check)
             {"message", check->message}};
 }
 
+Json figuresJson(const std::vector<RunFigure>& figures)
+{
+    Json result = Json::object();
+    for (const auto& [quantity, value] : figures) result[quantity.name] = jsonNumber(value);
+    return result;
+}
+
+Json fitJson(const std::optional<CharacteristicFit>& fit)
+{
+    if (!fit) return nullptr;
+    const auto errorJson = [](const CharacteristicError& error) -> Json {
+        return {{"worst", jsonNumber(error.worst)}, {"rms", jsonNumber(error.rms)}, {"at", jsonNumber(error.at)}};
+    };
+    const OnoYamane& p = fit->parameters;
+    return {{"meniscus_force", jsonNumber(p.meniscusForce)},
+            {"contact_stiffness", jsonNumber(p.contactStiffness)},
+            {"initial_contact_force", jsonNumber(p.initialContactForce)},
+            {"touch_down", jsonNumber(p.touchDown)},
+            {"take_off", jsonNumber(p.takeOff)},
+            {"take_off_shape", p.takeOffShape == TakeOffShape::Constant ? "constant" : "linear"},
+            {"contact_error", errorJson(fit->contact)},
+            {"adhesion_error", errorJson(fit->adhesion)},
+            {"describes", fit->describes},
+            {"message", fit->message}};
+}
+
 // Every null has its reason in the message.
 std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& quantities)
 {
@@ -83,6 +110,15 @@ std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& qua
     return message;
 }
 
+std::string fitText(const CharacteristicFit& fit)
+{
+    const OnoYamane& p = fit.parameters;
+    std::string text = reportRow("fitted f_m, f_c0", displayed(p.meniscusForce, "mN", 4) + ", " + displayed(p.initialContactForce, "mN", 4));
+    text += reportRow("fitted k_c", displayed(p.contactStiffness, "N/m", 4));
+    text += reportRow("fitted d_s, d_e", displayed(p.touchDown, "nm", 4) + ", " + displayed(p.takeOff, "nm", 4));
+    return text + reportRow("fit", fit.message);
+}
+
 // With its trailing zeros, which say how far the value was looked at.
 std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
 {
@@ -92,6 +128,37 @@ std::string shown(const std::vector<Quantity>& quantities, const std::string& ke
     char text[64];
     std::snprintf(text, sizeof text, "%#.5g ", value / unitFactor(unit));
     return text + unit;
+}
+
+/// The switches and jumps of a pad, by separation.
+std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
+{
+    constexpr std::size_t most = 8;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(events.size(), most); ++i)
+        text += reportRow(events[i].name, "at " + displayed(padSeparation(c, events[i].time), "nm", 5) +
+                                              (events[i].time > 0.5 * c.run.duration ? ", on the way out" : ", on the way in"));
+    if (events.size() > most) text += reportRow("more events", std::to_string(events.size() - most));
+    return text;
+}
+
+/// What one reads off an approach and retraction curve.
+std::string contactText(const Case& c, const Summary& summary)
+{
+    std::string text = c.title + "\n";
+    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    for (const auto& [quantity, value] : summary.figures) {
+        std::string label = quantity.name;
+        std::ranges::replace(label, '_', ' ');
+        text += reportRow(label, displayed(value, quantity.displayUnit, 5));
+    }
+    text += eventRows(c, summary.events);
+    if (summary.fit) text += fitText(*summary.fit);
+    text += reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
+    text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
+    if (!c.about.assumed.empty()) text += reportRow("assumed", c.about.assumed);
+    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
+    return text;
 }
 
 } // namespace
@@ -120,12 +187,15 @@ std::string runJson(const Summary& summary, const std::vector<Quantity>& quantit
                      {"bouncing_rule", summary.bouncingRule},
                      {"spectrum", {{"peaks", peaks}}},
                      {"step_check", stepCheckJson(summary.stepCheck)},
+                     {"figures", figuresJson(summary.figures)},
+                     {"fit", fitJson(summary.fit)},
                      {"warnings", summary.warnings},
                      {"events", events}});
 }
 
 std::string runText(const Case& c, const Summary& summary, const std::vector<Quantity>& quantities)
 {
+    if (c.model == ModelKind::Contact) return contactText(c, summary);
     std::string text = c.title + "\n";
     text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
     for (const auto& [key, label] : {std::pair{"flying_height", "final flying height"},

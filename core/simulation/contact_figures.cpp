@@ -41,7 +41,7 @@ std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatis
         for (const ContactJump& jump : jumps_) {
             if ((jump.after > jump.before) != away) continue;
             if (away)
-                add("first_release_separation", "m", "nm", "Separation of the first jump on the way out", jump.before);
+                add("release_separation", "m", "nm", "Separation of the first jump on the way out", jump.before);
             else
                 add("snap_in_separation", "m", "nm", "Separation of the first jump on the way in", jump.before);
             break;
@@ -52,7 +52,7 @@ std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatis
         add("surface_rms", "m", "nm", "RMS height of the disk's surface, computed back", surface->rms);
         add("surface_skewness", "", "", "Skewness of its heights", surface->skewness);
         add("surface_kurtosis", "", "", "Kurtosis of its heights", surface->kurtosis);
-        add("surface_correlation_length", "m", "um", "Correlation length of the disk's surface", surface->correlationLength);
+        add("surface_correlation", "m", "um", "Correlation length of the disk's surface", surface->correlationLength);
     }
     return list;
 }

@@ -219,6 +219,21 @@ Hdf5Handle writeHdf5Array(hid_t parent, const std::string& name, const std::vect
     return writeArray(parent, name, hdf5TextType(), texts.size(), texts.data());
 }
 
+std::vector<std::string> namesInHdf5Group(hid_t group)
+{
+    const Hdf5Handle list(H5Gget_create_plist(group), H5Pclose);
+    unsigned order = 0;
+    checkHdf5(H5Pget_link_creation_order(list, &order));
+    std::vector<std::string> result;
+    const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+        static_cast<std::vector<std::string>*>(data)->push_back(name);
+        return 0;
+    };
+    const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+    checkHdf5(H5Literate(group, index, H5_ITER_INC, nullptr, collect, &result));
+    return result;
+}
+
 void describeHdf5(hid_t dataset, const std::string& unit, const std::string& longName)
 {
     writeHdf5Attribute(dataset, "unit", unit);

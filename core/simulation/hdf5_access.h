@@ -82,6 +82,9 @@ std::string readHdf5Text(hid_t parent, const std::string& name);
 Hdf5Handle writeHdf5Array(hid_t parent, const std::string& name, std::span<const double> values);
 Hdf5Handle writeHdf5Array(hid_t parent, const std::string& name, const std::vector<std::string>& values);
 
+/// What is in a group, in the order of creation where that was kept.
+std::vector<std::string> namesInHdf5Group(hid_t group);
+
 /// Unit and name for a person, on every array.
 void describeHdf5(hid_t dataset, const std::string& unit, const std::string& longName);
 

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/simulation/results_fields.h"
+
 namespace touchdown {
 namespace {
 
@@ -62,15 +64,20 @@ ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeade
 
 ResultsExchange::~ResultsExchange() { removePart(); }
 
-void ResultsExchange::publish(const SampleBatch& samples, const std::vector<ResultsSpectrum>& spectra,
-                              const Summary* summary)
+void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields,
+                              const std::vector<ResultsSpectrum>& spectra, const Summary* summary)
 {
     const Hdf5Access access;
     checkOwned();
     try {
         Hdf5Handle part = openPart();
-        if (shown_) copyMissingSamples(openFile(file_, H5F_ACC_RDONLY), part, header_.quantities);
+        if (shown_) {
+            const Hdf5Handle shown = openFile(file_, H5F_ACC_RDONLY);
+            copyMissingSamples(shown, part, header_.quantities);
+            copyMissingFields(shown, part, header_.fields);
+        }
         appendSamples(part, header_.quantities, samples);
+        appendFields(part, header_.fields, fields);
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
         if (summary) writeSummary(part, header_.quantities, *summary);
         part.close();
@@ -95,7 +102,7 @@ Hdf5Handle ResultsExchange::openPart()
         Hdf5Handle part = openFile(part_, H5F_ACC_RDWR);
         hsize_t size = 0;
         checkHdf5(H5Fget_filesize(part, &size));
-        const hsize_t used = storedBytes(part, header_.quantities);
+        const hsize_t used = storedBytes(part, header_.quantities) + storedFieldBytes(part, header_.fields);
         if (size < used + used / 4 + tolerableWaste) return part;
     } catch (const Hdf5Error&) {
         // A reader who opened it under the file's name still holds its lock: leave it to him.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "core/simulation/results_layout.h"
@@ -36,10 +37,10 @@ public:
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
-    /// Adds samples, and what ends a run, and shows the result under the file's name. Throws Hdf5Error; then the file
+    /// Adds samples and snapshots, and what ends a run, and shows the result under the file's name. Throws Hdf5Error; then the file
     /// is what it was before.
-    void publish(const SampleBatch& samples, const std::vector<ResultsSpectrum>& spectra = {},
-                 const Summary* summary = nullptr);
+    void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
+                 const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
 
 private:
     void checkOwned() const;

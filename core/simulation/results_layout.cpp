@@ -7,29 +7,16 @@
 #include <hdf5_hl.h>
 
 #include "core/simulation/fields.h"
+#include "core/simulation/results_fields.h"
 #include "core/simulation/results_file.h"
+#include "core/simulation/results_series.h"
 
 namespace touchdown {
 namespace {
 
-// 64 KiB a column: a reader that wants a short window unpacks little, and half a chunk, rewritten at a flush, costs little.
-constexpr hsize_t chunkSamples = 8192;
-constexpr unsigned deflateLevel = 2;
 constexpr const char* series = "timeseries";
 
 std::string unitText(const std::string& unit) { return unit.empty() ? "1" : unit; }
-
-Hdf5Handle createSeries(hid_t group, const std::string& name)
-{
-    const hsize_t none = 0;
-    const hsize_t unlimited = H5S_UNLIMITED;
-    const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-    const Hdf5Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    checkHdf5(H5Pset_chunk(list, 1, &chunkSamples));
-    checkHdf5(H5Pset_shuffle(list));
-    checkHdf5(H5Pset_deflate(list, deflateLevel));
-    return {H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, list, H5P_DEFAULT), H5Dclose};
-}
 
 void writeParameters(hid_t group, const Case& c)
 {
@@ -50,14 +37,17 @@ void writeParameters(hid_t group, const Case& c)
     }
 }
 
+/// Of what is random in a case; 0 where nothing is.
+int seedOf(const Case& c) { return findField("disk.surface.seed")->used(c) ? c.diskSurface.seed : 0; }
+
 void createTimeSeries(hid_t file, const std::vector<Quantity>& quantities)
 {
     const Hdf5Handle group = createHdf5Group(file, series);
-    const Hdf5Handle time = createSeries(group, "time");
+    const Hdf5Handle time = createHdf5Series(group, "time");
     describeHdf5(time, "s", "Time");
     checkHdf5(H5DSset_scale(time, "time"));
     for (const Quantity& quantity : quantities) {
-        const Hdf5Handle dataset = createSeries(group, quantity.name);
+        const Hdf5Handle dataset = createHdf5Series(group, quantity.name);
         describeHdf5(dataset, unitText(quantity.unit), quantity.longName);
         writeHdf5Attribute(dataset, "display_unit", quantity.displayUnit);
         checkHdf5(H5DSattach_scale(dataset, time, 0));
@@ -70,44 +60,6 @@ std::vector<std::string> seriesNames(const std::vector<Quantity>& quantities)
     std::vector<std::string> names{"time"};
     for (const Quantity& quantity : quantities) names.push_back(quantity.name);
     return names;
-}
-
-hsize_t length(hid_t dataset)
-{
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
-    hsize_t n = 0;
-    if (H5Sget_simple_extent_ndims(space) != 1) throw Hdf5Error("a time series is not one-dimensional");
-    checkHdf5(H5Sget_simple_extent_dims(space, &n, nullptr));
-    return n;
-}
-
-void copyChunks(hid_t from, hid_t to)
-{
-    const hsize_t wanted = length(from);
-    const hsize_t present = length(to);
-    if (wanted <= present) return;
-    checkHdf5(H5Dset_extent(to, &wanted));
-    std::vector<unsigned char> bytes;
-    for (hsize_t offset = present - present % chunkSamples; offset < wanted; offset += chunkSamples) {
-        hsize_t size = 0;
-        checkHdf5(H5Dget_chunk_storage_size(from, &offset, &size));
-        bytes.resize(size);
-        std::uint32_t filters = 0;
-        checkHdf5(H5Dread_chunk(from, H5P_DEFAULT, &offset, &filters, bytes.data()));
-        checkHdf5(H5Dwrite_chunk(to, H5P_DEFAULT, filters, &offset, size, bytes.data()));
-    }
-}
-
-void appendColumn(hid_t dataset, const std::vector<double>& values)
-{
-    const hsize_t before = length(dataset);
-    const hsize_t count = values.size();
-    const hsize_t after = before + count;
-    checkHdf5(H5Dset_extent(dataset, &after));
-    const Hdf5Handle target(H5Dget_space(dataset), H5Sclose);
-    checkHdf5(H5Sselect_hyperslab(target, H5S_SELECT_SET, &before, nullptr, &count, nullptr));
-    const Hdf5Handle source(H5Screate_simple(1, &count, nullptr), H5Sclose);
-    checkHdf5(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT, values.data()));
 }
 
 } // namespace
@@ -142,31 +94,32 @@ Hdf5Handle createResultsFile(const std::filesystem::path& path, const ResultsHea
 {
     Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5FileAccess()), H5Fclose);
     writeFileHeader(file, resultsFormat, resultsFormatMajor, resultsFormatMinor, header.date, header.value.title);
-    writeHdf5Attribute(file, "seed", std::int64_t{0}); // nothing in this model is random
+    writeHdf5Attribute(file, "seed", std::int64_t{seedOf(header.value)});
     writeHdf5Attribute(file, "status", std::string(interruptedStatus));
     writeHdf5Attribute(file, "message", std::string("The run was interrupted; what follows the last sample is lost."));
     writeCaseGroup(file, header.value, header.caseText);
     createTimeSeries(file, header.quantities);
+    createFields(file, header.fields);
     return file;
 }
 
-hsize_t storedSamples(hid_t file) { return length(openHdf5Dataset(file, std::string(series) + "/time")); }
+hsize_t storedSamples(hid_t file) { return seriesLength(openHdf5Dataset(file, std::string(series) + "/time")); }
 
 void copyMissingSamples(hid_t from, hid_t to, const std::vector<Quantity>& quantities)
 {
     const Hdf5Handle source = openHdf5Group(from, series);
     const Hdf5Handle target = openHdf5Group(to, series);
     for (const std::string& name : seriesNames(quantities))
-        copyChunks(openHdf5Dataset(source, name), openHdf5Dataset(target, name));
+        copyMissingChunks(openHdf5Dataset(source, name), openHdf5Dataset(target, name));
 }
 
 void appendSamples(hid_t file, const std::vector<Quantity>& quantities, const SampleBatch& batch)
 {
     if (batch.size() == 0) return;
     const Hdf5Handle group = openHdf5Group(file, series);
-    appendColumn(openHdf5Dataset(group, "time"), batch.time);
+    appendToSeries(openHdf5Dataset(group, "time"), batch.time);
     for (std::size_t i = 0; i < quantities.size(); ++i)
-        appendColumn(openHdf5Dataset(group, quantities[i].name), batch.columns[i]);
+        appendToSeries(openHdf5Dataset(group, quantities[i].name), batch.columns[i]);
 }
 
 hsize_t storedBytes(hid_t file, const std::vector<Quantity>& quantities)

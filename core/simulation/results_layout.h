@@ -6,6 +6,7 @@
 //   /case/text                       the input as it was
 //   /case/parameters/<key>           every parameter that the model uses, with unit and long_name
 //   /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle + deflate; time is the dimension scale
+//   /fields/time, x, y, <quantity>  snapshots (time, y, x) at cell centres; x_lines and y_lines bound the cells
 //   /spectra/<quantity>/frequency, density | power
 //   /events/time, name
 //   /summary/...                     numbers and texts of the Summary
@@ -31,6 +32,7 @@ struct ResultsHeader {
     std::string caseText;
     std::string date; // ISO 8601, UTC
     std::vector<Quantity> quantities;
+    RecordedFields fields;
 };
 
 struct ResultsSpectrum {

@@ -6,7 +6,9 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/simulation/results_fields.h"
 #include "core/simulation/results_layout.h"
+#include "core/simulation/results_series.h"
 
 namespace touchdown {
 namespace {
@@ -49,42 +51,14 @@ std::string foreign(const fs::path& path, hid_t file)
     return {};
 }
 
-std::vector<double> readColumn(hid_t dataset)
-{
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
-    if (H5Sget_simple_extent_ndims(space) != 1) throw Hdf5Error("a time series is not one-dimensional");
-    const hssize_t n = H5Sget_simple_extent_npoints(space);
-    // A damaged header may ask for more memory than there is; compressed samples take at least a bit or so each.
-    if (n < 0 || static_cast<hsize_t>(n) / 1024 > H5Dget_storage_size(dataset))
-        throw Hdf5Error("a time series holds fewer samples than it says");
-    std::vector<double> values(static_cast<std::size_t>(n));
-    if (n > 0) checkHdf5(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-    return values;
-}
-
-std::vector<std::string> names(hid_t group)
-{
-    const Hdf5Handle list(H5Gget_create_plist(group), H5Pclose);
-    unsigned order = 0;
-    checkHdf5(H5Pget_link_creation_order(list, &order));
-    std::vector<std::string> result;
-    const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
-        static_cast<std::vector<std::string>*>(data)->push_back(name);
-        return 0;
-    };
-    const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-    checkHdf5(H5Literate(group, index, H5_ITER_INC, nullptr, collect, &result));
-    return result;
-}
-
-void readSeries(hid_t file, StoredRun& run)
+void readTimeSeries(hid_t file, StoredRun& run)
 {
     const Hdf5Handle group = openHdf5Group(file, "timeseries");
-    run.samples.time = readColumn(openHdf5Dataset(group, "time"));
-    for (const std::string& name : names(group)) {
+    run.samples.time = readSeries(openHdf5Dataset(group, "time"));
+    for (const std::string& name : namesInHdf5Group(group)) {
         if (name == "time") continue;
         const Hdf5Handle dataset = openHdf5Dataset(group, name);
-        std::vector<double> column = readColumn(dataset);
+        std::vector<double> column = readSeries(dataset);
         if (column.size() != run.samples.size()) throw Hdf5Error(name + " and time differ in length");
         Quantity quantity{name, readHdf5Attribute(dataset, "unit"), readHdf5Attribute(dataset, "display_unit"),
                           readHdf5Attribute(dataset, "long_name")};
@@ -115,7 +89,10 @@ StoredRun readResults(const fs::path& path)
         run.softwareVersion = readHdf5Attribute(file, "software_version");
         run.date = readHdf5Attribute(file, "date");
         run.caseText = readHdf5Text(file, "case/text");
-        readSeries(file, run);
+        readTimeSeries(file, run);
+        StoredFields fields = readFields(file);
+        run.recorded = std::move(fields.fields);
+        run.fields = std::move(fields.snapshots);
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());
     } catch (const std::bad_alloc&) {

@@ -55,6 +55,31 @@ void writePeaks(hid_t group, const std::vector<Quantity>& quantities, const std:
                  "Amplitude of a sine with that peak");
 }
 
+void writeFigures(hid_t group, const std::vector<RunFigure>& figures)
+{
+    if (figures.empty()) return;
+    const Hdf5Handle all = createHdf5Group(group, "figures");
+    for (const auto& [quantity, value] : figures)
+        writeNumber(all, quantity.name.c_str(), value, quantity.unit, quantity.longName);
+}
+
+void writeFit(hid_t group, const CharacteristicFit& fit)
+{
+    const Hdf5Handle all = createHdf5Group(group, "fit");
+    const OnoYamane& p = fit.parameters;
+    writeNumber(all, "meniscus_force", p.meniscusForce, "N", "f_m of the fitted characteristic");
+    writeNumber(all, "contact_stiffness", p.contactStiffness, "N/m", "k_c of the fitted characteristic");
+    writeNumber(all, "initial_contact_force", p.initialContactForce, "N", "f_c0 of the fitted characteristic");
+    writeNumber(all, "touch_down", p.touchDown, "m", "d_s of the fitted characteristic");
+    writeNumber(all, "take_off", p.takeOff, "m", "d_e of the fitted characteristic");
+    writeText(all, "take_off_shape", p.takeOffShape == TakeOffShape::Constant ? "constant" : "linear",
+              "Adhesion between d_s and d_e of the fitted characteristic");
+    writeNumber(all, "contact_error", fit.contact.worst, "", "Worst error of the contact force against its largest value");
+    writeNumber(all, "adhesion_error", fit.adhesion.worst, "", "Worst error of the adhesion against its largest value");
+    writeCount(all, "describes", fit.describes ? 1 : 0, "1 when the five parameters describe the model");
+    writeText(all, "message", fit.message, "How well they do");
+}
+
 } // namespace
 
 void writeSummary(hid_t file, const std::vector<Quantity>& quantities, const Summary& summary)
@@ -76,6 +101,8 @@ void writeSummary(hid_t file, const std::vector<Quantity>& quantities, const Sum
     writeText(group, "bouncing_rule", summary.bouncingRule, "The rule that decided on bouncing");
     describeHdf5(writeHdf5Array(group, "warnings", summary.warnings), "1", "Warnings");
     writePeaks(group, quantities, summary.peaks);
+    writeFigures(group, summary.figures);
+    if (summary.fit) writeFit(group, *summary.fit);
 
     const Hdf5Handle final = createHdf5Group(group, "final");
     for (const auto& [key, value] : summary.final) {

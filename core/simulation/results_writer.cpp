@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/results_file.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <system_error>
@@ -39,17 +40,28 @@ bool fits(const SampleBatch& batch, std::size_t columns)
     return true;
 }
 
+bool fits(const std::vector<FieldSnapshot>& snapshots, std::size_t fields, std::size_t cells)
+{
+    return std::ranges::all_of(snapshots, [&](const FieldSnapshot& snapshot) {
+        return snapshot.values.size() == fields &&
+               std::ranges::all_of(snapshot.values, [&](const auto& values) { return values.size() == cells; });
+    });
+}
+
 } // namespace
 
 struct ResultsWriter::File {
     fs::path path;
     std::size_t columns;
+    std::size_t fields;     // of a snapshot
+    std::size_t fieldCells; // of each
     ResultsExchange exchange;
     std::chrono::milliseconds interval;
 
     std::mutex mutex; // of all below
     std::condition_variable_any changed;
     SampleBatch pending;
+    std::vector<FieldSnapshot> pendingFields;
     std::vector<ResultsSpectrum> spectra;
     std::string problem;
     std::jthread thread; // last: its end comes before that of what it uses
@@ -57,6 +69,8 @@ struct ResultsWriter::File {
     File(const fs::path& file, ResultsHeader header, std::chrono::milliseconds flushInterval)
         : path(file),
           columns(header.quantities.size()),
+          fields(header.fields.quantities.size()),
+          fieldCells(header.fields.empty() ? 0 : header.fields.grid.cells()),
           exchange(file, std::move(header)),
           interval(flushInterval),
           thread([this](std::stop_token stop) { flushUntil(stop); })
@@ -65,12 +79,16 @@ struct ResultsWriter::File {
     ~File()
     {
         stop();
-        if (problem.empty() && pending.size() > 0) flush(std::move(pending), nullptr);
+        if (problem.empty() && somethingPending()) flush(pending, pendingFields, nullptr);
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
-    std::size_t numbersPending() const { return pending.size() * (columns + 1); }
+    std::size_t numbersPending() const
+    {
+        return pending.size() * (columns + 1) + pendingFields.size() * fields * fieldCells;
+    }
+    bool somethingPending() const { return pending.size() > 0 || !pendingFields.empty(); }
 
     void flushUntil(const std::stop_token& stop)
     {
@@ -79,12 +97,13 @@ struct ResultsWriter::File {
             const auto due = Clock::now() + interval;
             changed.wait_until(lock, stop, due, [&] { return numbersPending() >= earlyFlush; });
             if (stop.stop_requested()) return;
-            changed.wait(lock, stop, [&] { return pending.size() > 0; });
+            changed.wait(lock, stop, [&] { return somethingPending(); });
             if (stop.stop_requested()) return;
-            SampleBatch batch = std::exchange(pending, {});
+            const SampleBatch batch = std::exchange(pending, {});
+            const std::vector<FieldSnapshot> snapshots = std::exchange(pendingFields, {});
             lock.unlock();
             changed.notify_all();
-            const std::string failure = flush(batch, nullptr);
+            const std::string failure = flush(batch, snapshots, nullptr);
             lock.lock();
             if (failure.empty()) continue;
             problem = failure;
@@ -93,13 +112,13 @@ struct ResultsWriter::File {
         }
     }
 
-    std::string flush(const SampleBatch& batch, const Summary* summary)
+    std::string flush(const SampleBatch& batch, std::span<const FieldSnapshot> snapshots, const Summary* summary)
     {
         try {
             if (summary)
-                exchange.publish(batch, spectra, summary);
+                exchange.publish(batch, snapshots, spectra, summary);
             else
-                exchange.publish(batch);
+                exchange.publish(batch, snapshots);
             return {};
         } catch (const std::exception& error) {
             return "cannot write results to " + path.string() + ": " + error.what();
@@ -135,7 +154,7 @@ ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
 std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::string& caseText,
-                                const std::vector<Quantity>& quantities)
+                                const std::vector<Quantity>& quantities, const RecordedFields& fields)
 {
     file_.reset();
     if (std::string problem = checkResultsTarget(file); !problem.empty()) return problem;
@@ -143,7 +162,7 @@ std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::
     std::error_code error;
     const fs::path target = fs::weakly_canonical(file, error);
     try {
-        file_ = std::make_unique<File>(error ? file : target, ResultsHeader{c, caseText, dateNow(), quantities},
+        file_ = std::make_unique<File>(error ? file : target, ResultsHeader{c, caseText, dateNow(), quantities, fields},
                                        flushInterval_);
     } catch (const std::exception& failure) {
         return "cannot write results to " + file.string() + ": " + failure.what();
@@ -151,14 +170,17 @@ std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::
     return {};
 }
 
-std::string ResultsWriter::append(const SampleBatch& batch)
+std::string ResultsWriter::append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)
 {
     if (!file_) return "no results file is open";
     if (!fits(batch, file_->columns)) return "the samples do not fit the columns of " + file_->path.string();
+    if (!fits(fields, file_->fields, file_->fieldCells))
+        return "the snapshots do not fit the grid of " + file_->path.string();
     std::unique_lock lock(file_->mutex);
     file_->changed.wait(lock, [&] { return !file_->problem.empty() || file_->numbersPending() < mostPending; });
     if (!file_->problem.empty()) return file_->problem;
     touchdown::append(file_->pending, batch);
+    file_->pendingFields.insert(file_->pendingFields.end(), fields.begin(), fields.end());
     lock.unlock();
     file_->changed.notify_all();
     return {};
@@ -179,7 +201,8 @@ std::string ResultsWriter::finish(const Summary& summary)
     file_->stop();
     std::string problem = file_->problem;
     const SampleBatch rest = std::exchange(file_->pending, {});
-    if (problem.empty()) problem = file_->flush(rest, &summary);
+    const std::vector<FieldSnapshot> snapshots = std::exchange(file_->pendingFields, {});
+    if (problem.empty()) problem = file_->flush(rest, snapshots, &summary);
     file_.reset();
     return problem;
 }
