@@ -48,17 +48,17 @@ MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, c
         if (!(places[i] > places[i - 1]))
             throw CmlError(line(i), name + " must ascend: " + inMetres(places[i]) + " comes after " +
                                         inMetres(places[i - 1]));
+    const auto refuse = [&](std::size_t i, double needed) {
+        throw CmlError(line(i), name + " must ascend in equal steps, without gaps: " + inMetres(places[i]) +
+                                    " stands where " + inMetres(needed) + " is needed");
+    };
     // Compared with the first step, a gap is found where it is, not where its share of the mean step adds up.
-    const MapAxis begun{n, places[0], places[1] - places[0]};
+    const double begun = places[1] - places[0];
+    for (std::size_t i = 1; i < n; ++i)
+        if (std::abs(places[i] - places[i - 1] - begun) > 0.5 * begun) refuse(i, places[i - 1] + begun);
     const MapAxis axis{n, places[0], (places[n - 1] - places[0]) / static_cast<double>(n - 1)};
-    for (std::size_t i = 1; i < n; ++i) {
-        const bool gap = std::abs(places[i] - places[i - 1] - begun.step) > 0.5 * begun.step;
-        const MapAxis& expected = gap ? begun : axis;
-        if (gap || !axis.holds(i, places[i]))
-            throw CmlError(line(i), name + " must ascend in equal steps, without gaps: " + inMetres(places[i]) +
-                                        " stands where " +
-                                        inMetres(gap ? places[i - 1] + expected.step : expected.at(i)) + " is needed");
-    }
+    for (std::size_t i = 1; i < n; ++i)
+        if (!axis.holds(i, places[i])) refuse(i, axis.at(i));
     return axis;
 }
 

@@ -51,6 +51,9 @@ bool standsForHole(std::string_view word)
            lower == "--" || lower == "*" || lower == "null" || lower.starts_with("1.#");
 }
 
+/// "1 number", "2 numbers".
+std::string counted(std::size_t numbers) { return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers"); }
+
 /// Lines of equally many numbers, and what stands around them.
 struct Table {
     std::size_t columns = 0;
@@ -82,7 +85,7 @@ void readRow(std::string_view line, int number, std::vector<double>& row)
 void refuseShortRow(const Table& table)
 {
     if (table.shortLine == 0) return;
-    throw CmlError(table.shortLine, "has " + std::to_string(table.shortRow.size()) + " numbers, the lines before it " +
+    throw CmlError(table.shortLine, "has " + counted(table.shortRow.size()) + ", the lines before it " +
                                         std::to_string(table.columns) +
                                         "; a map has no holes: every line must be complete");
 }
@@ -198,11 +201,9 @@ HeightMap mapOfWaveDefinition(const Table& table)
     if (table.columns < 2) throw CmlError(table.lines.front(), "a line of x [m] and one or more heights [nm] is needed");
     const std::size_t ny = table.columns - 1;
     if (table.shortLine == 0)
-        throw CmlError(table.lines.back(), "the last line must hold the y [m] of each profile alone, " +
-                                               std::to_string(ny) + (ny == 1 ? " number" : " numbers"));
+        throw CmlError(table.lines.back(), "the last line must hold the y [m] of each profile alone, " + counted(ny));
     if (table.shortRow.size() != ny)
-        throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + std::to_string(ny) +
-                                            (ny == 1 ? " number" : " numbers") + ", not " +
+        throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + counted(ny) + ", not " +
                                             std::to_string(table.shortRow.size()));
     const MapAxis x = axisOf(table, 0, 1.0, table.rows(), 1, "x");
     MapAxis y{1, 0.0, x.step};
@@ -254,8 +255,7 @@ HeightMap mapOf(const Table& table, const std::string& name)
     if (table.columns == 2) return profileOf(table);
     if (table.columns == 3) return mapOfPoints(table);
     throw CmlError(table.lines.front(),
-                   "has " + std::to_string(table.columns) +
-                       (table.columns == 1 ? " number" : " numbers") +
+                   "has " + counted(table.columns) +
                        "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of heights "
                        "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
 }
