@@ -14,7 +14,7 @@ namespace touchdown {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double residualShare = 0.1; // to which conjugate gradients reduce the gap before the cells are chosen anew
+constexpr double residualShare = 0.2; // to which conjugate gradients reduce the gap before the cells are chosen anew
 constexpr int mostSteps = 8;          // that they take for it
 constexpr int fewestCells = 16;       // along a side of a grid that has a coarser one
 constexpr double coarseTolerance = 1e-2;
@@ -55,7 +55,7 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     : space_(std::move(space)), options_(options), cells_(space_)
 {
     const std::size_t cells = space_.grid().cells();
-    for (auto* field : {&pressure_, &displacement_, &gap_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
+    for (auto* field : {&pressure_, &displacement_, &gap_, &lastPressure_, &lastDisplacement_, &pressureBefore_, &displacementBefore_, &constant_, &change_, &direction_, &image_})
         field->assign(cells, 0.0);
     residual_.assign(cells + 2 * cells_.margin(), 0.0);
     const UniformGrid& grid = space_.grid();
@@ -71,7 +71,7 @@ void ElasticContact::reset()
     std::fill(pressure_.begin(), pressure_.end(), 0.0);
     std::fill(displacement_.begin(), displacement_.end(), 0.0);
     displacementHolds_ = true;
-    cold_ = true;
+    solved_ = 0;
 }
 
 double ElasticContact::contactArea() const
@@ -134,11 +134,14 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
     rises_ = 0;
     ElasticContactSummary summary;
     start(separation, total);
+    measure(separation, total.has_value(), summary);
+    if (summary.error > options_.tolerance) extrapolate(separation, solved_ > 1 && !total);
+    solved_ = std::min(solved_ + 1, 2);
     for (;;) {
         measure(separation, total.has_value(), summary);
         summary.iterations = iterations_;
         summary.converged = summary.error <= options_.tolerance;
-        if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) break;
+        if (summary.converged || (bounded_ && iterations_ >= options_.maximumIterations) || !std::isfinite(summary.error)) break;
         pressureBefore_ = pressure_;
         displacementBefore_ = displacement_;
         if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = infinity;
@@ -166,8 +169,7 @@ void ElasticContact::displace()
 // From the last pressure, which may have another sum; where its cells cannot hold the load, from the same on all cells.
 void ElasticContact::start(std::span<const double> separation, std::optional<double> total)
 {
-    if (cold_ && coarser_) startFromCoarser(separation, total);
-    cold_ = false;
+    if (solved_ == 0 && coarser_) startFromCoarser(separation, total);
     if (total) {
         cells_.clear();
         for (std::size_t i = 0; i < pressure_.size(); ++i)
@@ -196,6 +198,31 @@ void ElasticContact::startFromCoarser(std::span<const double> separation, std::o
     displacementHolds_ = false;
 }
 
+// Along p + t dp, dp the last change, the energy is least at t = -(s + u).dp/(dp.du). What leaves the bounds by it does as
+// in a step of conjugate gradients.
+void ElasticContact::extrapolate(std::span<const double> separation, bool follows)
+{
+    double part = 0.0;
+    if (follows) {
+        double slope = 0.0, curvature = 0.0;
+        for (std::size_t i = 0; i < pressure_.size(); ++i) {
+            const double change = pressure_[i] - lastPressure_[i];
+            slope += (separation[i] + displacement_[i]) * change;
+            curvature += (displacement_[i] - lastDisplacement_[i]) * change;
+        }
+        if (curvature > 0.0) part = std::clamp(-slope / curvature, -2.0, 2.0);
+    }
+    pressure_.swap(lastPressure_);
+    displacement_.swap(lastDisplacement_);
+    if (part == 0.0) {
+        pressure_ = lastPressure_;
+        displacement_ = lastDisplacement_;
+    } else {
+        mix(pressure_, -part, lastPressure_);
+        mix(displacement_, -part, lastDisplacement_);
+    }
+}
+
 // Sets the gap, its error, and the cells whose pressure is to change.
 void ElasticContact::measure(std::span<const double> separation, bool load, ElasticContactSummary& summary)
 {
@@ -222,6 +249,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
         else approach = 0.5 * (atLeast + atMost);
     }
     double worst = 0.0, lowest = infinity, highest = -infinity, peak = 0.0, all = 0.0;
+    bounded_ = true;
     cells_.clear();
     for (std::size_t i = 0; i < cells; ++i) {
         const double p = pressure_[i];
@@ -232,14 +260,15 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
         lowest = std::min(lowest, u);
         highest = std::max(highest, u);
         peak = std::max(peak, p);
-        if ((p <= 0.0 && gap >= 0.0) || (p >= hardness && gap <= 0.0)) continue;
+        if ((p == 0.0 && gap >= 0.0) || (p == hardness && gap <= 0.0)) continue;
+        bounded_ = bounded_ && p >= 0.0 && p <= hardness;
         worst = std::max(worst, std::abs(gap));
         cells_.add(i);
     }
-    // Where the displacement is the same everywhere, as under a uniform pressure that repeats, a cell's own is the measure.
-    const double scale = std::max(highest - lowest, peak * space_.ownCompliance());
+    // Where the displacement is nearly the same everywhere, as under a uniform pressure that repeats, a cell's own is the measure.
+    const double scale = std::max(highest - lowest, 0.1 * peak * space_.ownCompliance());
     summary.approach = approach;
-    summary.error = worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
+    summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
     if (!std::isfinite(all + scale)) summary.error = infinity;
     wrongGap_ = options_.tolerance * scale;
 }
@@ -254,14 +283,21 @@ bool ElasticContact::step(bool load, int mostIterations)
     double* z = change_.data();
     double* d = direction_.data();
     double* constant = constant_.data();
+    const double hardness = largestPressure();
     double constantSum = 0.0;
     if (load) {
         cells_.fill(1.0, r);
         constantSum = cells_.precondition(r, constant);
     }
     cells_.forEach([&](std::size_t i) { r[i] = -gap_[i]; });
+    const auto isBounded = [&] {
+        bool bounded = true;
+        cells_.forEach([&](std::size_t i) { bounded = bounded && pressure_[i] >= 0.0 && pressure_[i] <= hardness; });
+        return bounded;
+    };
+    const double enough = 0.8 * wrongGap_;
     double goal = 0.0, before = 0.0;
-    for (int k = 0; k < std::min(mostSteps, mostIterations); ++k) {
+    for (int k = 0; k < mostIterations; ++k) {
         const double zSum = cells_.precondition(r, z);
         if (load) {
             const double shift = zSum / constantSum;
@@ -269,8 +305,11 @@ bool ElasticContact::step(bool load, int mostIterations)
             cells_.forEach([&](std::size_t i) { r[i] -= shift; });
         }
         const double left = cells_.largest(r);
-        if (k == 0) goal = std::max(residualShare * left, 0.3 * wrongGap_);
-        else if (left <= goal) break;
+        if (k == 0) goal = std::max(residualShare * left, enough);
+        if (k > 0 && (left <= goal || k % mostSteps == 0)) {
+            if (left <= enough || !isBounded()) break;
+            goal = std::max(residualShare * left, enough);
+        }
         const double rz = cells_.product(r, z);
         cells_.scaleAndAdd(k > 0 ? rz / before : 0.0, z, d);
         before = rz;

@@ -12,6 +12,7 @@
 // energy rises often, changes that raise it are cut to the point of least energy on their way, and replaced by a short step along
 // the gradient where there is none.
 //
+// It starts from the last solution, at a given separation from the point of least energy on the line through the last two.
 // Without a last solution it starts from the one on a grid of cells twice as large, and so on.
 //
 // A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear less
@@ -31,7 +32,7 @@ namespace touchdown {
 
 struct ElasticContactOptions {
     /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements [-]. The load is held to rounding.
+    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to rounding.
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
@@ -70,6 +71,7 @@ private:
     ElasticContactSummary iterate(std::span<const double> separation, std::optional<double> total);
     void start(std::span<const double> separation, std::optional<double> total);
     void startFromCoarser(std::span<const double> separation, std::optional<double> total);
+    void extrapolate(std::span<const double> separation, bool follows);
     void measure(std::span<const double> separation, bool load, ElasticContactSummary& summary);
     bool step(bool load, int mostIterations);
     bool project(std::optional<double> total);
@@ -81,10 +83,12 @@ private:
     ElasticContactOptions options_;
     ContactCells cells_; // whose pressure is sought
     std::vector<double> pressure_, displacement_, gap_;
+    std::vector<double> lastPressure_, lastDisplacement_; // of the solution before the last
     std::vector<double> pressureBefore_, displacementBefore_;
     std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
     bool displacementHolds_ = true; // displacement_ is of pressure_
-    bool cold_ = true;              // there is no last solution
+    int solved_ = 0;                // solutions behind this one, at most two count
+    bool bounded_ = true;           // pressure_ is within its bounds
     std::unique_ptr<ElasticContact> coarser_; // of half the cells along each side, where there are many
     std::vector<double> coarseSeparation_;
     double wrongGap_ = 0.0;         // that the tolerance allows [m]
