@@ -338,6 +338,10 @@ void TestElasticContact::solvesSmallestGrids()
         QVERIFY(std::abs(summary.load - 1e-3) < 1e-15);
         QVERIFY(std::abs(summary.approach + 3e-9 + loaded.pressure()[0] * loaded.space().ownCompliance()) < 1e-18);
     }
+    // Given an overlap instead, it can but flow.
+    ElasticContact flows(HalfSpace({1, 1, 1e-6, 1e-6}, modulus, HalfSpaceEdges::Periodic), {.hardness = 1e9});
+    QVERIFY(flows.solve(std::vector{-1e-9}).converged);
+    QCOMPARE(flows.pressure()[0], 1e9);
     // A row of three, the middle one highest and alone in contact.
     ElasticContact row(HalfSpace({3, 1, 1e-6, 1e-6}, modulus));
     QVERIFY(row.solve(std::vector{5e-9, -1e-9, 5e-9}).converged);
