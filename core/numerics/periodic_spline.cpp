@@ -12,7 +12,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int chunk = 128;  // columns whose weights are kept at a time
+constexpr int chunk = 128;         // columns whose weights are kept at a time
 constexpr double finest = 0x1p-30; // positions are multiples of this or of a larger power of two [cell]
 
 /// Rounding leaves of a position beyond `largest` [m] only multiples of some 2^-52 of it: as a power of two [cell].
@@ -221,7 +221,8 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
                 const double above = evaluate(sums_, nx_, ny_, along[k], across);
                 const double right = above - below[k];
                 below[k] = above;
-                if (i > 0) row[i - 1] += (right - left) / ((along[k].cells - along[k - 1].cells) * (across.cells - inner));
+                if (i > 0)
+                    row[i - 1] += (right - left) / ((along[k].cells - along[k - 1].cells) * (across.cells - inner));
                 left = right;
             }
         }

@@ -27,8 +27,10 @@ double apart(double a, double b, double period) { return std::abs(std::remainder
 } // namespace
 
 Bumps::Bumps(const DiskSurface& surface)
-    : shape_(surface.bumpShape), reach_(surface.bumpShape == BumpShape::Gaussian ? gaussianReach : 1.0),
-      track_(surface.track), trackWidth_(surface.trackWidth)
+    : shape_(surface.bumpShape),
+      reach_(surface.bumpShape == BumpShape::Gaussian ? gaussianReach : 1.0),
+      track_(surface.track),
+      trackWidth_(surface.trackWidth)
 {
     const auto& widths = surface.bumpWidths.empty() ? surface.bumpLengths : surface.bumpWidths;
     for (std::size_t i = 0; i < surface.bumpHeights.size(); ++i)
@@ -118,36 +120,37 @@ void Bumps::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::sp
         const auto behind = std::upper_bound(lines.begin(), lines.end(), place) - lines.begin();
         return std::clamp<std::ptrdiff_t>(behind - 1, 0, std::ssize(lines) - 2);
     };
-    forCopies(
-        grid.x.front() - shiftX, grid.x.back() - shiftX, grid.y.front() - shiftY, grid.y.back() - shiftY,
-        [&](const Bump& b, double diskX, double diskY) {
-            const double cx = diskX + shiftX, cy = diskY + shiftY;
-            const double rx = reach_ * b.halfLength, ry = reach_ * b.halfWidth;
-            const auto iEnd = cellAt(grid.x, cx + rx) + 1, jEnd = cellAt(grid.y, cy + ry) + 1;
-            for (auto j = cellAt(grid.y, cy - ry); j < jEnd; ++j) {
-                const auto row = static_cast<std::size_t>(j);
-                const double inner = std::max(grid.y[row], cy - ry), outer = std::min(grid.y[row + 1], cy + ry);
-                if (outer <= inner) continue;
-                const int ny = pointsAcross(outer - inner, 2.0 * b.halfWidth);
-                for (auto i = cellAt(grid.x, cx - rx); i < iEnd; ++i) {
-                    const auto column = static_cast<std::size_t>(i);
-                    const double left = std::max(grid.x[column], cx - rx), right = std::min(grid.x[column + 1], cx + rx);
-                    if (right <= left) continue;
-                    const int nx = pointsAcross(right - left, 2.0 * b.halfLength);
-                    double sum = 0.0;
-                    for (int l = 0; l < ny; ++l) {
-                        const double v = (inner + (l + 0.5) / ny * (outer - inner) - cy) / b.halfWidth;
-                        for (int k = 0; k < nx; ++k) {
-                            const double u = (left + (k + 0.5) / nx * (right - left) - cx) / b.halfLength;
-                            sum += shape(u * u + v * v);
-                        }
-                    }
-                    const double covered = (right - left) * (outer - inner) /
-                                           (grid.widthX(static_cast<int>(i)) * grid.widthY(static_cast<int>(j)));
-                    out[row * static_cast<std::size_t>(grid.nx()) + column] += b.height * covered * sum / (nx * ny);
-                }
-            }
-        });
+    forCopies(grid.x.front() - shiftX, grid.x.back() - shiftX, grid.y.front() - shiftY, grid.y.back() - shiftY,
+              [&](const Bump& b, double diskX, double diskY) {
+                  const double cx = diskX + shiftX, cy = diskY + shiftY;
+                  const double rx = reach_ * b.halfLength, ry = reach_ * b.halfWidth;
+                  const auto iEnd = cellAt(grid.x, cx + rx) + 1, jEnd = cellAt(grid.y, cy + ry) + 1;
+                  for (auto j = cellAt(grid.y, cy - ry); j < jEnd; ++j) {
+                      const auto row = static_cast<std::size_t>(j);
+                      const double inner = std::max(grid.y[row], cy - ry), outer = std::min(grid.y[row + 1], cy + ry);
+                      if (outer <= inner) continue;
+                      const int ny = pointsAcross(outer - inner, 2.0 * b.halfWidth);
+                      for (auto i = cellAt(grid.x, cx - rx); i < iEnd; ++i) {
+                          const auto column = static_cast<std::size_t>(i);
+                          const double left = std::max(grid.x[column], cx - rx),
+                                       right = std::min(grid.x[column + 1], cx + rx);
+                          if (right <= left) continue;
+                          const int nx = pointsAcross(right - left, 2.0 * b.halfLength);
+                          double sum = 0.0;
+                          for (int l = 0; l < ny; ++l) {
+                              const double v = (inner + (l + 0.5) / ny * (outer - inner) - cy) / b.halfWidth;
+                              for (int k = 0; k < nx; ++k) {
+                                  const double u = (left + (k + 0.5) / nx * (right - left) - cx) / b.halfLength;
+                                  sum += shape(u * u + v * v);
+                              }
+                          }
+                          const double covered = (right - left) * (outer - inner) /
+                                                 (grid.widthX(static_cast<int>(i)) * grid.widthY(static_cast<int>(j)));
+                          out[row * static_cast<std::size_t>(grid.nx()) + column] +=
+                              b.height * covered * sum / (nx * ny);
+                      }
+                  }
+              });
 }
 
 } // namespace touchdown

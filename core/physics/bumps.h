@@ -46,7 +46,7 @@ private:
     double shape(double rr) const;
 
     BumpShape shape_ = BumpShape::Ellipsoid;
-    double reach_ = 1.0;              // where the shape ends, in r [-]
+    double reach_ = 1.0;                    // where the shape ends, in r [-]
     double track_ = 0.0, trackWidth_ = 0.0; // [m]
     std::vector<Bump> bumps_;
     double highest_ = 0.0, lowest_ = 0.0;

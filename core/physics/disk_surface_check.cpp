@@ -64,7 +64,8 @@ public:
     {
         const auto& heights = s_.bumpHeights;
         if (heights.empty()) add("bump_heights", "must name at least one bump");
-        if (heights.size() > mostBumps) add("bump_heights", "must name at most " + std::to_string(mostBumps) + " bumps");
+        if (heights.size() > mostBumps)
+            add("bump_heights", "must name at most " + std::to_string(mostBumps) + " bumps");
         listLength("bump_lengths", s_.bumpLengths, heights, "bump_heights", false);
         listLength("bump_widths", s_.bumpWidths, heights, "bump_heights", true);
         listLength("bump_x", s_.bumpX, heights, "bump_heights", false);

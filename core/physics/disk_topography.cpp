@@ -60,8 +60,7 @@ UniformGrid askedTrack(const DiskSurface& s)
 
 } // namespace
 
-DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file)
-    : period_(askedTrack(surface))
+DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file) : period_(askedTrack(surface))
 {
     assert(diskSurfaceProblems(surface).empty());
     if (hasWaves(surface)) waves_ = Waves(surface);
@@ -69,7 +68,8 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
     if (hasFile(surface) && file) maps_.push_back(splineOf(*file));
     file.reset();
     if (hasRoughness(surface))
-        maps_.emplace_back(mapColumns(surface), mapRows(surface), surface.cell, surface.cell, generateRoughness(surface));
+        maps_.emplace_back(mapColumns(surface), mapRows(surface), surface.cell, surface.cell,
+                           generateRoughness(surface));
 
     highest_ = waves_.amplitude() + bumps_.highest();
     lowest_ = -waves_.amplitude() + bumps_.lowest();

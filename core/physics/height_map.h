@@ -10,9 +10,9 @@
 namespace touchdown {
 
 struct HeightMap {
-    int nx = 0, ny = 0;           // points; ny = 1: a profile along the track, the same across
-    double dx = 0.0, dy = 0.0;    // between points [m]; dy means nothing for a profile
-    std::vector<double> heights;  // row by row, x fastest [m]; finite
+    int nx = 0, ny = 0;                    // points; ny = 1: a profile along the track, the same across
+    double dx = 0.0, dy = 0.0;             // between points [m]; dy means nothing for a profile
+    std::vector<double> heights;           // row by row, x fastest [m]; finite
     bool closedX = false, closedY = false; // the last point is the first one again and is left out of nx, ny
     bool operator==(const HeightMap&) const = default;
 };

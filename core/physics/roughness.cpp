@@ -100,8 +100,7 @@ void powerFromCovariance(const DiskSurface& s, Array& map)
     const double step = s.cell / s.correlationLength;
     for (int j = 0; j <= map.ny / 2; ++j)
         for (int i = 0; i <= map.nx / 2; ++i) {
-            const double value =
-                repeatedCorrelation(s.spectrum, i * step, j * step, map.nx * step, map.ny * step);
+            const double value = repeatedCorrelation(s.spectrum, i * step, j * step, map.nx * step, map.ny * step);
             for (const int l : {j, (map.ny - j) % map.ny})
                 for (const int k : {i, (map.nx - i) % map.nx}) map.row(l)[k] = value;
         }

@@ -24,7 +24,8 @@ using RowSource = std::function<void(int, std::span<double>)>;
 /// Power of the waves along the rows, summed over them.
 class RowPower {
 public:
-    RowPower(int points, bool periodic) : n_(static_cast<std::size_t>(points)), window_(n_, 1.0), row_(n_), half_(n_ / 2 + 1)
+    RowPower(int points, bool periodic)
+        : n_(static_cast<std::size_t>(points)), window_(n_, 1.0), row_(n_), half_(n_ / 2 + 1)
     {
         if (!periodic)
             for (std::size_t i = 0; i < n_; ++i)

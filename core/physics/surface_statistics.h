@@ -19,11 +19,11 @@ struct ProfilePsd {
 };
 
 struct SurfaceStatistics {
-    double mean = 0.0;              // [m]
-    double rms = 0.0;               // about the mean [m]
-    double skewness = 0.0;          // [-]; 0 of Gaussian heights
-    double kurtosis = 0.0;          // [-]; 3 of Gaussian heights
-    double slopeX = 0.0, slopeY = 0.0; // RMS, between neighbouring points [-]
+    double mean = 0.0;                   // [m]
+    double rms = 0.0;                    // about the mean [m]
+    double skewness = 0.0;               // [-]; 0 of Gaussian heights
+    double kurtosis = 0.0;               // [-]; 3 of Gaussian heights
+    double slopeX = 0.0, slopeY = 0.0;   // RMS, between neighbouring points [-]
     double minimum = 0.0, maximum = 0.0; // [m]
     double correlationLength = 0.0; // along the track, where the autocorrelation first falls to 1/e [m]; 0: it does not
     ProfilePsd psd;

@@ -50,8 +50,8 @@ Waves::Waves(const DiskSurface& surface)
     for (std::size_t i = 0; i < surface.waveAmplitudes.size(); ++i) {
         const double k = 2.0 * std::numbers::pi / surface.waveLengths[i];
         const double angle = entry(surface.waveAngles, i);
-        waves_.push_back({surface.waveAmplitudes[i], k * std::cos(angle), k * std::sin(angle),
-                          entry(surface.wavePhases, i)});
+        waves_.push_back(
+            {surface.waveAmplitudes[i], k * std::cos(angle), k * std::sin(angle), entry(surface.wavePhases, i)});
     }
 }
 

@@ -28,7 +28,8 @@ std::string plainMicro(std::string text)
 }
 
 /// Whether two points are alike in all rows, from `a` and `b` on every `stride`.
-bool alike(const std::vector<double>& heights, std::size_t a, std::size_t b, std::size_t stride, std::size_t count, double range)
+bool alike(const std::vector<double>& heights, std::size_t a, std::size_t b, std::size_t stride, std::size_t count,
+           double range)
 {
     for (std::size_t k = 0; k < count; ++k)
         if (std::abs(heights[a + k * stride] - heights[b + k * stride]) > sameHeight * range) return false;
@@ -46,8 +47,8 @@ MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, c
     if (n < 2) throw CmlError(n == 0 ? 0 : line(0), "there must be two or more different " + name);
     for (std::size_t i = 1; i < n; ++i)
         if (!(places[i] > places[i - 1]))
-            throw CmlError(line(i), name + " must ascend: " + inMetres(places[i]) + " comes after " +
-                                        inMetres(places[i - 1]));
+            throw CmlError(line(i),
+                           name + " must ascend: " + inMetres(places[i]) + " comes after " + inMetres(places[i - 1]));
     const auto refuse = [&](std::size_t i, double needed) {
         throw CmlError(line(i), name + " must ascend in equal steps, without gaps: " + inMetres(places[i]) +
                                     " stands where " + inMetres(needed) + " is needed");

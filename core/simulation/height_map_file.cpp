@@ -58,10 +58,10 @@ std::string counted(std::size_t numbers) { return std::to_string(numbers) + (num
 struct Table {
     std::size_t columns = 0;
     std::vector<double> numbers;
-    std::vector<int> lines;                 // of the file, one for each row
-    std::vector<double> shortRow;           // a last line with other than `columns` numbers
+    std::vector<int> lines;       // of the file, one for each row
+    std::vector<double> shortRow; // a last line with other than `columns` numbers
     int shortLine = 0;
-    std::vector<std::string> words;         // comments and headings
+    std::vector<std::string> words; // comments and headings
 
     std::size_t rows() const { return lines.size(); }
     double at(std::size_t row, std::size_t column) const { return numbers[row * columns + column]; }
@@ -119,7 +119,8 @@ Table readTable(std::string_view text)
             throw CmlError(number, "there are too many points; at most 64 million can be read");
     }
     if (table.rows() == 0)
-        throw CmlError(0, "holds no numbers; a profile has two columns, x and height, and a map three, x, y and height");
+        throw CmlError(0,
+                       "holds no numbers; a profile has two columns, x and height, and a map three, x, y and height");
     return table;
 }
 
@@ -139,7 +140,8 @@ std::vector<double> columnUnits(const Table& table)
     return std::vector<double>(table.columns, 1.0);
 }
 
-MapAxis axisOf(const Table& table, std::size_t column, double unit, std::size_t count, std::size_t stride, const char* name)
+MapAxis axisOf(const Table& table, std::size_t column, double unit, std::size_t count, std::size_t stride,
+               const char* name)
 {
     std::vector<double> places;
     std::vector<int> lines;
@@ -179,9 +181,9 @@ HeightMap mapOfPoints(const Table& table)
     for (std::size_t k = 0; k < rows; ++k) {
         const double a = table.at(k, fast) * units[fast], b = table.at(k, slow) * units[slow];
         if (!quick.holds(k % length, a) || !late.holds(k / length, b))
-            throw CmlError(table.lines[k],
-                           "a map has no holes: the point " + pointText(turned, quick.at(k % length), late.at(k / length)) +
-                               " is needed here; points must come line by line, along x or along y");
+            throw CmlError(table.lines[k], "a map has no holes: the point " +
+                                               pointText(turned, quick.at(k % length), late.at(k / length)) +
+                                               " is needed here; points must come line by line, along x or along y");
     }
     if (rows % length != 0)
         throw CmlError(table.lines.back(), "a map has no holes: its last line ends after " +
@@ -198,7 +200,8 @@ HeightMap mapOfPoints(const Table& table)
 /// Lines "x h1 ... hny" and one of y.
 HeightMap mapOfWaveDefinition(const Table& table)
 {
-    if (table.columns < 2) throw CmlError(table.lines.front(), "a line of x [m] and one or more heights [nm] is needed");
+    if (table.columns < 2)
+        throw CmlError(table.lines.front(), "a line of x [m] and one or more heights [nm] is needed");
     const std::size_t ny = table.columns - 1;
     if (table.shortLine == 0)
         throw CmlError(table.lines.back(), "the last line must hold the y [m] of each profile alone, " + counted(ny));
@@ -234,7 +237,8 @@ HeightMap mapOfMatrix(const Table& table, const std::string& width, const std::s
     const auto side = [](const std::string& text, const char* name) {
         const auto value = lengthOf(text);
         if (value && *value > 0.0) return *value;
-        throw CmlError(0, std::string(name) + " must be a length above 0 with its unit, as \"10 um\", not " + inQuotes(text));
+        throw CmlError(0, std::string(name) + " must be a length above 0 with its unit, as \"10 um\", not " +
+                              inQuotes(text));
     };
     const std::string unit = wordsOf(table, "value units").value_or("m");
     const auto factor = lengthUnit(unit);
@@ -242,8 +246,8 @@ HeightMap mapOfMatrix(const Table& table, const std::string& width, const std::s
     const auto columns = static_cast<double>(table.columns), rows = static_cast<double>(table.rows());
     std::vector<double> heights(table.numbers);
     for (double& h : heights) h *= *factor;
-    return builtMap({table.columns, 0.0, side(width, "Width") / columns}, {table.rows(), 0.0, side(height, "Height") / rows},
-                    std::move(heights));
+    return builtMap({table.columns, 0.0, side(width, "Width") / columns},
+                    {table.rows(), 0.0, side(height, "Height") / rows}, std::move(heights));
 }
 
 HeightMap mapOf(const Table& table, const std::string& name)
@@ -254,10 +258,11 @@ HeightMap mapOf(const Table& table, const std::string& name)
     if (width && height) return mapOfMatrix(table, *width, *height);
     if (table.columns == 2) return profileOf(table);
     if (table.columns == 3) return mapOfPoints(table);
-    throw CmlError(table.lines.front(),
-                   "has " + counted(table.columns) +
-                       "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of heights "
-                       "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
+    throw CmlError(
+        table.lines.front(),
+        "has " + counted(table.columns) +
+            "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of heights "
+            "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
 }
 
 } // namespace
@@ -286,7 +291,8 @@ HeightMapDocument readHeightMap(const fs::path& file, const std::string& name)
         return document;
     }
     std::error_code error;
-    if (const auto size = fs::file_size(file, error); !error && fs::is_regular_file(file, error) && size > largestFile) {
+    if (const auto size = fs::file_size(file, error);
+        !error && fs::is_regular_file(file, error) && size > largestFile) {
         document.problems.push_back({name, 0, "", "is larger than 1 GiB; a surface is read from at most that"});
         return document;
     }

@@ -67,7 +67,8 @@ Dataset readDataset(hid_t file, const std::string& name)
 
 MapAxis axisOf(const Dataset& data, const std::string& name)
 {
-    if (data.shape.size() != 1) throw CmlError(0, "dataset \"" + name + "\" must be a list, not " + shapeText(data.shape));
+    if (data.shape.size() != 1)
+        throw CmlError(0, "dataset \"" + name + "\" must be a list, not " + shapeText(data.shape));
     return equalSteps(data.values, {}, name);
 }
 
@@ -91,8 +92,8 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path)
             shape.insert(shape.begin(), y.points);
         }
         if (height.shape != shape)
-            throw CmlError(0, "dataset \"height\" is " + shapeText(height.shape) + "; x and y ask for " + shapeText(shape) +
-                                  " points (y before x)");
+            throw CmlError(0, "dataset \"height\" is " + shapeText(height.shape) + "; x and y ask for " +
+                                  shapeText(shape) + " points (y before x)");
         return builtMap(x, y, std::move(height.values));
     } catch (const Hdf5Error& problem) {
         throw CmlError(0, std::string("cannot be read as HDF5: ") + problem.what());

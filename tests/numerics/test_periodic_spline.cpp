@@ -37,7 +37,8 @@ PeriodicSpline cosine(int period)
 /// Cells whose centres are the points of a spline, `margin` cells wider on each side.
 UniformGrid pointsOf(const PeriodicSpline& s, int margin = 0)
 {
-    return {s.nx() + 2 * margin, s.ny() + 2 * margin, s.dx(), s.dy(), -(0.5 + margin) * s.dx(), -(0.5 + margin) * s.dy()};
+    return {s.nx() + 2 * margin,      s.ny() + 2 * margin,     s.dx(), s.dy(),
+            -(0.5 + margin) * s.dx(), -(0.5 + margin) * s.dy()};
 }
 
 std::vector<double> valuesOf(const PeriodicSpline& s, const UniformGrid& grid, double shiftX = 0.0, double shiftY = 0.0)
@@ -82,7 +83,8 @@ private slots:
         QVERIFY(largestDifference(read, values) < 1e-12);
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < nx; ++i)
-                QVERIFY(std::abs(s.value(i * 0.25e-6, j * 0.5e-6) - values[static_cast<std::size_t>(j * nx + i)]) < 1e-12);
+                QVERIFY(std::abs(s.value(i * 0.25e-6, j * 0.5e-6) - read[static_cast<std::size_t>(j * nx + i)]) <
+                        1e-12);
     }
 
     // Halfway between points, 1/2 and 3/2 from the nearest ones, the B-spline is 23/48 and 1/48; at points 2/3 and 1/6. Of a wave
@@ -138,7 +140,8 @@ private slots:
                 const auto f = [&](double x) { return s.value(seam + x, y); };
                 QVERIFY(std::abs(f(h) - f(-h)) < 10 * h);
                 QVERIFY(std::abs((f(h) - f(0)) - (f(0) - f(-h))) / h < 20 * h);
-                const double behind = (f(2 * h) - 2 * f(h) + f(0)) / (h * h), before = (f(0) - 2 * f(-h) + f(-2 * h)) / (h * h);
+                const double behind = (f(2 * h) - 2 * f(h) + f(0)) / (h * h);
+                const double before = (f(0) - 2 * f(-h) + f(-2 * h)) / (h * h);
                 QVERIFY2(std::abs(behind - before) < 40 * h, qPrintable(QString::number(behind - before)));
             }
     }
@@ -150,11 +153,9 @@ private slots:
         QTest::addColumn<double>("turns");
         for (const double turns : {0.0, 3.0, 1e3, 1e6})
             for (const double dx : {0.25e-6, 0.3e-6, 1e-6 / 3.0}) {
-                const auto name = [&](const char* where) {
-                    return qPrintable(QString("cell %1 um, %2, %3 periods").arg(dx * 1e6).arg(where).arg(turns));
-                };
-                QTest::newRow(name("on points")) << dx << 0.0 << turns;
-                QTest::newRow(name("halfway")) << dx << 0.5 << turns;
+                const QString name = QString("cell %1 um, %2 periods, ").arg(dx * 1e6).arg(turns);
+                QTest::newRow(qPrintable(name + "on points")) << dx << 0.0 << turns;
+                QTest::newRow(qPrintable(name + "halfway")) << dx << 0.5 << turns;
             }
     }
     void movedByWholeCellsItReturnsTheSameBits()
@@ -210,7 +211,8 @@ private slots:
             std::vector<std::pair<double, double>> nodes; // place, weight
             for (double a = from; a < to;) {
                 const double b = std::min(to, std::floor(a) + 1.0);
-                for (const auto& [u, w] : {std::pair(-std::sqrt(0.6), 5.0 / 18), {0.0, 8.0 / 18}, {std::sqrt(0.6), 5.0 / 18}})
+                const double u0 = std::sqrt(0.6);
+                for (const auto& [u, w] : {std::pair(-u0, 5.0 / 18), {0.0, 8.0 / 18}, {u0, 5.0 / 18}})
                     nodes.emplace_back(0.5 * (a + b) + 0.5 * (b - a) * u, w * (b - a));
                 a = b;
             }
@@ -226,7 +228,8 @@ private slots:
                 const double mean = sum / (grid.widthX(i) * grid.widthY(j));
                 // Running sums up to 10, rounded at 1e-15, over the cell's area; positions at 1e-9 of a cell.
                 const double allowed = 2e-8 + 1e-14 / (width * width);
-                QVERIFY2(std::abs(means[l * 2 + k] - mean) < allowed, qPrintable(QString::number(means[l * 2 + k] - mean)));
+                QVERIFY2(std::abs(means[l * 2 + k] - mean) < allowed,
+                         qPrintable(QString::number(means[l * 2 + k] - mean)));
             }
     }
 

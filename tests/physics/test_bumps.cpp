@@ -129,10 +129,10 @@ private slots:
         QTest::addColumn<double>("volume");
         QTest::addColumn<double>("width");
         for (const double width : {0.3e-6, 1.1e-6, 5e-6, 20e-6}) {
-            const auto name = [&](const char* shape) { return qPrintable(QString("%1, cells of %2 um").arg(shape).arg(width * 1e6)); };
-            QTest::newRow(name("ellipsoid")) << BumpShape::Ellipsoid << pi / 6.0 << width;
-            QTest::newRow(name("gaussian")) << BumpShape::Gaussian << 2.0 * pi / 36.0 << width;
-            QTest::newRow(name("cosine")) << BumpShape::Cosine << (pi / 2.0 - 2.0 / pi) / 4.0 << width;
+            const QString cells = QString(", cells of %1 um").arg(width * 1e6);
+            QTest::newRow(qPrintable("ellipsoid" + cells)) << BumpShape::Ellipsoid << pi / 6.0 << width;
+            QTest::newRow(qPrintable("gaussian" + cells)) << BumpShape::Gaussian << 2.0 * pi / 36.0 << width;
+            QTest::newRow(qPrintable("cosine" + cells)) << BumpShape::Cosine << (pi / 2.0 - 2.0 / pi) / 4.0 << width;
         }
     }
     void cellsHoldItsVolume()

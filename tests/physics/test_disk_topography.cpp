@@ -57,7 +57,8 @@ HeightMap ramp(int nx)
     return map;
 }
 
-std::vector<double> heightsOf(const DiskTopography& t, const UniformGrid& grid, double shiftX = 0.0, double shiftY = 0.0)
+std::vector<double> heightsOf(const DiskTopography& t, const UniformGrid& grid, double shiftX = 0.0,
+                              double shiftY = 0.0)
 {
     std::vector<double> out(grid.cells());
     t.heights(grid, shiftX, shiftY, out);
@@ -139,7 +140,8 @@ private slots:
             for (int k = 0; k < 200; ++k)
                 for (int j = 0; j < 32; ++j) {
                     const double x = 0.5e-6 * k, y = 1.1e-6 * j;
-                    const double kink = std::abs(disk.height(x + h, y) - 2.0 * disk.height(x, y) + disk.height(x - h, y)) / h;
+                    const double kink =
+                        std::abs(disk.height(x + h, y) - 2.0 * disk.height(x, y) + disk.height(x - h, y)) / h;
                     (k == 0 ? seam : elsewhere) = std::max(k == 0 ? seam : elsewhere, kink);
                 }
             QVERIFY2(seam <= elsewhere, qPrintable(QString("%1 %2").arg(seam).arg(elsewhere)));
@@ -173,8 +175,8 @@ private slots:
                 small.x = {x - 10e-9, x + 10e-9};
                 small.y = {y - 10e-9, y + 10e-9};
                 disk.cellMeans(small, 3e-6, 1e-6, means);
-                // (20 nm)^2/24 of the curvatures along and across [1/m]: of the ramp where it turns about 2e-3/0.6 um = 3500, of
-                // a bump 2.5 nm (pi/4 um)^2 = 1500 each way, of the roughness, four deviations of sqrt(12) rms/lc^2, 700 each way.
+                // (20 nm)^2/24 of the curvatures along and across [1/m]: of the ramp where it turns 2e-3/0.6 um = 3500; of a
+                // bump 2.5 nm (pi/4 um)^2 = 1500 each way; of the roughness, four deviations of sqrt(12) rms/lc^2, 700.
                 QVERIFY(std::abs(means[0] - disk.height(x - 3e-6, y - 1e-6)) < 1.7e-17 * 8000);
             }
     }

@@ -34,7 +34,10 @@ UniformGrid gridOf(const DiskSurface& s)
     return {mapColumns(s), mapRows(s), s.cell, s.cell, -0.5 * s.cell, -0.5 * s.cell};
 }
 
-SurfaceStatistics statisticsOf(const DiskSurface& s) { return surfaceStatistics(gridOf(s), generateRoughness(s), true); }
+SurfaceStatistics statisticsOf(const DiskSurface& s)
+{
+    return surfaceStatistics(gridOf(s), generateRoughness(s), true);
+}
 
 /// Of seeds 1 to 20; computed once.
 const std::vector<SurfaceStatistics>& statisticsOfSeeds(RoughnessSpectrum spectrum)
@@ -111,7 +114,8 @@ private slots:
         ProfilePsd mean;
         for (const SurfaceStatistics& statistics : statisticsOfSeeds(spectrum)) {
             const ProfilePsd& psd = statistics.psd;
-            if (mean.density.empty()) mean = ProfilePsd{psd.waveNumber, std::vector<double>(psd.density.size()), psd.modes};
+            if (mean.density.empty())
+                mean = ProfilePsd{psd.waveNumber, std::vector<double>(psd.density.size()), psd.modes};
             // Each against its own request, and so all of one size.
             for (std::size_t k = 0; k < psd.density.size(); ++k) {
                 const double asked = request.profile(psd.waveNumber[k]).density;
@@ -147,7 +151,8 @@ private slots:
             const DiskSurface s = rough(spectrum);
             double sum = 0.0;
             for (const SurfaceStatistics& statistics : statisticsOfSeeds(spectrum)) sum += statistics.correlationLength;
-            QVERIFY2(std::abs(sum / seeds / s.correlationLength - 1.0) < 0.02, qPrintable(QString::number(sum / seeds)));
+            QVERIFY2(std::abs(sum / seeds / s.correlationLength - 1.0) < 0.02,
+                     qPrintable(QString::number(sum / seeds)));
         }
     }
 
@@ -217,8 +222,8 @@ private slots:
         s.trackWidth = 400e-6;
         const RequestedSpectrum request(s);
         const double qr = 2.0 * pi / s.rollOff, qc = 2.0 * pi / s.cutOff;
-        const double c0 = s.rms * s.rms /
-                          (2.0 * pi * qr * qr * (0.5 + (1.0 - std::pow(qc / qr, -2.0 * s.hurst)) / (2.0 * s.hurst)));
+        const double c0 =
+            s.rms * s.rms / (2.0 * pi * qr * qr * (0.5 + (1.0 - std::pow(qc / qr, -2.0 * s.hurst)) / (2.0 * s.hurst)));
         // Sums over 25 waves in each direction up to the roll-off instead of the integral.
         QVERIFY(std::abs(request.density(0.5 * qr) / c0 - 1.0) < 0.01);
         QCOMPARE(request.density(0.1 * qr), request.density(0.99 * qr));
@@ -238,7 +243,8 @@ private slots:
         double sum = 0.5 * request.profile(0.0).density * step;
         for (int k = 1; k <= n / 2; ++k) sum += (2 * k == n ? 0.5 : 1.0) * request.profile(k * step).density * step;
         sum -= request.density(0.0) * step * 2.0 * pi / s.trackWidth;
-        QVERIFY2(std::abs(sum / (s.rms * s.rms) - 1.0) < 1e-6, qPrintable(QString::number(sum / (s.rms * s.rms) - 1.0)));
+        QVERIFY2(std::abs(sum / (s.rms * s.rms) - 1.0) < 1e-6,
+                 qPrintable(QString::number(sum / (s.rms * s.rms) - 1.0)));
     }
 
     void theSameSeedGivesTheSameBits_data() { spectra(); }

@@ -83,7 +83,8 @@ private slots:
         for (int j = 0; j < grid.ny(); ++j)
             for (int i = 0; i < grid.nx(); ++i) {
                 const auto k = static_cast<std::size_t>(i), l = static_cast<std::size_t>(j);
-                const double x0 = grid.x[k] - 2e-6, x1 = grid.x[k + 1] - 2e-6, y0 = grid.y[l] - 1e-6, y1 = grid.y[l + 1] - 1e-6;
+                const double x0 = grid.x[k] - 2e-6, x1 = grid.x[k + 1] - 2e-6, y0 = grid.y[l] - 1e-6,
+                             y1 = grid.y[l + 1] - 1e-6;
                 const double k1 = 2.0 * pi / 50e-6;
                 double expected = 1e-9 * (std::cos(k1 * x0) - std::cos(k1 * x1)) / (k1 * (x1 - x0));
                 const double kx = 2.0 * pi / 7e-6 * std::cos(0.6), ky = 2.0 * pi / 7e-6 * std::sin(0.6);
@@ -91,7 +92,8 @@ private slots:
                 expected += 0.4e-9 * (f(x1, y1) - f(x0, y1) - f(x1, y0) + f(x0, y0)) / ((x1 - x0) * (y1 - y0));
                 // The differences lose digits in the cell of 0.1 nm: 1e-16/(k width) of the amplitude and more.
                 const double allowed = i == 0 ? 1e-20 : 1e-23;
-                QVERIFY2(std::abs(means[l * 3 + k] - expected) < allowed, qPrintable(QString::number(means[l * 3 + k] - expected)));
+                const double error = means[l * 3 + k] - expected;
+                QVERIFY2(std::abs(error) < allowed, qPrintable(QString::number(error)));
             }
     }
 

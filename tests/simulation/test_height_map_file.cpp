@@ -12,7 +12,10 @@ using namespace touchdown;
 
 namespace {
 
-HeightMapDocument read(const std::string& text, const std::string& name = "map.txt") { return readHeightMapText(text, name); }
+HeightMapDocument read(const std::string& text, const std::string& name = "map.txt")
+{
+    return readHeightMapText(text, name);
+}
 
 std::string problemsOf(const HeightMapDocument& document)
 {
@@ -69,10 +72,13 @@ private slots:
     void aMapOfPoints_data()
     {
         QTest::addColumn<QByteArray>("text");
-        QTest::newRow("lines along x") << QByteArray("x[um] y[um] h[nm]\n0 0 1\n1 0 2\n2 0 3\n3 0 4\n0 2 5\n1 2 6\n2 2 7\n3 2 8\n");
-        QTest::newRow("lines along y") << QByteArray("x[um] y[um] h[nm]\n0 0 1\n0 2 5\n1 0 2\n1 2 6\n2 0 3\n2 2 7\n3 0 4\n3 2 8\n");
-        QTest::newRow("a matrix") << QByteArray("# Channel: Topography\n# Width: 4.0 um\n# Height: 4 \xC2\xB5m\n# Value units: nm\n"
-                                                "1 2 3 4\n5 6 7 8\n");
+        QTest::newRow("lines along x") << QByteArray(
+            "x[um] y[um] h[nm]\n0 0 1\n1 0 2\n2 0 3\n3 0 4\n0 2 5\n1 2 6\n2 2 7\n3 2 8\n");
+        QTest::newRow("lines along y") << QByteArray(
+            "x[um] y[um] h[nm]\n0 0 1\n0 2 5\n1 0 2\n1 2 6\n2 0 3\n2 2 7\n3 0 4\n3 2 8\n");
+        QTest::newRow("a matrix") << QByteArray(
+            "# Channel: Topography\n# Width: 4.0 um\n# Height: 4 \xC2\xB5m\n# Value units: nm\n"
+            "1 2 3 4\n5 6 7 8\n");
     }
     void aMapOfPoints()
     {
@@ -118,11 +124,14 @@ private slots:
         const auto row = [](const char* title, const char* text, const char* problem, const char* name = "map.txt") {
             QTest::newRow(title) << QByteArray(text) << QByteArray(name) << QByteArray(problem);
         };
-        const char* empty = "map.txt: holds no numbers; a profile has two columns, x and height, and a map three, x, y and height";
+        const char* empty =
+            "map.txt: holds no numbers; a profile has two columns, x and height, and a map three, x, y and height";
         row("nothing", "", empty);
         row("words alone", "this is\nno map\n", empty);
-        row("a hole", "0 1\n1 NaN\n2 3\n3 4\n", "map.txt:2: a map has no holes: every height must be a number, not \"NaN\"");
-        row("a hole in the first line", "nan 1\n1 2\n", "map.txt:1: a map has no holes: every height must be a number, not \"nan\"");
+        row("a hole", "0 1\n1 NaN\n2 3\n3 4\n",
+            "map.txt:2: a map has no holes: every height must be a number, not \"NaN\"");
+        row("a hole in the first line", "nan 1\n1 2\n",
+            "map.txt:1: a map has no holes: every height must be a number, not \"nan\"");
         row("a hole of a matrix", "# Width: 1 um\n# Height: 1 um\n1 2 3 4\n1 -- 3 4\n",
             "map.txt:4: a map has no holes: every height must be a number, not \"--\"");
         row("a word among numbers", "0 1\n1 two\n", "map.txt:2: a line of numbers is needed, not \"two\"");
@@ -138,26 +147,30 @@ private slots:
         row("x that falls", "3 1\n2 2\n1 3\n0 4\n", "map.txt:2: x must ascend: 2 m comes after 3 m");
         row("a point twice", "0 1\n1 2\n1 3\n2 4\n", "map.txt:3: x must ascend: 1 m comes after 1 m");
         row("a missing point of a map", "0 0 1\n1 0 2\n2 0 3\n3 0 4\n0 1 1\n2 1 3\n3 1 4\n0 2 1\n1 2 1\n2 2 1\n3 2 1\n",
-            "map.txt:6: a map has no holes: the point x = 1 m, y = 1 m is needed here; points must come line by line, along x or "
-            "along y");
+            "map.txt:6: a map has no holes: the point x = 1 m, y = 1 m is needed here; points must come line by line, "
+            "along x "
+            "or along y");
         row("a map that ends early", "0 0 1\n1 0 2\n2 0 3\n3 0 4\n0 1 1\n1 1 3\n",
             "map.txt:6: a map has no holes: its last line ends after 2 of 4 points");
         row("too short", "0 1\n1 2\n2 3\n", "map.txt: a surface needs at least 4 points along the track, not 3");
         row("one point", "0 1\n", "map.txt:1: there must be two or more different x");
         row("columns without sense", "1 2 3 4\n5 6 7 8\n",
-            "map.txt:1: has 4 numbers; a profile has two columns, x and height, a map three, x, y and height, and a matrix of "
+            "map.txt:1: has 4 numbers; a profile has two columns, x and height, a map three, x, y and height, and a "
+            "matrix of "
             "heights needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
         row("a matrix of no size", "# Width: 0 um\n# Height: 1 um\n1 2 3 4\n",
             "map.txt: Width must be a length above 0 with its unit, as \"10 um\", not \"0 um\"");
         row("a matrix of seconds", "# Width: 3 um\n# Height: 1 um\n# Value units: s\n1 2 3 4\n",
             "map.txt: Value units must be a unit of length, as \"nm\", not \"s\"");
-        row("no y in wave.def", "0 1 5\n1e-6 2 6\n2e-6 3 7\n", "wave.def:3: the last line must hold the y [m] of each profile alone, 2 numbers",
-            "wave.def");
+        row("no y in wave.def", "0 1 5\n1e-6 2 6\n2e-6 3 7\n",
+            "wave.def:3: the last line must hold the y [m] of each profile alone, 2 numbers", "wave.def");
         row("too few y in wave.def", "0 1 5 6\n1e-6 2 6 7\n2e-6 3 7 8\n0 1e-6\n",
             "wave.def:4: the last line must hold the y [m] of each profile, 3 numbers, not 2", "wave.def");
-        row("y of wave.def that fall", "0 1 5\n1 2 6\n2 3 7\n3 3 7\n1 0\n", "wave.def:5: y must ascend: 0 m comes after 1 m", "wave.def");
-        row("a binary file", "\x7f"
-                             "ELF\x01\x02",
+        row("y of wave.def that fall", "0 1 5\n1 2 6\n2 3 7\n3 3 7\n1 0\n",
+            "wave.def:5: y must ascend: 0 m comes after 1 m", "wave.def");
+        row("a binary file",
+            "\x7f"
+            "ELF\x01\x02",
             "map.txt:1: holds bytes that no text holds; it may be a binary file");
     }
     void whatIsNoSurfaceIsRefused()

@@ -108,53 +108,63 @@ private slots:
         const auto row = [](const char* name, std::function<void(hid_t)> write, const char* problem) {
             QTest::newRow(name) << write << QByteArray(problem);
         };
-        row("nothing", [](hid_t) {}, "has no dataset \"height\"; a profile needs x and height, a map x, y and height");
-        row("no x", [](hid_t f) { writeList(f, "height", profile); },
+        row(
+            "nothing", [](hid_t) {}, "has no dataset \"height\"; a profile needs x and height, a map x, y and height");
+        row(
+            "no x", [](hid_t f) { writeList(f, "height", profile); },
             "has no dataset \"x\"; a profile needs x and height, a map x, y and height");
-        row("a map without y",
+        row(
+            "a map without y",
             [](hid_t f) {
                 writeList(f, "x", x);
                 writeMatrix(f, "height", 2, 4, std::vector<double>(8));
             },
             "has no dataset \"y\"; a profile needs x and height, a map x, y and height");
-        row("x before y",
+        row(
+            "x before y",
             [](hid_t f) {
                 writeList(f, "x", x);
                 writeList(f, "y", y);
                 writeMatrix(f, "height", 4, 2, std::vector<double>(8));
             },
             "dataset \"height\" is 4 x 2; x and y ask for 2 x 4 points (y before x)");
-        row("a shorter profile",
+        row(
+            "a shorter profile",
             [](hid_t f) {
                 writeList(f, "x", x);
                 writeList(f, "height", {1.0, 2.0});
             },
             "dataset \"height\" is 2; x and y ask for 4 points (y before x)");
-        row("a hole",
+        row(
+            "a hole",
             [](hid_t f) {
                 writeList(f, "x", x);
                 writeList(f, "height", {1.0, 2.0, std::numeric_limits<double>::quiet_NaN(), 4.0});
             },
             "dataset \"height\" holds no number at entry 3; a map has no holes: all must be finite");
-        row("x that jumps",
+        row(
+            "x that jumps",
             [](hid_t f) {
                 writeList(f, "x", {0.0, 1.0, 2.0, 4.0});
                 writeList(f, "height", profile);
             },
             "x must ascend in equal steps, without gaps: 4 m stands where 3 m is needed");
-        row("a unit of time",
+        row(
+            "a unit of time",
             [](hid_t f) {
                 writeList(f, "x", x, "s");
                 writeList(f, "height", profile);
             },
             "the unit of dataset \"x\" must be a length, as \"nm\", not \"s\"");
-        row("words",
+        row(
+            "words",
             [](hid_t f) {
                 writeList(f, "x", x);
                 writeHdf5Array(f, "height", std::vector<std::string>{"a", "b", "c", "d"});
             },
             "dataset \"height\" must hold numbers");
-        row("x of two dimensions",
+        row(
+            "x of two dimensions",
             [](hid_t f) {
                 writeMatrix(f, "x", 2, 4, std::vector<double>(8));
                 writeList(f, "height", profile);
