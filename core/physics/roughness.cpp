@@ -220,9 +220,10 @@ RequestedSpectrum::RequestedSpectrum(const DiskSurface& surface) : surface_(surf
         variance_ = surface.rms * surface.rms / (1.0 - density(0.0) * qx * qy);
         return;
     }
+    const auto copies = [](int i, int n) { return i == 0 || 2 * i == n ? 1.0 : 2.0; }; // of wave i and wave n - i
     double sum = -density(0.0);
-    for (int j = 0; j < ny; ++j)
-        for (int i = 0; i < nx; ++i) sum += density(std::hypot(std::min(i, nx - i) * qx, std::min(j, ny - j) * qy));
+    for (int j = 0; j <= ny / 2; ++j)
+        for (int i = 0; i <= nx / 2; ++i) sum += copies(i, nx) * copies(j, ny) * density(std::hypot(i * qx, j * qy));
     variance_ = surface.rms * surface.rms / (sum * qx * qy);
 }
 

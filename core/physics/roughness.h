@@ -55,7 +55,7 @@ private:
     double variance_ = 1.0; // of all waves with the mean [m^2]; C0 of the self-affine spectrum [m^4]
 };
 
-/// The same, once.
+/// The same at one wave number. For many, make a RequestedSpectrum: of the self-affine one it sums all waves.
 RequestedPsd requestedProfilePsd(const DiskSurface& surface, double q, int modes = 1);
 
 } // namespace touchdown
