@@ -18,10 +18,10 @@ namespace {
 constexpr int block = 4;
 
 // w_k *= kernel_k for the block's rows k and my - k, to which the even kernel gives the same values.
-TOUCHDOWN_VECTOR_CLONES void multiply(int my, const double* kernel, std::size_t stride, double* w)
+TOUCHDOWN_VECTOR_CLONES void multiply(int my, const double* kernel, double* w)
 {
     for (int k = 0; k < my; ++k) {
-        const double* factor = kernel + static_cast<std::size_t>(std::min(k, my - k)) * stride;
+        const double* factor = kernel + static_cast<std::size_t>(std::min(k, my - k)) * block;
         double* value = w + static_cast<std::size_t>(k) * 2 * block;
         for (int c = 0; c < block; ++c) {
             value[2 * c] *= factor[c];
@@ -44,8 +44,8 @@ int paddedSize(int n)
 
 struct PlaneConvolution::Plans {
     int nx, ny, mx, my;
-    std::size_t stride; // of the rows of `lines` and `kernel`: mx/2 + 1, rounded up to whole blocks
-    std::vector<double> kernel;
+    std::size_t stride;             // of the rows of `lines`: mx/2 + 1, rounded up to whole blocks
+    std::vector<double> kernel;     // block after block
     double* row = nullptr;          // of the domain
     fftw_complex* lines = nullptr;  // the ny rows' transforms along x
     fftw_complex* columns = nullptr;
@@ -104,7 +104,7 @@ void PlaneConvolution::Plans::convolveColumns(std::size_t first)
     for (int j = 0; j < ny; ++j) std::copy_n(line(j)[first], 2 * block, columns[j * block]);
     std::fill(columns[ny * block], columns[ny * block] + 2 * static_cast<std::ptrdiff_t>(my - ny) * block, 0.0);
     fftw_execute(columnsForward);
-    multiply(my, kernel.data() + first, stride, columns[0]);
+    multiply(my, kernel.data() + first * static_cast<std::size_t>(my / 2 + 1), columns[0]);
     fftw_execute(columnsInverse);
     for (int j = 0; j < ny; ++j) std::copy_n(columns[j * block], 2 * block, line(j)[first]);
 }
@@ -122,7 +122,7 @@ void PlaneConvolution::setTransform(std::span<const double> transform)
     assert(transform.size() == width * height);
     const double scale = 1.0 / (static_cast<double>(p.mx) * p.my); // FFTW's inverse of its transform is m_x m_y times too large
     for (std::size_t k = 0; k < height; ++k)
-        for (std::size_t i = 0; i < width; ++i) p.kernel[k * p.stride + i] = scale * transform[k * width + i];
+        for (std::size_t i = 0; i < width; ++i) p.kernel[((i / block) * height + k) * block + i % block] = scale * transform[k * width + i];
 }
 
 void PlaneConvolution::apply(std::span<const double> in, std::span<double> out)
