@@ -75,6 +75,7 @@ void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
         QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
         // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.
         pen.setJoinStyle(Qt::BevelJoin);
+        if (plot_.curves()[i].xData) pen = penThereAndBack(paths[i], size, pen);
         if (series_[i]->pen() != pen) series_[i]->setPen(pen);
         series_[i]->replace(QList<QPointF>(paths[i].begin(), paths[i].end()));
     }

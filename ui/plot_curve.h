@@ -20,6 +20,7 @@ struct PlotCurve {
     const MinMaxPyramid* data = nullptr;  // not owned: remove the curve before the pyramid goes
     const MinMaxPyramid* xData = nullptr; // a phase portrait: `data` is drawn against this instead of the time
     bool visible = true;
+    bool arrows = false; // of a phase portrait: heads along the line point the way of time
 };
 
 /// A horizontal line across the plot: "d_s = 3 nm".

@@ -109,6 +109,7 @@ void PlotPainter::paintAbove(QPainter& painter) const
     paintHeader(painter);
     paintReferenceLabels(painter);
     paintEventMarks(painter);
+    paintArrows(painter);
     paintPointMarks(painter);
 }
 
@@ -174,8 +175,10 @@ void PlotPainter::paintHeader(QPainter& painter) const
     double room = row.width() - titleMetrics.horizontalAdvance(title) - 3.0 * gap;
 
     std::vector<const PlotCurve*> named;
-    for (const PlotCurve& curve : plot_.curves())
-        if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title()) named.push_back(&curve);
+    for (const PlotCurve& curve : plot_.curves()) {
+        const auto same = [&curve](const PlotCurve* other) { return other->name == curve.name && other->style == curve.style; };
+        if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title() && std::ranges::none_of(named, same)) named.push_back(&curve);
+    }
 
     constexpr double sample = 20.0; // of the line [px]
     const auto widthOf = [&](const PlotCurve& curve) {
@@ -206,94 +209,15 @@ void PlotPainter::paintHeader(QPainter& painter) const
     }
 }
 
-void PlotPainter::paintReferenceLines(QPainter& painter) const
-{
-    QPen pen(theme_.referenceLine, 1.0);
-    pen.setDashPattern({4.0, 4.0});
-    painter.setPen(pen);
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (!plot_.yAxis().range().contains(line.value)) continue;
-        const double y = aligned(up(plot_.yAxis().position(line.value)));
-        painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
-    }
-}
-
-void PlotPainter::paintReferenceLabels(QPainter& painter) const
-{
-    painter.setFont(numberFont_);
-    const QFontMetricsF metrics(numberFont_);
-    std::vector<QRectF> taken;
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (line.label.isEmpty() || !plot_.yAxis().range().contains(line.value)) continue;
-        const double y = up(plot_.yAxis().position(line.value));
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
-        box.moveBottomRight({area_.right() - 4.0, y - 1.0});
-        if (box.top() < area_.top()) box.moveTop(y + 2.0);
-        for (const QRectF& other : taken)
-            if (box.intersects(other)) box.moveRight(other.left() - gap);
-        taken.push_back(box);
-        paintLabel(painter, box, line.label, theme_.mutedText);
-    }
-}
-
-void PlotPainter::paintEventMarks(QPainter& painter) const
-{
-    painter.setPen(QPen(theme_.referenceLine, 1.0));
-    double last = -1e9;
-    for (const EventMark& mark : plot_.eventMarks()) {
-        if (plot_.isPhasePortrait() || !plot_.xAxis().range().contains(mark.time)) continue;
-        const double x = aligned(across(plot_.xAxis().position(mark.time)));
-        if (x == last) continue; // thousands of bounces fall onto one column
-        last = x;
-        painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.top() + 6.0));
-    }
-}
-
-void PlotPainter::paintPointMarks(QPainter& painter) const
-{
-    painter.setFont(numberFont_);
-    const QFontMetricsF metrics(numberFont_);
-    std::vector<QRectF> taken;
-    for (const PointMark& mark : plot_.pointMarks()) {
-        const QPointF at(across(plot_.xAxis().position(mark.x)), up(plot_.yAxis().position(mark.y)));
-        if (!area_.contains(at)) continue;
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme_.colour(mark.style));
-        const QPointF tip = at - QPointF(0.0, 3.0);
-        painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
-        painter.setBrush(Qt::NoBrush);
-
-        const QSizeF size(metrics.horizontalAdvance(mark.label) + 4.0, metrics.height());
-        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
-                                   tip + QPointF(6.0, -size.height()),
-                                   tip - QPointF(6.0 + size.width(), size.height())};
-        for (const QPointF& corner : corners) {
-            const QRectF box(corner, size);
-            const auto meets = [&](const QRectF& other) { return other.intersects(box); };
-            if (!area_.contains(box) || std::any_of(taken.begin(), taken.end(), meets)) continue;
-            taken.push_back(box);
-            paintLabel(painter, box, mark.label, theme_.text);
-            break; // without room anywhere the marker stands alone
-        }
-    }
-}
-
-void PlotPainter::paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const
-{
-    QColor paper = theme_.plotArea;
-    paper.setAlphaF(0.75F);
-    painter.fillRect(box, paper);
-    painter.setPen(colour);
-    painter.drawText(box, Qt::AlignCenter, text);
-}
-
 void PlotPainter::paintCurves(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
     const auto paths = plot_.curvePaths();
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const bool dashed = pathLength(paths[i], area_.size()) < longestDashed * area_.width();
-        painter.setPen(curvePen(plot_.curves()[i].style, theme_, dashed));
+        QPen pen = curvePen(plot_.curves()[i].style, theme_, dashed);
+        if (plot_.curves()[i].xData) pen = penThereAndBack(paths[i], area_.size(), pen);
+        painter.setPen(pen);
         for (QPolygonF piece : insideArea(paths[i])) {
             for (QPointF& point : piece) point = {across(point.x()), up(point.y())};
             painter.drawPolyline(piece);

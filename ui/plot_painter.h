@@ -36,6 +36,7 @@ private:
     void paintReferenceLines(QPainter& painter) const;
     void paintReferenceLabels(QPainter& painter) const;
     void paintEventMarks(QPainter& painter) const;
+    void paintArrows(QPainter& painter) const;
     void paintPointMarks(QPainter& painter) const;
     void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace touchdown {
 
@@ -139,6 +140,47 @@ std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path)
         continues = second >= 1.0;
     }
     return pieces;
+}
+
+std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF& pixels)
+{
+    // Uneven, so that the heads of a way there and those of the same way back do not meet.
+    static constexpr double places[] = {0.08, 0.24, 0.40, 0.54, 0.70, 0.86};
+    const double length = pathLength(path, pixels);
+    std::vector<PathArrow> arrows;
+    if (length < 60.0 || length > longestDashed * pixels.width()) return arrows;
+    double walked = 0.0;
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < path.size() && next < std::size(places); ++i) {
+        const QPointF step = path[i] - path[i - 1];
+        const QPointF inPixels(step.x() * pixels.width(), step.y() * pixels.height());
+        const double stride = std::hypot(inPixels.x(), inPixels.y());
+        for (; next < std::size(places) && stride > 0.0 && walked + stride >= places[next] * length; ++next) {
+            const QPointF tip = path[i - 1] + (places[next] * length - walked) / stride * step;
+            if (QRectF(0.0, 0.0, 1.0, 1.0).contains(tip)) arrows.push_back({tip, inPixels / stride});
+        }
+        walked += stride;
+    }
+    return arrows;
+}
+
+QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen)
+{
+    QList<qreal> dashes = pen.dashPattern();
+    if (path.empty() || dashes.isEmpty()) return pen;
+    const auto turn = std::ranges::max_element(path, {}, [&path](const QPointF& point) { return std::abs(point.x() - path.front().x()); });
+    const double walked = pathLength({path.begin(), turn + 1}, pixels) / pen.widthF();
+    const double half = 0.5 * pathLength(path, pixels) / pen.widthF();
+    // A pattern that is even about the middle of a dash is even about the turning point, and half the length, when both lie
+    // in the middle of a dash or of a gap: the latter by a slight change of its period.
+    const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
+    const double count = std::round(std::abs(half - walked) / (0.5 * period));
+    const double scale = count > 0.0 ? std::abs(half - walked) / (0.5 * period * count) : 1.0;
+    for (qreal& dash : dashes) dash *= scale;
+    pen.setDashPattern(dashes);
+    const double offset = 0.5 * dashes.front() - std::fmod(walked, scale * period);
+    pen.setDashOffset(offset < 0.0 ? offset + scale * period : offset);
+    return pen;
 }
 
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)

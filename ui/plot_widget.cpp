@@ -151,7 +151,10 @@ void PlotWidget::refreshNow()
     refreshTimer_.stop();
     stale_ = false;
     refreshRanges();
-    canvas_->setPaths(curvePaths());
+    std::vector<std::vector<QPointF>> paths = curvePaths();
+    canvas_->setPaths(paths);
+    phasePaths_.clear();
+    if (isPhasePortrait()) phasePaths_ = std::move(paths);
     canvas_->repaintAll();
     ++refreshes_;
     refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());

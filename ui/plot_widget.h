@@ -101,6 +101,8 @@ public:
     void paintPlot(QPainter& painter, const QRectF& target, const PlotTheme& theme);
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
+    /// Those of a phase portrait as they were drawn last.
+    const std::vector<std::vector<QPointF>>& phasePaths() const { return phasePaths_; }
     const PlotTheme& theme() const { return theme_; }
 
     QSize sizeHint() const override { return {640, 220}; }
@@ -143,6 +145,7 @@ private:
     PlotTheme theme_;
     bool xNumbersVisible_ = true;
     std::vector<PlotCurve> curves_;
+    std::vector<std::vector<QPointF>> phasePaths_;
     std::vector<ReferenceLine> referenceLines_;
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
