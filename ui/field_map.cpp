@@ -49,6 +49,8 @@ void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
         const auto [least, most] = std::ranges::minmax_element(values_);
         smallest_ = static_cast<std::size_t>(least - values_.begin());
         largest_ = static_cast<std::size_t>(most - values_.begin());
+        oneSmallest_ = std::ranges::count(values_, *least) == 1;
+        oneLargest_ = std::ranges::count(values_, *most) == 1;
     }
     update();
 }
@@ -93,7 +95,7 @@ void FieldMap::readOut(const std::optional<SurfacePoint>& point)
         setReading({});
         return;
     }
-    QString text = tr("x %1   y %2").arg(readout(point->x, "mm", 4), readout(point->y, "mm", 4));
+    QString text = tr("x %1   y %2").arg(placeText(point->x), placeText(point->y));
     if (const auto cell = cellAt(*point)) text += QStringLiteral("   ·   ") + fieldText(value(*cell), look_);
     setReading(text);
 }
@@ -117,8 +119,8 @@ void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
     if (gridShown_) paintCellGrid(painter, *this, grid_);
     if (sectionPoint_) {
         const QPointF at = toPixel(*sectionPoint_);
-        const QPointF low = toPixel({0.0, 0.0});
-        const QPointF high = toPixel({sliderLength(), sliderWidth()});
+        const QPointF low = toPixel({area().left(), area().top()});
+        const QPointF high = toPixel({area().right(), area().bottom()});
         for (const QPen& pen : {QPen(theme.background, 2.4), QPen(theme.text, 1.0)}) {
             painter.setPen(pen);
             painter.drawLine(QPointF(low.x(), at.y()), QPointF(high.x(), at.y()));
@@ -167,13 +169,14 @@ void FieldMap::paintCells(QPainter& painter) const
 
 void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
 {
-    if (values_[smallest_] == values_[largest_]) return;
+    // Where many cells are at the limit, as without contact, none of them is a place to mark.
+    std::vector<PlanMark> marks;
+    if (oneSmallest_) marks.push_back({toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)});
+    if (oneLargest_) marks.push_back({toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)});
+    if (marks.empty()) return;
     painter.setFont(plotNumberFont(font()));
     TakenRoom taken;
-    paintPlanMarks(painter,
-                   {{toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)},
-                    {toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)}},
-                   theme, taken);
+    paintPlanMarks(painter, marks, theme, taken);
 }
 
 } // namespace touchdown

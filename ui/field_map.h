@@ -59,6 +59,7 @@ private:
     std::vector<double> values_;
     FieldLook look_;
     std::size_t smallest_ = 0, largest_ = 0;
+    bool oneSmallest_ = true, oneLargest_ = true; // and no other cell has that value
     bool gridShown_ = false;
     std::optional<SurfacePoint> sectionPoint_;
 };

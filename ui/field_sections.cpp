@@ -5,13 +5,14 @@
 
 #include <QHBoxLayout>
 
+#include "core/simulation/units.h"
 #include "ui/plot_menu.h"
 #include "ui/quantity_format.h"
 
 namespace touchdown {
 
 FieldSections::FieldSections(QWidget* parent)
-    : QWidget(parent), alongX_(makeSection(QStringLiteral("x"))), alongY_(makeSection(QStringLiteral("y")))
+    : QWidget(parent), alongX_(makeSection()), alongY_(makeSection())
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -30,13 +31,12 @@ FieldSections::FieldSections(QWidget* parent)
 
 FieldSections::~FieldSections() = default;
 
-FieldSections::Section FieldSections::makeSection(const QString& axis)
+FieldSections::Section FieldSections::makeSection()
 {
     Section section;
     section.plot = new PlotWidget(this);
     section.group = new PlotGroup(this);
     section.group->add(section.plot);
-    section.plot->setXLabel({axis, QStringLiteral("mm"), 1e-3, AxisScale::Linear});
     section.plot->setCursorPinned(true);
     installPlotMenu(section.plot, section.group);
     return section;
@@ -55,8 +55,13 @@ void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>&
     std::vector<double> alongX, alongY;
     for (std::size_t i = 0; i < nx; ++i) alongX.push_back(map.value(row * nx + i));
     for (std::size_t j = 0; j + 1 < map.grid().y.size(); ++j) alongY.push_back(map.value(j * nx + column));
-    alongX_.plot->setTitle(tr("Along x at y = %1").arg(readout(point->y, "mm", 4)));
-    alongY_.plot->setTitle(tr("Along y at x = %1").arg(readout(point->x, "mm", 4)));
+    alongX_.plot->setTitle(tr("Along x at y = %1").arg(map.placeText(point->y)));
+    alongY_.plot->setTitle(tr("Along y at x = %1").arg(map.placeText(point->x)));
+    const auto labelled = [&map](PlotWidget* plot, const QString& name) {
+        plot->setXLabel({name, unitText(map.lengthUnit()), unitFactor(map.lengthUnit()), AxisScale::Linear});
+    };
+    labelled(alongX_.plot, QStringLiteral("x"));
+    labelled(alongY_.plot, QStringLiteral("y"));
     fill(alongX_, map.grid().x, alongX, map.look());
     fill(alongY_, map.grid().y, alongY, map.look());
     alongX_.plot->setPlotCursor(0, point->x);
@@ -82,9 +87,19 @@ void FieldSections::fill(Section& section, const std::vector<double>& lines, con
     section.group->dataChanged();
 }
 
+void FieldSections::setRange(const std::optional<PlotRange>& range)
+{
+    if (range == range_) return;
+    range_ = range;
+    for (const Section* section : {&alongX_, &alongY_}) section->plot->setView({section->plot->view().x, range_});
+}
+
 void FieldSections::fit()
 {
-    for (const Section* section : {&alongX_, &alongY_}) section->group->fit();
+    for (const Section* section : {&alongX_, &alongY_}) {
+        section->group->fit();
+        if (range_) section->plot->setView({section->plot->view().x, range_});
+    }
 }
 
 } // namespace touchdown

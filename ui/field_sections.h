@@ -23,6 +23,8 @@ public:
     void show(const FieldMap& map, const std::optional<SurfacePoint>& point);
     /// Both axes follow the data again.
     void fit();
+    /// The same values up the sections whatever they show; nothing: they follow what they show.
+    void setRange(const std::optional<PlotRange>& range);
 
     PlotWidget* alongX() const { return alongX_.plot; }
     PlotWidget* alongY() const { return alongY_.plot; }
@@ -38,10 +40,11 @@ private:
         PlotGroup* group = nullptr;
         std::unique_ptr<MinMaxPyramid> steps;
     };
-    Section makeSection(const QString& axis);
+    Section makeSection();
     void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values, const FieldLook& look);
 
     Section alongX_, alongY_;
+    std::optional<PlotRange> range_;
 };
 
 } // namespace touchdown

@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "core/simulation/units.h"
 #include "ui/plot_painter.h"
 #include "ui/quantity_format.h"
 
@@ -25,13 +26,7 @@ constexpr double keyMove = 40.0;   // [px]
 constexpr double farthest = 0.3;   // of the fitted scale
 constexpr double nearest = 2e9;    // [px/m]: 2 px a nanometre
 
-PlotAxis millimetres(const QString& name, double low, double high)
-{
-    PlotAxis axis;
-    axis.label = {name, QStringLiteral("mm"), 1e-3, AxisScale::Linear};
-    axis.setRange({low, high});
-    return axis;
-}
+constexpr double smallest = 0.3e-3;  // of what is shown in mm [m]
 
 } // namespace
 
@@ -42,12 +37,28 @@ SliderPlan::SliderPlan(QWidget* parent) : QWidget(parent)
     setAccessibleDescription(tr("Arrow keys move, plus and minus zoom, Home shows everything."));
 }
 
-void SliderPlan::setSlider(double length, double width)
+void SliderPlan::setSlider(double length, double width) { setArea({0.0, 0.0, length, width}, true); }
+
+void SliderPlan::setPiece(const QRectF& area) { setArea(area, false); }
+
+void SliderPlan::setArea(const QRectF& area, bool slider)
 {
-    if (length == length_ && width == width_) return;
-    length_ = length;
-    width_ = width;
+    if (area == area_ && slider == slider_) return;
+    area_ = area;
+    slider_ = slider;
     fit();
+}
+
+std::string_view SliderPlan::lengthUnit() const { return std::max(area_.width(), area_.height()) < smallest ? "um" : "mm"; }
+
+QString SliderPlan::placeText(double at) const { return readout(at, lengthUnit(), lengthUnit() == "mm" ? 4 : 2); }
+
+PlotAxis SliderPlan::axis(const QString& name, double low, double high) const
+{
+    PlotAxis made;
+    made.label = {name, unitText(lengthUnit()), unitFactor(lengthUnit()), AxisScale::Linear};
+    made.setRange({low, high});
+    return made;
 }
 
 void SliderPlan::setSkew(double skew)
@@ -81,11 +92,11 @@ void SliderPlan::applyFit()
     const QRectF area = planArea();
     const double text = QFontMetricsF(plotNumberFont(font())).height();
     // Room for the names of the edges, and at the left for the air flow.
-    const double left = arrowLength + 3.0 * gap + text;
-    const double right = text + 3.0 * gap;
-    const double ends = 2.0 * (text + 2.0 * gap);
-    scale_ = std::max(1.0, std::min((area.width() - left - right) / length_, (area.height() - ends) / width_));
-    centre_ = {0.5 * length_ + 0.5 * (right - left) / scale_, 0.5 * width_};
+    const double left = slider_ ? arrowLength + 3.0 * gap + text : 2.0 * gap;
+    const double right = slider_ ? text + 3.0 * gap : 2.0 * gap;
+    const double ends = slider_ ? 2.0 * (text + 2.0 * gap) : 4.0 * gap;
+    scale_ = std::max(1.0, std::min((area.width() - left - right) / area_.width(), (area.height() - ends) / area_.height()));
+    centre_ = {area_.center().x() + 0.5 * (right - left) / scale_, area_.center().y()};
     update();
     emit viewChanged();
 }
@@ -101,7 +112,7 @@ void SliderPlan::zoom(double factor, const QPointF& aboutPixel)
 {
     const SurfacePoint still = toSlider(aboutPixel);
     const QRectF area = planArea();
-    const double whole = std::min(area.width() / length_, area.height() / width_);
+    const double whole = std::min(area.width() / area_.width(), area.height() / area_.height());
     const double scale = std::clamp(scale_ * factor, farthest * whole, nearest);
     if (scale == scale_) return;
     fitted_ = false;
@@ -116,8 +127,8 @@ void SliderPlan::pan(const QPointF& byPixels)
 {
     // Some part of the slider stays in sight.
     fitted_ = false;
-    centre_.x = std::clamp(centre_.x - byPixels.x() / scale_, 0.0, length_);
-    centre_.y = std::clamp(centre_.y + byPixels.y() / scale_, 0.0, width_);
+    centre_.x = std::clamp(centre_.x - byPixels.x() / scale_, area_.left(), area_.right());
+    centre_.y = std::clamp(centre_.y + byPixels.y() / scale_, area_.top(), area_.bottom());
     update();
     emit viewChanged();
 }
@@ -148,7 +159,7 @@ SurfacePoint SliderPlan::toSlider(const QPointF& pixel) const
 
 bool SliderPlan::onSlider(const SurfacePoint& point) const
 {
-    return point.x >= 0.0 && point.x <= length_ && point.y >= 0.0 && point.y <= width_;
+    return point.x >= area_.left() && point.x <= area_.right() && point.y >= area_.top() && point.y <= area_.bottom();
 }
 
 void SliderPlan::paintPlan(QPainter& painter, const QRectF& target, const PlotTheme& theme)
@@ -183,10 +194,11 @@ void SliderPlan::paint(QPainter& painter, const PlotTheme& theme)
 
 void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) const
 {
-    const QRectF outline = QRectF(toPixel({0.0, width_}), toPixel({length_, 0.0}));
+    const QRectF outline = QRectF(toPixel({area_.left(), area_.bottom()}), toPixel({area_.right(), area_.top()}));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.text, 1.2));
     painter.drawRect(outline);
+    if (!slider_) return;
 
     const QFont font = plotNumberFont(this->font());
     const double text = QFontMetricsF(font).height();
@@ -211,7 +223,7 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
 {
     const QFont font = plotNumberFont(this->font());
     const QFontMetricsF metrics(font);
-    const QPointF tip = toPixel({0.0, 0.5 * width_}) - QPointF(2.0 * gap + metrics.height(), 0.0);
+    const QPointF tip = toPixel({area_.left(), area_.center().y()}) - QPointF(2.0 * gap + metrics.height(), 0.0);
     // On the screen y points down, and positive skew turns the flow towards the inner edge, which is below.
     const QPointF along(std::cos(skew_), std::sin(skew_));
     const QPointF across(-along.y(), along.x());
@@ -238,8 +250,9 @@ void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
 {
     const QRectF area = planArea();
     const QRectF seen = view();
-    const PlotAxis x = millimetres(QStringLiteral("x"), seen.left(), seen.right());
-    const PlotAxis y = millimetres(QStringLiteral("y"), seen.top(), seen.bottom());
+    const PlotAxis x = axis(QStringLiteral("x"), seen.left(), seen.right());
+    const PlotAxis y = axis(QStringLiteral("y"), seen.top(), seen.bottom());
+    const double rounding = 1e-6 * std::max(area_.width(), area_.height());
     const QFont numberFont = plotNumberFont(font());
     const QFontMetricsF numbers(numberFont);
     painter.setPen(QPen(theme.axis, 1.0));
@@ -249,16 +262,16 @@ void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
     painter.setFont(numberFont);
     const int mostX = static_cast<int>(area.width() / numbers.horizontalAdvance(QStringLiteral("00000.000")));
     for (const AxisTick& tick : x.ticks(std::min(12, mostX))) {
-        if (tick.value < -1e-9 || tick.value > length_ + 1e-9) continue; // there is no slider
-        const double at = toPixel({tick.value, 0.0}).x();
+        if (tick.value < area_.left() - rounding || tick.value > area_.right() + rounding) continue; // there is nothing
+        const double at = toPixel({tick.value, area_.top()}).x();
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + tickLength));
         painter.setPen(theme.mutedText);
         painter.drawText(QRectF(at - 50.0, area.bottom() + tickLength, 100.0, numbers.height()), Qt::AlignCenter, tick.text);
     }
     for (const AxisTick& tick : y.ticks(std::min(12, static_cast<int>(area.height() / (2.0 * numbers.height()))))) {
-        if (tick.value < -1e-9 || tick.value > width_ + 1e-9) continue;
-        const double at = toPixel({0.0, tick.value}).y();
+        if (tick.value < area_.top() - rounding || tick.value > area_.bottom() + rounding) continue;
+        const double at = toPixel({area_.left(), tick.value}).y();
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(area.left() - tickLength, at), QPointF(area.left(), at));
         painter.setPen(theme.mutedText);

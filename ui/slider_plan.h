@@ -2,17 +2,20 @@
 //
 // The slider seen from the disk's side in true proportions, for what is drawn on it: x to the right from the leading to
 // the trailing edge, y upwards from the inner to the outer edge, scales in mm, the edges named, the air flow as an
-// arrow, a key at the right.
+// arrow, a key at the right. Or a piece of another surface, in mm or µm, of which nothing is named.
 //
 // Mouse: wheel zooms about the pointer, drag moves, double click fits, click chooses a point.
 // Keys: arrows move, + and - zoom, Home fits.
 #pragma once
 
 #include <optional>
+#include <string_view>
 
+#include <QRectF>
 #include <QWidget>
 
 #include "core/physics/air_bearing_surface.h"
+#include "ui/plot_axis.h"
 #include "ui/plot_theme.h"
 
 namespace touchdown {
@@ -24,8 +27,16 @@ public:
     explicit SliderPlan(QWidget* parent = nullptr);
 
     void setSlider(double length, double width); // [m]
-    double sliderLength() const { return length_; }
-    double sliderWidth() const { return width_; }
+    double sliderLength() const { return area_.width(); }
+    double sliderWidth() const { return area_.height(); }
+    /// A pad or a piece of the disk instead of the slider; its top is the smallest y [m].
+    void setPiece(const QRectF& area);
+    /// The slider, or that piece [m].
+    const QRectF& area() const { return area_; }
+    /// Of the scales and the readings: "mm" or "um".
+    std::string_view lengthUnit() const;
+    /// A place on an axis as it is read: "0.1234 mm".
+    QString placeText(double at) const;
     /// [rad]; positive: air flows from the outer leading to the inner trailing edge.
     void setSkew(double skew);
     void setTitle(const QString& title);
@@ -79,6 +90,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    void setArea(const QRectF& area, bool slider);
+    PlotAxis axis(const QString& name, double low, double high) const;
     void applyFit();
     void paint(QPainter& painter, const PlotTheme& theme);
     void paintSurroundings(QPainter& painter, const PlotTheme& theme) const;
@@ -86,8 +99,8 @@ private:
     void paintScales(QPainter& painter, const PlotTheme& theme) const;
     void paintHeader(QPainter& painter, const PlotTheme& theme) const;
 
-    double length_ = 1.25e-3; // [m]
-    double width_ = 1.0e-3;   // [m]
+    QRectF area_{0.0, 0.0, 1.25e-3, 1.0e-3}; // [m]
+    bool slider_ = true;      // edges and air are named
     double skew_ = 0.0;       // [rad]
     QString title_;
     QString reading_;
