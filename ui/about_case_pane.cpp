@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/about_case_pane.h"
 
+#include <algorithm>
+
 #include <QEvent>
 
 #include "ui/quantity_format.h"
@@ -27,14 +29,16 @@ void AboutCasePane::setCase(const Case& c)
     about_ = c.about;
     result_.clear();
     rule_.clear();
+    figures_.clear();
     write();
 }
 
-void AboutCasePane::setResult(const QString& result, const QString& rule)
+void AboutCasePane::setResult(const QString& result, const QString& rule, const QString& figures)
 {
-    if (result == result_ && rule == rule_) return;
+    if (result == result_ && rule == rule_ && figures == figures_) return;
     result_ = result;
     rule_ = rule;
+    figures_ = figures;
     write();
 }
 
@@ -64,6 +68,7 @@ void AboutCasePane::write()
     part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
     part(tr("What this run shows"), result_, colours.change);
     part(tr("How that was decided"), rule_, colours.muted);
+    part(tr("Its figures"), figures_, colours.muted);
     part(tr("⚠ What the file says and is not modelled"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
@@ -74,7 +79,17 @@ QString resultText(const RunRecord& run)
     if (!run.summary) return {};
     const Summary& summary = *run.summary;
     QString text;
-    if (summary.status == RunStatus::Completed) {
+    if (summary.status == RunStatus::Completed && !summary.figures.empty()) {
+        const auto add = [&](const char* name, const QString& what) {
+            const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
+            if (figure == summary.figures.end()) return;
+            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + what.arg(readout(figure->value, figure->quantity));
+        };
+        add("largest_contact_force", AboutCasePane::tr("Largest contact force %1"));
+        add("pull_off_force", AboutCasePane::tr("pull-off force %1"));
+        add("snap_in_separation", AboutCasePane::tr("snap-in at %1"));
+        text += QLatin1Char('.');
+    } else if (summary.status == RunStatus::Completed) {
         QStringList ends;
         for (const char* name : {"flying_height", "pitch", "net_contact_force"}) {
             const int index = findQuantity(run.quantities, name);
@@ -95,6 +110,15 @@ QString resultText(const RunRecord& run)
         text = sentence(summary.message);
     }
     return text;
+}
+
+QString figuresText(const Summary& summary)
+{
+    QStringList lines;
+    for (const RunFigure& figure : summary.figures)
+        lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName), readout(figure.value, figure.quantity).trimmed());
+    if (summary.fit) lines << sentence(summary.fit->message);
+    return lines.join(QLatin1Char('\n'));
 }
 
 } // namespace touchdown

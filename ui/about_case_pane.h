@@ -17,8 +17,8 @@ public:
     explicit AboutCasePane(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
-    /// Of the run of this case that has ended, and by which rule; empty while it runs.
-    void setResult(const QString& result, const QString& rule = {});
+    /// Of the run of this case that has ended, by which rule, and what else is read off it; empty while it runs.
+    void setResult(const QString& result, const QString& rule = {}, const QString& figures = {});
     /// What the file that was imported says and is not modelled.
     void setWarnings(const QStringList& warnings);
 
@@ -32,10 +32,13 @@ private:
     About about_;
     QString result_;
     QString rule_;
+    QString figures_;
     QStringList warnings_;
 };
 
 /// What a run came to, in a few sentences; warnings and the check of the step are not among them.
 QString resultText(const RunRecord& run);
+/// What one reads off a contact run, a line for each figure.
+QString figuresText(const Summary& summary);
 
 } // namespace touchdown

@@ -19,9 +19,16 @@ namespace {
 
 QString groupTitle(const std::string& name)
 {
-    static const std::array<std::pair<const char*, const char*>, 9> titles{
+    static const std::array<std::pair<const char*, const char*>, 16> titles{
         {{"", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Model")},
          {"springs", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Air bearing springs")},
+         {"pad", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Contact pad")},
+         {"approach", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Approach and retraction")},
+         {"elastic", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Elastic contact")},
+         {"adhesion", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Intermolecular adhesion")},
+         {"asperity", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Asperities")},
+         {"meniscus", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Menisci")},
+         {"disk.surface", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Disk surface")},
          {"ono_yamane", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Contact and adhesion")},
          {"initial", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Start")},
          {"run", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Run and numerics")},

@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include <QVBoxLayout>
-
 #include "core/simulation/units.h"
 #include "ui/plot_menu.h"
 #include "ui/quantity_format.h"
@@ -16,6 +14,12 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostMarks = 2000; // ticks closer than pixels say nothing
+
+/// Of what the user chose in the menu of a plot.
+std::string curveKey(const QString& plot, const QString& quantity)
+{
+    return (plot + QLatin1Char('/') + quantity).toStdString();
+}
 
 QString curveId(const RunRecord& run, const std::string& quantity)
 {
@@ -44,16 +48,28 @@ struct LivePlots::Spec {
         const char* quantity;
         const char* name; // in the legend of a plot with several
         bool visible = true;
+        int colour = -1;  // -1: as it comes in the list
+        int dash = 0;     // beside those that tell runs apart
     };
     const char* name;
     const char* title;
     const char* unit; // displayed
     std::vector<Curve> curves;
+    const char* against = nullptr; // a quantity instead of the time
 };
 
 const std::vector<LivePlots::Spec>& LivePlots::specs()
 {
     static const std::vector<Spec> list{
+        {"force_separation",
+         QT_TR_NOOP("Force against separation"),
+         "mN",
+         {{"contact_force", QT_TR_NOOP("Contact")},
+          {"adhesion_force", QT_TR_NOOP("Adhesion")},
+          {"net_contact_force", QT_TR_NOOP("Net")},
+          {"fitted_contact_force", QT_TR_NOOP("Fitted"), true, 6, 1},
+          {"fitted_adhesion_force", QT_TR_NOOP("Fitted"), true, 6, 1}},
+         "minimum_spacing"},
         {"spacing", QT_TR_NOOP("Minimum spacing"), "nm", {{"minimum_spacing", QT_TR_NOOP("Minimum spacing")}}},
         {"pitch", QT_TR_NOOP("Pitch"), "urad", {{"pitch", QT_TR_NOOP("Pitch")}}},
         {"roll", QT_TR_NOOP("Roll"), "urad", {{"roll", QT_TR_NOOP("Roll")}}},
@@ -64,7 +80,7 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
           {"air_spring_energy", QT_TR_NOOP("Air springs")},
           {"suspension_energy", QT_TR_NOOP("Suspension")},
           {"contact_energy", QT_TR_NOOP("Contact")},
-          {"energy", QT_TR_NOOP("Total without contact")}}},
+          {"energy", QT_TR_NOOP("Total without contact"), true, 6}}},
         {"forces",
          QT_TR_NOOP("Contact forces"),
          "mN",
@@ -72,27 +88,38 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
           {"adhesion_force", QT_TR_NOOP("Adhesion")},
           {"net_contact_force", QT_TR_NOOP("Net")},
           {"friction_force", QT_TR_NOOP("Friction"), false},
-          {"air_bearing_force", QT_TR_NOOP("Air bearing"), false}}},
+          {"air_bearing_force", QT_TR_NOOP("Air bearing"), false, 6}}},
+        {"area", QT_TR_NOOP("Contact area"), "um^2", {{"contact_area", QT_TR_NOOP("Contact area")}}},
+        {"pressure", QT_TR_NOOP("Peak contact pressure"), "MPa", {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}}},
     };
     return list;
 }
 
-LivePlots::LivePlots(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(runs), group_(new PlotGroup(this))
+LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
+    : QWidget(parent), runs_(runs), group_(new PlotGroup(this)), layout_(new QVBoxLayout(this))
 {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(0);
     for (const Spec& spec : specs()) {
         auto* plot = new PlotWidget(this);
         plot->setTitle(tr(spec.title));
-        plot->setAccessibleName(tr("Plot of %1 over time").arg(tr(spec.title)));
-        plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
+        if (spec.against) {
+            plot->setXLabel({tr("Separation"), QStringLiteral("nm"), unitFactor("nm"), AxisScale::Linear});
+        } else {
+            plot->setAccessibleName(tr("Plot of %1 over time").arg(tr(spec.title)));
+            plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
+        }
         plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), AxisScale::Linear});
         group_->add(plot);
         installPlotMenu(plot, group_);
-        layout->addWidget(plot, 1);
-        entries_.push_back({QString::fromLatin1(spec.name), tr(spec.title), plot});
+        layout_->addWidget(plot, spec.against ? 3 : 1);
+        auto* wanted = new QAction(tr(spec.title), this);
+        wanted->setCheckable(true);
+        connect(wanted, &QAction::triggered, this, [this, name = QString::fromLatin1(spec.name)](bool on) { chosen_[{model_, name}] = on; });
+        connect(wanted, &QAction::toggled, this, &LivePlots::updateVisibility);
+        entries_.push_back({QString::fromLatin1(spec.name), tr(spec.title), plot, wanted});
     }
+    setCase({});
 
     connect(&runs_, &RunsModel::added, this, &LivePlots::addRun);
     connect(&runs_, &RunsModel::aboutToRemove, this, &LivePlots::removeRun);
@@ -100,12 +127,14 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
         differences_.clear();
         const int baseline = runs_.baseline();
-        for (const Entry& entry : entries_)
-            entry.plot->setTitle(baseline < 0 ? entry.title : tr("%1 minus run %2").arg(entry.title).arg(baseline));
+        for (std::size_t s = 0; s < specs().size(); ++s) {
+            if (specs()[s].against) continue;
+            const QString& title = entries_[s].title;
+            entries_[s].plot->setTitle(baseline < 0 ? title : tr("%1 minus run %2").arg(title).arg(baseline));
+        }
         rebuild();
         group_->fit();
     });
-    updateVisibility();
 }
 
 PlotWidget* LivePlots::plot(const QString& name) const
@@ -114,11 +143,24 @@ PlotWidget* LivePlots::plot(const QString& name) const
     return found == entries_.end() ? nullptr : found->plot;
 }
 
-void LivePlots::setWanted(const QString& name, bool wanted)
+QAction* LivePlots::wanted(const QString& name) const
 {
     const auto found = std::ranges::find(entries_, name, &Entry::name);
-    if (found == entries_.end()) return;
-    found->wanted = wanted;
+    return found == entries_.end() ? nullptr : found->wanted;
+}
+
+void LivePlots::setCase(const Case& c)
+{
+    model_ = c.model;
+    ready_.clear();
+    for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
+    for (std::size_t s = 0; s < entries_.size(); ++s) {
+        // Forces against the separation are what a contact run is made for; of a flying slider they are one view among others.
+        const bool contact = model_ == ModelKind::Contact;
+        const bool forces = entries_[s].name == QLatin1String("forces");
+        const auto chosen = chosen_.find({model_, entries_[s].name});
+        entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : specs()[s].against ? contact : !(contact && forces));
+    }
     updateVisibility();
 }
 
@@ -172,30 +214,35 @@ void LivePlots::rebuild()
 
 void LivePlots::addCurves(const RunRecord& run)
 {
-    const bool several = runs_.count() > 1;
     for (std::size_t s = 0; s < specs().size(); ++s) {
         const Spec& spec = specs()[s];
-        PlotWidget* plot = entries_[s].plot;
-        const bool single = spec.curves.size() == 1;
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {
-            const Spec::Curve& wanted = spec.curves[i];
-            const MinMaxPyramid* samples = dataFor(run, wanted.quantity);
-            const QString id = curveId(run, wanted.quantity);
-            if (!samples) {
-                plot->removeCurve(id);
-                continue;
-            }
-            PlotCurve curve;
-            curve.id = id;
-            curve.name = several ? (single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(tr(wanted.name)).arg(run.number))
-                                 : tr(wanted.name);
-            curve.style = RunsModel::style(run);
-            if (!single) curve.style.colour = static_cast<int>(i) == 4 ? 6 : static_cast<int>(i);
-            curve.data = samples;
-            curve.visible = run.shown && wanted_.try_emplace(wanted.quantity, wanted.visible).first->second;
-            plot->addCurve(curve);
+            PlotCurve curve = curveOf(run, s, i);
+            // A way through forces and separations has no difference to another one.
+            curve.data = spec.against ? run.pyramid(spec.curves[i].quantity) : dataFor(run, spec.curves[i].quantity);
+            curve.xData = spec.against ? run.pyramid(spec.against) : nullptr;
+            if (!curve.data || (spec.against && !curve.xData)) entries_[s].plot->removeCurve(curve.id);
+            else entries_[s].plot->addCurve(curve);
         }
     }
+}
+
+PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t index) const
+{
+    const Spec::Curve& wanted = specs()[spec].curves[index];
+    const bool single = specs()[spec].curves.size() == 1;
+    PlotCurve curve;
+    curve.id = curveId(run, wanted.quantity);
+    curve.name = tr(wanted.name);
+    if (runs_.count() > 1) curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(tr(wanted.name)).arg(run.number);
+    curve.style = RunsModel::style(run);
+    if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, curve.style.dash + wanted.dash};
+    const auto chosen = wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));
+    // Without adhesion the net force is the contact force.
+    const bool same = std::string_view(wanted.quantity) == "net_contact_force" && !run.pyramid("adhesion_force");
+    curve.visible = run.shown && (chosen == wanted_.end() ? wanted.visible && !same : chosen->second);
+    curve.arrows = wanted.dash == 0;
+    return curve;
 }
 
 /// What the user chose in the plots' menus holds for the runs that come.
@@ -205,7 +252,7 @@ void LivePlots::noteHiddenCurves()
         const QString prefix = QStringLiteral("run %1/").arg(number);
         for (const Entry& entry : entries_)
             for (const PlotCurve& curve : entry.plot->curves())
-                if (curve.id.startsWith(prefix)) wanted_[curve.id.mid(prefix.size()).toStdString()] = curve.visible;
+                if (curve.id.startsWith(prefix)) wanted_[curveKey(entry.name, curve.id.mid(prefix.size()))] = curve.visible;
     }
 }
 
@@ -240,31 +287,55 @@ void LivePlots::updateMarks()
                 return ReferenceLine{value, QStringLiteral("%1 = %2").arg(QString::fromUtf8(symbol),
                                                                          QString::fromStdString(formatQuantity(value, "nm")))};
             };
-            spacing.push_back(line("d₁", c.springs.cutoff));
+            if (c.model == ModelKind::Springs) spacing.push_back(line("d₁", c.springs.cutoff));
             if (c.contact == ContactKind::OnoYamane) {
                 spacing.push_back(line("dₛ", c.onoYamane.touchDown));
                 spacing.push_back(line("dₑ", c.onoYamane.takeOff));
             }
-            pitch.push_back({c.springs.pitch, tr("static")});
+            if (c.model == ModelKind::Springs) pitch.push_back({c.springs.pitch, tr("static")});
         }
     }
     for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
+    plot(QStringLiteral("force_separation"))->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
     plot(QStringLiteral("spacing"))->setReferenceLines(spacing);
     plot(QStringLiteral("pitch"))->setReferenceLines(pitch);
 }
 
+/// Where each kind of event took place first: the snap into contact, the pull-off.
+std::vector<PointMark> LivePlots::eventPoints(const RunRecord& run) const
+{
+    const MinMaxPyramid* separation = run.pyramid("minimum_spacing");
+    const MinMaxPyramid* force = run.pyramid("net_contact_force");
+    std::vector<PointMark> marks;
+    std::set<std::string> named;
+    for (std::size_t i = 0; separation && force && i < std::min(mostMarks, run.events.size()); ++i) {
+        const RunEvent& event = run.events[i];
+        const std::optional<double> x = separation->valueAt(event.time);
+        const std::optional<double> y = force->valueAt(event.time);
+        if (x && y && named.insert(event.name).second) marks.push_back({*x, *y, QString::fromStdString(event.name), {6, 0}});
+    }
+    return marks;
+}
+
 void LivePlots::updateVisibility()
 {
+    const bool anyShown = newestShown() != nullptr;
     PlotWidget* lowest = nullptr;
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         const Entry& entry = entries_[s];
-        // Before there is any run, the plots that every model has stand ready.
-        bool recorded = runs_.count() == 0 && entry.name != QLatin1String("roll");
-        for (const PlotCurve& curve : entry.plot->curves()) recorded = recorded || curve.data;
-        entry.plot->setVisible(recorded && entry.wanted);
-        if (recorded && entry.wanted) lowest = entry.plot;
+        bool recorded = false;
+        // Before there is any run, the plots of what the case will record stand ready.
+        for (const Spec::Curve& curve : specs()[s].curves)
+            recorded = recorded || (!anyShown && std::ranges::find(ready_, curve.quantity) != ready_.end());
+        for (int row = 0; row < runs_.count(); ++row)
+            for (const Spec::Curve& curve : specs()[s].curves)
+                recorded = recorded || (runs_.record(row).shown && runs_.record(row).pyramid(curve.quantity));
+        const bool visible = recorded && entry.wanted->isChecked();
+        entry.plot->setVisible(visible);
+        if (visible && !specs()[s].against) lowest = entry.plot;
     }
-    for (const Entry& entry : entries_) entry.plot->setXNumbersVisible(entry.plot == lowest);
+    for (std::size_t s = 0; s < entries_.size(); ++s)
+        entries_[s].plot->setXNumbersVisible(entries_[s].plot == lowest || specs()[s].against);
 }
 
 const RunRecord* LivePlots::newestShown() const

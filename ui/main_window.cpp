@@ -29,13 +29,10 @@ MainWindow::MainWindow(QWidget* parent)
       actions_(new WindowActions(*this, edits_.undoStack())),
       files_(new CaseFiles(edits_, *this)),
       casePanel_(new CasePanel(edits_, this)),
-      runsPanel_(new RunsPanel(runs_, this)),
       aboutCase_(new AboutCasePane(this)),
-      plots_(new LivePlots(runs_, this)),
-      spectrum_(new LiveSpectrum(runs_, this)),
+      runs_(new RunWindow(this)),
       film_(new FilmWindow(steady, actions_->run, this)),
-      messages_(new MessageStrip(this)),
-      progress_(new RunProgress(this))
+      messages_(new MessageStrip(this))
 {
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
@@ -43,7 +40,7 @@ MainWindow::MainWindow(QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     buildCentre();
     buildDocks();
-    statusBar()->addWidget(progress_, 1);
+    statusBar()->addWidget(runs_->progress(), 1);
     statusBar()->addWidget(film_->progress(), 1);
     statusBar()->setSizeGripEnabled(false);
     connectFiles();
@@ -60,9 +57,9 @@ MainWindow::~MainWindow()
 {
     // What shows the runs and the case goes before them: they are members, and those go before child widgets.
     edits_.undoStack().disconnect(this);
-    runs_.disconnect(this);
-    controller_.disconnect(this);
-    film_->disconnect(this);
+    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()), static_cast<QObject*>(&controller()), static_cast<QObject*>(film_)})
+        sender->disconnect(this);
+    controller().stopAndWait();
     film_->controller().stopAndWait();
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
@@ -70,18 +67,9 @@ MainWindow::~MainWindow()
 
 void MainWindow::buildCentre()
 {
-    splitter_ = new QSplitter(Qt::Vertical, this);
-    splitter_->addWidget(plots_);
-    splitter_->addWidget(spectrum_);
-    splitter_->setStretchFactor(0, 2);
-    splitter_->setStretchFactor(1, 1);
-    splitter_->setSizes({560, 280});
-    splitter_->setChildrenCollapsible(true);
-    splitter_->setCollapsible(0, false);
     pages_ = new QStackedWidget(this);
-    pages_->addWidget(splitter_);
+    pages_->addWidget(runs_->view());
     pages_->addWidget(film_->view());
-    page_ = pages_;
 
     auto* centre = new QWidget(this);
     auto* layout = new QVBoxLayout(centre);
@@ -90,19 +78,18 @@ void MainWindow::buildCentre()
     layout->addWidget(pages_, 1);
     layout->addWidget(messages_);
     setCentralWidget(centre);
-    runFiles_ = new RunFiles(runs_, *page_, *this);
-    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *splitter_, *runsPanel_});
+    runFiles_ = new RunFiles(runs(), *pages_, *this);
+    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
 }
 
 void MainWindow::buildDocks()
 {
-    cursorTable_ = new CursorTable(plots_->group(), this);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QDockWidget* parameters = addDock(QStringLiteral("parameters"), tr("Parameters"), casePanel_, Qt::LeftDockWidgetArea);
     QDockWidget* about = addDock(QStringLiteral("about"), tr("About this case"), aboutCase_, Qt::RightDockWidgetArea);
-    QDockWidget* runs = addDock(QStringLiteral("runs"), tr("Runs"), runsPanel_, Qt::RightDockWidgetArea);
-    QDockWidget* values = addDock(QStringLiteral("values"), tr("Values at the cursors"), cursorTable_, Qt::RightDockWidgetArea);
+    QDockWidget* runs = addDock(QStringLiteral("runs"), tr("Runs"), runs_->panel(), Qt::RightDockWidgetArea);
+    QDockWidget* values = addDock(QStringLiteral("values"), tr("Values at the cursors"), runs_->values(), Qt::RightDockWidgetArea);
     QDockWidget* attitude = addDock(QStringLiteral("attitude"), tr("Static attitude"), film_->attitude(), Qt::RightDockWidgetArea);
     resizeDocks({parameters, about}, {340, 340}, Qt::Horizontal);
     resizeDocks({about, runs, values}, {280, 240, 260}, Qt::Vertical);
@@ -143,10 +130,10 @@ void MainWindow::connectFiles()
         casePanel_->search()->selectAll();
     });
     connect(actions_->openResults, &QAction::triggered, runFiles_, &RunFiles::chooseOpen);
-    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runsPanel_->chosen(), false); });
-    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runsPanel_->chosen(), true); });
+    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), false); });
+    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
     connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
-    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*page_); });
+    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*pages_); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     connect(files_, &CaseFiles::saved, this, [this] {
         casePanel_->setPreset({});
@@ -168,26 +155,27 @@ void MainWindow::connectFiles()
 void MainWindow::connectRuns()
 {
     connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
-    connect(actions_->pause, &QAction::triggered, this, [this](bool on) { on ? controller_.pause() : controller_.resume(); });
-    connect(actions_->step, &QAction::triggered, &controller_, &RunController::step);
-    connect(actions_->stop, &QAction::triggered, &controller_, &RunController::stop);
+    RunController* controller = &this->controller();
+    connect(actions_->pause, &QAction::triggered, controller, [controller](bool on) { on ? controller->pause() : controller->resume(); });
+    connect(actions_->step, &QAction::triggered, controller, &RunController::step);
+    connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
     connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
-    connect(actions_->pace, &QComboBox::currentIndexChanged, this,
-            [this] { controller_.setPace(actions_->pace->currentData().toDouble()); });
-    connect(&controller_, &RunController::stateChanged, this, [this](RunController::State state) {
-        progress_->setState(state);
-        updateRunActions();
-    });
-    connect(&controller_, &RunController::delivered, this, &MainWindow::onRunDelivered);
-    connect(&controller_, &RunController::finished, this, &MainWindow::onRunFinished);
-    connect(&controller_, &RunController::recordingFailed, this,
+    connect(actions_->pace, &QComboBox::currentIndexChanged, controller,
+            [this, controller] { controller->setPace(actions_->pace->currentData().toDouble()); });
+    connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(controller, &RunController::recordingFailed, this,
             [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
+    connect(runs_, &RunWindow::started, this, [this] {
+        aboutCase_->setResult({});
+        messages_->clear();
+    });
+    connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
     connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
-    connect(runsPanel_, &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
-    connect(runsPanel_, &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
-    connect(runsPanel_, &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
-    connect(&runs_, &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
-    connect(&runs_, &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
+    connect(runs_->panel(), &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
+    connect(runs_->panel(), &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
+    connect(runs_->panel(), &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
+    connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
+    connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
 }
 
 void MainWindow::connectFilm()
@@ -201,11 +189,8 @@ void MainWindow::connectFilm()
 
 void MainWindow::connectView()
 {
-    PlotGroup* group = plots_->group();
-    connect(actions_->fit, &QAction::triggered, this, [this, group] {
-        group->fit();
-        spectrum_->view()->group()->fit();
-    });
+    PlotGroup* group = plots().group();
+    connect(actions_->fit, &QAction::triggered, runs_->view(), &RunView::fit);
     connect(actions_->follow, &QAction::triggered, group,
             [group](bool on) { group->setFollow(on ? PlotGroup::Follow::WholeRun : PlotGroup::Follow::Frozen); });
     connect(group, &PlotGroup::followChanged, this,
@@ -218,18 +203,8 @@ void MainWindow::connectView()
     };
     connect(group, &PlotGroup::historyChanged, this, updateHistory);
     updateHistory();
-    connect(plots_, &LivePlots::curvesChanged, cursorTable_, &CursorTable::scheduleUpdate);
-
-    for (const LivePlots::Entry& entry : plots_->plots()) {
-        QAction* action = actions_->plots->addAction(entry.title);
-        action->setCheckable(true);
-        action->setChecked(true);
-        connect(action, &QAction::toggled, this, [this, name = entry.name](bool on) { plots_->setWanted(name, on); });
-    }
-    QAction* spectrum = actions_->plots->addAction(tr("Power spectrum"));
-    spectrum->setCheckable(true);
-    spectrum->setChecked(true);
-    connect(spectrum, &QAction::toggled, spectrum_, &QWidget::setVisible);
+    for (const LivePlots::Entry& entry : plots().plots()) actions_->plots->addAction(entry.wanted);
+    actions_->plots->addAction(runs_->view()->spectrumWanted());
 
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
@@ -279,54 +254,15 @@ void MainWindow::startRun()
         film_->solve(edits_.value(), false);
         return;
     }
-    RunRequest request;
-    request.value = edits_.value();
-    request.caseText = files_->text();
-    request.recordTo = recordTo_.toStdString();
-    // A run under way ends, and says so, before the new one is in the list.
-    controller_.stopAndWait();
-    onRunStarted(runs_.nextNumber());
-    controller_.start(std::move(request));
+    runs_->start({edits_.value(), files_->text(), recordTo_.toStdString()});
 }
 
-void MainWindow::onRunStarted(int number)
+void MainWindow::onRunEnded(int number, const Summary& summary)
 {
-    if (!runsPanel_->overlay())
-        for (int row = 0; row < runs_.count(); ++row) runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
-    auto record = std::make_unique<RunRecord>(number, edits_.value(), files_->text(), recordedQuantities(edits_.value()));
-    record->file = recordTo_;
-    runNumber_ = number;
-    runs_.add(std::move(record));
-    runsPanel_->setRunningRun(number);
-    spectrum_->setOptionsOf(edits_.value());
-    aboutCase_->setResult({});
-    messages_->clear();
-    progress_->begin();
-    if (plots_->group()->follow() == PlotGroup::Follow::Frozen) return;
-    plots_->group()->fit();
-}
-
-void MainWindow::onRunDelivered(const RunDelivery& delivery)
-{
-    runs_.append(runNumber_, delivery.samples, delivery.events);
-    plots_->dataArrived(runNumber_);
-    spectrum_->dataArrived(runNumber_);
-    if (delivery.duration > 0.0) progress_->advance(delivery.time, delivery.duration);
-}
-
-void MainWindow::onRunFinished(int, const Summary& summary)
-{
-    const int number = std::exchange(runNumber_, -1);
-    runs_.finish(number, summary);
-    runsPanel_->setRunningRun(-1);
-    plots_->runFinished(number);
-    spectrum_->runFinished(number);
-    progress_->end(summary);
     updateRunActions();
-
-    const RunRecord& run = *runs_.find(number);
+    const RunRecord& run = *runs().find(number);
     const QString result = resultText(run);
-    aboutCase_->setResult(result, sentence(summary.bouncingRule));
+    aboutCase_->setResult(result, sentence(summary.bouncingRule), figuresText(summary));
     QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
     MessageStrip::Kind kind = MessageStrip::Kind::Success;
     for (const std::string& warning : summary.warnings) lines << sentence(warning);
@@ -360,11 +296,12 @@ void MainWindow::onSolved(const SteadyResult& result)
 
 void MainWindow::showModel(ModelKind model)
 {
-    if (model == shownModel_) return;
-    shownModel_ = model;
+    const bool before = shownModel_ == ModelKind::Film;
     const bool film = model == ModelKind::Film;
-    pages_->setCurrentWidget(film ? static_cast<QWidget*>(film_->view()) : splitter_);
-    progress_->setVisible(!film);
+    shownModel_ = model;
+    if (film == before) return;
+    pages_->setCurrentWidget(film ? static_cast<QWidget*>(film_->view()) : runs_->view());
+    runs_->progress()->setVisible(!film);
     film_->progress()->setVisible(film);
     const std::vector<QDockWidget*> coming = std::exchange(openDocks_, {});
     for (QDockWidget* dock : film ? runDocks_ : filmDocks_) {
@@ -385,7 +322,7 @@ void MainWindow::onCaseOpened()
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_.value());
-    spectrum_->setOptionsOf(edits_.value());
+    runs_->open(edits_.value());
     messages_->clear();
     updateTitle();
 }
@@ -416,6 +353,7 @@ void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_.value());
     film_->edit(edits_.value());
+    runs_->edit(edits_.value());
     showModel(edits_.value().model);
     updateRunActions();
     updateTitle();
@@ -424,7 +362,7 @@ void MainWindow::onCaseEdited()
 void MainWindow::updateRunActions()
 {
     using State = RunController::State;
-    const State state = controller_.state();
+    const State state = controller().state();
     const QString reason = edits_.reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
     const bool film = shownModel_ == ModelKind::Film;
@@ -442,7 +380,7 @@ void MainWindow::updateRunActions()
     actions_->stop->setEnabled(state == State::Running || state == State::Paused
                                || film_->controller().state() == SteadyController::State::Running);
     actions_->resetAll->setEnabled(edits_.anyChanged());
-    const bool anyEnded = runs_.count() > (controller_.active() ? 1 : 0);
+    const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
     actions_->exportCsv->setEnabled(anyEnded);
 }
@@ -478,7 +416,7 @@ void MainWindow::chooseRecording(bool on)
 
 void MainWindow::useParametersOf(int number)
 {
-    const RunRecord* run = runs_.find(number);
+    const RunRecord* run = runs().find(number);
     if (run) edits_.setAll(run->value, tr("use the parameters of run %1").arg(number));
 }
 
@@ -537,7 +475,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         });
         return;
     }
-    controller_.stop();
+    controller().stop();
     film_->controller().stop();
     saveSession();
     event->accept();

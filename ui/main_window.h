@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workbench: parameters at the left; in the centre live plots and the spectrum, or for a film the surface and its
+// The workbench: parameters at the left; in the centre the page of runs over time, or for a film the surface and its
 // fields; the case, the runs and the values at the cursors, or the static attitude, at the right; what happened at the foot.
 #pragma once
 
 #include "ui/about_case_pane.h"
 #include "ui/case_files.h"
 #include "ui/case_panel.h"
-#include "ui/cursor_table.h"
 #include "ui/film_window.h"
 #include "ui/help_window.h"
-#include "ui/live_plots.h"
-#include "ui/live_spectrum.h"
 #include "ui/message_strip.h"
-#include "ui/run_controller.h"
 #include "ui/run_files.h"
-#include "ui/run_progress.h"
-#include "ui/runs_panel.h"
+#include "ui/run_window.h"
 #include "ui/window_actions.h"
 #include "ui/window_session.h"
 
 #include <QMainWindow>
-#include <QSplitter>
 #include <QStackedWidget>
 
 namespace touchdown {
@@ -42,20 +36,21 @@ public:
     /// Solves a film case for the pressure at the attitude of its start.
     void solveAtGivenAttitude();
     void openResults(const QString& file) { runFiles_->openRun(file); }
-    /// The plots and the spectrum, or the film's page, as they are exported.
-    QWidget* page() const { return page_; }
+    /// The page of the runs or of the film, as it is exported.
+    QWidget* page() const { return pages_; }
 
     CaseEdits& edits() { return edits_; }
     CaseFiles& files() { return *files_; }
-    RunsModel& runs() { return runs_; }
-    RunController& controller() { return controller_; }
+    RunsModel& runs() { return runs_->runs(); }
+    RunController& controller() { return runs_->controller(); }
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
-    RunsPanel& runsPanel() { return *runsPanel_; }
-    LivePlots& plots() { return *plots_; }
-    LiveSpectrum& spectrum() { return *spectrum_; }
+    RunsPanel& runsPanel() { return *runs_->panel(); }
+    RunView& runView() { return *runs_->view(); }
+    LivePlots& plots() { return *runs_->view()->plots(); }
+    LiveSpectrum& spectrum() { return *runs_->view()->spectrum(); }
     MessageStrip& messages() { return *messages_; }
-    RunProgress& progress() { return *progress_; }
+    RunProgress& progress() { return *runs_->progress(); }
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
 
@@ -84,9 +79,7 @@ private:
     void onImported(const QString& path, const QStringList& warnings);
     void onExported(const QString& path, const QStringList& warnings);
     void onCaseEdited();
-    void onRunStarted(int run);
-    void onRunDelivered(const RunDelivery& delivery);
-    void onRunFinished(int run, const Summary& summary);
+    void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
     /// Brings the page and the panes that belong to a model.
     void showModel(ModelKind model);
@@ -99,32 +92,23 @@ private:
     void look();
     void saveSession();
 
-    RunsModel runs_;
     CaseEdits edits_;
-    RunController controller_;
     WindowActions* actions_;
     CaseFiles* files_;
     RunFiles* runFiles_ = nullptr;
     CasePanel* casePanel_;
-    RunsPanel* runsPanel_;
     AboutCasePane* aboutCase_;
-    LivePlots* plots_;
-    LiveSpectrum* spectrum_;
-    CursorTable* cursorTable_ = nullptr;
-    QWidget* page_ = nullptr;
-    QSplitter* splitter_ = nullptr;
     QStackedWidget* pages_ = nullptr;
+    RunWindow* runs_;
     FilmWindow* film_;
     std::vector<QDockWidget*> runDocks_;   // of a run over time
     std::vector<QDockWidget*> filmDocks_;  // of a static state
     std::vector<QDockWidget*> openDocks_;  // of the model that is not shown: those that come back with it
     ModelKind shownModel_ = ModelKind::Springs;
     MessageStrip* messages_;
-    RunProgress* progress_;
     HelpWindow* help_ = nullptr;
     std::unique_ptr<WindowSession> session_;
     QString recordTo_;
-    int runNumber_ = -1;     // in the list, of the run under way
     bool closing_ = false;   // the question about changes was answered
 };
 

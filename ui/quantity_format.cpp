@@ -72,7 +72,7 @@ QString unitText(std::string_view unit)
 
 QString symbolText(std::string_view symbol)
 {
-    static const std::array<std::pair<const char*, const char*>, 9> greek{{{"alpha", "α"},
+    static const std::array<std::pair<const char*, const char*>, 13> greek{{{"alpha", "α"},
                                                                            {"lambda", "λ"},
                                                                            {"xi", "ξ"},
                                                                            {"theta", "θ"},
@@ -80,7 +80,11 @@ QString symbolText(std::string_view symbol)
                                                                            {"beta", "β"},
                                                                            {"gamma", "γ"},
                                                                            {"phi", "φ"},
-                                                                           {"omega", "ω"}}};
+                                                                           {"omega", "ω"},
+                                                                            {"nu", "ν"},
+                                                                            {"eta", "η"},
+                                                                            {"sigma", "σ"},
+                                                                            {"dgamma", "Δγ"}}};
     const QString text = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const auto letters = [](const QString& name) {
         // "theta(0)": the letter, then what it is at.

@@ -23,10 +23,11 @@ QString tr(const char* text)
 
 QString incompleteProblem(const RunRecord& record)
 {
-    return tr("Run %1 has %2 samples, more than are kept in memory; switch on \"Record to file\" before such a run "
+    return tr("Run %1 has %2 samples and %3 snapshots of fields, more than are kept in memory; switch on \"Record to file\" before such a run "
               "to keep them all.")
         .arg(record.number)
-        .arg(record.sampleCount());
+        .arg(record.sampleCount())
+        .arg(record.snapshotsArrived);
 }
 
 RunStatus statusFromName(const std::string& text)
@@ -38,9 +39,10 @@ RunStatus statusFromName(const std::string& text)
 
 } // namespace
 
-RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded)
+RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded,
+                     RecordedFields recordedFields)
     : number(runNumber), name(QString::fromStdString(c.title)), value(c), caseText(std::move(text)),
-      quantities(std::move(recorded))
+      quantities(std::move(recorded)), fields(std::move(recordedFields))
 {
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
     // Making room takes a pyramid some milliseconds: each does it at a time of its own. The first is the smallest, see
@@ -48,12 +50,33 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
     for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
 }
 
-void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents)
+void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
+                       const std::vector<FieldSnapshot>& newFields)
 {
     for (std::size_t i = 0; i < std::min(columns.size(), batch.columns.size()); ++i)
         columns[i].append(batch.time, batch.columns[i]);
     arrived += batch.size();
     events.insert(events.end(), newEvents.begin(), newEvents.end());
+    for (const FieldSnapshot& snapshot : newFields) keep(snapshot);
+}
+
+void RunRecord::keep(const FieldSnapshot& snapshot)
+{
+    std::size_t values = 0;
+    for (std::size_t i = 0; i < snapshot.values.size(); ++i) {
+        values += snapshot.values[i].size();
+        if (snapshot.values[i].empty()) continue;
+        const auto [low, high] = std::ranges::minmax(snapshot.values[i]);
+        if (i == fieldRanges.size()) fieldRanges.push_back({low, high});
+        else fieldRanges[i] = {std::min(fieldRanges[i].low, low), std::max(fieldRanges[i].high, high)};
+    }
+    if (snapshotsArrived++ % fieldStride != 0) return;
+    snapshots.push_back(snapshot);
+    if (snapshots.size() * values <= fieldCapacity) return;
+    fieldStride *= 2;
+    std::size_t held = 0;
+    for (std::size_t i = 0; i < snapshots.size(); i += 2) std::swap(snapshots[held++], snapshots[i]);
+    snapshots.resize(held);
 }
 
 void RunRecord::finish(const Summary& ended)
@@ -103,10 +126,10 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     }
     // A file whose case this version cannot read still shows its samples.
     const CaseDocument document = parseCase(stored.caseText, file.toStdString());
-    auto record = std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities);
+    auto record = std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
     record->name = QString::fromStdString(stored.title);
     record->file = file;
-    record->append(stored.samples, {});
+    record->append(stored.samples, {}, stored.fields);
     Summary summary;
     summary.status = statusFromName(stored.status);
     summary.message = stored.message;
@@ -120,10 +143,10 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
-    if (!record.complete()) return incompleteProblem(record);
+    if (!record.complete() || record.fieldStride > 1) return incompleteProblem(record);
     ResultsWriter writer;
-    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities);
-    if (problem.empty()) problem = writer.append(record.samples());
+    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, record.fields);
+    if (problem.empty()) problem = writer.append(record.samples(), record.snapshots);
     for (const Quantity& quantity : record.quantities) {
         if (!problem.empty() || quantity.name != "minimum_spacing") continue;
         const Spectrum spectrum = spectrumOf(record, quantity.name, welchOptions(record.value.spectrum, record.value.run.sampleInterval), record.value.spectrum.start);

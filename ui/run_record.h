@@ -3,7 +3,8 @@
 // One run as the window holds it: its case, its samples, its events, how it ended.
 //
 // Samples live in pyramids, of which each holds a bounded number; beyond that the extremes stay and
-// the rest goes (see `complete`). Pyramids do not move, so that curves may point to them.
+// the rest goes (see `complete`). Pyramids do not move, so that curves may point to them. Snapshots of
+// fields are bounded too: when there is no room for more, every second one goes (see `fieldStride`).
 #pragma once
 
 #include "core/simulation/results_file.h"
@@ -27,12 +28,16 @@ struct RunRecord {
     static constexpr std::size_t capacity = std::size_t(1) << 20;
     static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
 
+    /// Values of all fields of all snapshots: 256 MB.
+    static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
+
     /// A run that is to start.
-    RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities);
+    RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities, RecordedFields fields = {});
     RunRecord(const RunRecord&) = delete;
     RunRecord& operator=(const RunRecord&) = delete;
 
-    void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents);
+    void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
+                const std::vector<FieldSnapshot>& newFields = {});
     void finish(const Summary& ended);
     bool finished() const { return summary.has_value(); }
 
@@ -55,10 +60,18 @@ struct RunRecord {
     std::deque<MinMaxPyramid> columns; // in the order of `quantities`
     std::size_t arrived = 0;
     std::vector<RunEvent> events;
+    RecordedFields fields;                // what the snapshots hold
+    std::vector<FieldSnapshot> snapshots; // in the order of time
+    std::vector<PlotRange> fieldRanges;   // of each field over the whole run, snapshots that went included
+    std::size_t fieldStride = 1;          // of those that came, every how many-th is held
+    std::size_t snapshotsArrived = 0;
     std::optional<Summary> summary;
     QString note;
     QString file;       // it was read from, or written to
     bool shown = true;  // in the plots
+
+private:
+    void keep(const FieldSnapshot& snapshot);
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.

@@ -16,6 +16,24 @@ constexpr double stepsPerRun = 200.0;                   // of a paused run at fu
 constexpr auto shortestWait = std::chrono::milliseconds(8);
 // What one delivery may hold: the window takes it in within a few milliseconds, however fast the solver is.
 constexpr std::size_t mostSamplesInMail = 16384;
+constexpr std::size_t mostFieldValuesInMail = std::size_t(1) << 21; // 16 MB
+
+std::size_t valuesOf(std::span<const FieldSnapshot> fields)
+{
+    std::size_t count = 0;
+    for (const FieldSnapshot& snapshot : fields)
+        for (const std::vector<double>& field : snapshot.values) count += field.size();
+    return count;
+}
+
+/// How many of those from `begin` on are not after `time`.
+template <typename Dated>
+std::size_t countUntil(const std::vector<Dated>& all, std::size_t begin, double time)
+{
+    std::size_t end = begin;
+    while (end < all.size() && all[end].time <= time) ++end;
+    return end - begin;
+}
 
 void appendSlice(SampleBatch& target, const SampleBatch& source, std::size_t begin, std::size_t end)
 {
@@ -121,7 +139,7 @@ void RunController::Worker::work()
     if (!request_.recordTo.empty()) {
         recorder_ = std::make_unique<Recorder>();
         recordingProblem = recorder_->writer.open(request_.recordTo, request_.value, request_.caseText,
-                                                  recordedQuantities(request_.value));
+                                                  recordedQuantities(request_.value), recordedFields(request_.value));
         recorder_->working = recordingProblem.empty();
     }
     if (!recordingProblem.empty()) {
@@ -152,26 +170,26 @@ void RunController::Worker::work()
 bool RunController::Worker::handOut(const RunUpdate& update)
 {
     const SampleBatch& batch = update.samples;
-    std::size_t begin = 0;
+    Slice slice;
     std::size_t eventsBegin = 0;
-    while (begin < batch.size()) {
-        const std::optional<std::size_t> end = waitForSlice(batch, begin, update.duration);
+    std::size_t fieldsBegin = 0;
+    while (slice.end < batch.size()) {
+        slice.begin = slice.end;
+        const std::optional<std::size_t> end = waitForSlice(batch, slice.begin, update.duration);
         if (!end) {
             heldBack_ = true;
             return false;
         }
-        const bool last = *end == batch.size();
-        std::size_t eventsEnd = update.events.size();
-        if (!last)
-            for (eventsEnd = eventsBegin;
-                 eventsEnd < update.events.size() && update.events[eventsEnd].time <= batch.time[*end - 1];)
-                ++eventsEnd;
+        slice.end = *end;
         shownTime_ = batch.time[*end - 1];
-        post(update, begin, *end, std::span(update.events).subspan(eventsBegin, eventsEnd - eventsBegin));
-        begin = *end;
-        eventsBegin = eventsEnd;
+        const double until = *end == batch.size() ? std::numeric_limits<double>::infinity() : shownTime_;
+        slice.events = std::span(update.events).subspan(eventsBegin, countUntil(update.events, eventsBegin, until));
+        slice.fields = std::span(update.fields).subspan(fieldsBegin, countUntil(update.fields, fieldsBegin, until));
+        post(update, slice);
+        eventsBegin += slice.events.size();
+        fieldsBegin += slice.fields.size();
     }
-    if (batch.size() == 0) post(update, 0, 0, update.events);
+    if (batch.size() == 0) post(update, {0, 0, update.events, update.fields});
     // At the end there is nothing to hold back any more.
     return update.time >= update.duration ? !stopRequested() : waitWhilePaused();
 }
@@ -230,49 +248,53 @@ bool RunController::Worker::waitWhilePaused()
 }
 
 /// Holds a solver back that is faster than the window, so that neither memory nor a delivery grows without bound.
-void RunController::Worker::waitForRoom(std::size_t samples)
+void RunController::Worker::waitForRoom(std::size_t samples, std::size_t fieldValues)
 {
     std::unique_lock lock(mailbox_);
     emptied_.wait(lock, [&] {
         const std::size_t held = mail_.delivery.samples.size();
-        const bool room = held == 0 || held + samples <= mostSamplesInMail;
+        const std::size_t fieldsHeld = valuesOf(mail_.delivery.fields);
+        const bool room = (held == 0 || held + samples <= mostSamplesInMail)
+                          && (fieldsHeld == 0 || fieldsHeld + fieldValues <= mostFieldValuesInMail);
         mail_.wasFull = mail_.wasFull || !room;
         return room || stopped_;
     });
 }
 
-void RunController::Worker::post(const RunUpdate& update, std::size_t begin, std::size_t end,
-                                 std::span<const RunEvent> events)
+void RunController::Worker::post(const RunUpdate& update, const Slice& slice)
 {
+    const auto [begin, end, events, fields] = slice;
     const SampleBatch& batch = update.samples;
+    if (recorder_ && recorder_->working && end == begin && !fields.empty()) record({}, fields);
     if (end > begin) {
         lastSample_.clear();
         for (const std::vector<double>& column : batch.columns) lastSample_.push_back(column[end - 1]);
         if (recorder_ && recorder_->working) {
             if (begin == 0 && end == batch.size()) {
-                record(batch);
+                record(batch, fields);
             } else {
-                SampleBatch slice;
-                appendSlice(slice, batch, begin, end);
-                record(slice);
+                SampleBatch part;
+                appendSlice(part, batch, begin, end);
+                record(part, fields);
             }
         }
     }
-    waitForRoom(end - begin);
+    waitForRoom(end - begin, valuesOf(fields));
     {
         const std::lock_guard lock(mailbox_);
         RunDelivery& delivery = mail_.delivery;
         appendSlice(delivery.samples, batch, begin, end);
         delivery.events.insert(delivery.events.end(), events.begin(), events.end());
+        delivery.fields.insert(delivery.fields.end(), fields.begin(), fields.end());
         delivery.time = end == batch.size() ? update.time : batch.time[end - 1];
         delivery.duration = update.duration;
     }
     ring();
 }
 
-void RunController::Worker::record(const SampleBatch& slice)
+void RunController::Worker::record(const SampleBatch& samples, std::span<const FieldSnapshot> fields)
 {
-    const std::string problem = recorder_->writer.append(slice);
+    const std::string problem = recorder_->writer.append(samples, {fields.begin(), fields.end()});
     if (problem.empty()) return;
     recorder_->working = false;
     const std::lock_guard lock(mailbox_);

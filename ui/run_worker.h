@@ -48,9 +48,15 @@ private:
     std::optional<std::size_t> waitForSlice(const SampleBatch& batch, std::size_t begin, double duration);
     bool waitWhilePaused();
     bool stopRequested();
-    void waitForRoom(std::size_t samples);
-    void post(const RunUpdate& update, std::size_t begin, std::size_t end, std::span<const RunEvent> events);
-    void record(const SampleBatch& slice);
+    void waitForRoom(std::size_t samples, std::size_t fieldValues);
+    /// What of an update is handed out together.
+    struct Slice {
+        std::size_t begin = 0, end = 0; // of the samples
+        std::span<const RunEvent> events;
+        std::span<const FieldSnapshot> fields;
+    };
+    void post(const RunUpdate& update, const Slice& slice);
+    void record(const SampleBatch& samples, std::span<const FieldSnapshot> fields);
     void ring();
     Summary shownSummary(Summary summary) const;
 

@@ -85,9 +85,10 @@ void RunsModel::remove(int row)
     if (row < count()) emit dataChanged(index(row), index(row), {ChangesRole});
 }
 
-void RunsModel::append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events)
+void RunsModel::append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
+                       const std::vector<FieldSnapshot>& fields)
 {
-    if (RunRecord* run = find(number)) run->append(batch, events);
+    if (RunRecord* run = find(number)) run->append(batch, events, fields);
 }
 
 void RunsModel::finish(int number, const Summary& summary)
@@ -136,6 +137,8 @@ QString RunsModel::result(const RunRecord& run) const
     case RunStatus::Cancelled: return tr("stopped");
     case RunStatus::Completed: break;
     }
+    for (const RunFigure& figure : run.summary->figures)
+        if (figure.quantity.name == "largest_contact_force") return readout(figure.value, figure.quantity);
     const int index = findQuantity(run.quantities, "flying_height");
     const std::optional<double> height = run.last("flying_height");
     return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : tr("completed");

@@ -39,7 +39,8 @@ public:
     RunRecord& add(std::unique_ptr<RunRecord> record);
     /// Not of the run that is under way.
     void remove(int row);
-    void append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events);
+    void append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
+                const std::vector<FieldSnapshot>& fields = {});
     void finish(int number, const Summary& summary);
 
     int count() const { return static_cast<int>(records_.size()); }

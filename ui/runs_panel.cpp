@@ -59,7 +59,10 @@ RunsPanel::RunsPanel(RunsModel& model, QWidget* parent)
     layout->addWidget(list_, 1);
     layout->addLayout(tools);
 
-    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &RunsPanel::updateButtons);
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+        updateButtons();
+        emit runChosen(chosen());
+    });
     connect(&model_, &RunsModel::dataChanged, this, &RunsPanel::updateButtons);
     connect(&model_, &RunsModel::rowsRemoved, this, &RunsPanel::updateButtons);
     connect(&model_, &RunsModel::rowsInserted, this, [this](const QModelIndex&, int, int last) {

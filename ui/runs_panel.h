@@ -29,6 +29,8 @@ public:
     void setRunningRun(int number);
 
 signals:
+    /// The chosen run is another one, or there is none (-1).
+    void runChosen(int number);
     void openRequested();
     void saveRequested(int number);
     /// The parameters of a run are wanted in the panel again.

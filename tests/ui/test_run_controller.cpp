@@ -38,7 +38,7 @@ struct Counter {
                 if (k % 100 == 0) events.push_back({batch.time.back(), "touch-down"});
             }
             summary.endTime = batch.time.back();
-            if (!callback({summary.endTime, duration, batch, events})) {
+            if (!callback({summary.endTime, duration, batch, events, {}})) {
                 summary.status = RunStatus::Cancelled;
                 return summary;
             }

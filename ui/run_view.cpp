@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_view.h"
+
+#include <QVBoxLayout>
+
+#include "core/simulation/fields.h"
+
+namespace touchdown {
+
+RunView::RunView(RunsModel& runs, QWidget* parent)
+    : QWidget(parent),
+      plots_(new LivePlots(runs, this)),
+      spectrum_(new LiveSpectrum(runs, this)),
+      maps_(new ContactMaps(runs, this)),
+      disk_(new DiskSurfaceView(this)),
+      splitter_(new QSplitter(Qt::Vertical, this)),
+      tabs_(new QTabBar(this)),
+      pages_(new QStackedWidget(this)),
+      spectrumWanted_(new QAction(tr("Power spectrum"), this))
+{
+    splitter_->addWidget(plots_);
+    splitter_->addWidget(spectrum_);
+    splitter_->setStretchFactor(0, 2);
+    splitter_->setStretchFactor(1, 1);
+    splitter_->setSizes({560, 280});
+    splitter_->setChildrenCollapsible(true);
+    splitter_->setCollapsible(0, false);
+    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)}) pages_->addWidget(page);
+
+    for (const QString& name : {tr("Plots"), tr("Contact maps"), tr("Disk surface")}) tabs_->addTab(name);
+    tabs_->setAccessibleName(tr("What is shown of the runs"));
+    tabs_->setExpanding(false);
+    tabs_->setFocusPolicy(Qt::StrongFocus);
+    tabs_->setDocumentMode(true);
+    spectrumWanted_->setCheckable(true);
+    spectrumWanted_->setChecked(true);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tabs_);
+    layout->addWidget(pages_, 1);
+    connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
+    connect(spectrumWanted_, &QAction::toggled, this, &RunView::showSpectrum);
+    // Going through the maps leaves its trace in the plots.
+    connect(maps_, &ContactMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
+    setCase({});
+}
+
+void RunView::setCase(const Case& c)
+{
+    model_ = c.model;
+    const bool maps = !recordedFields(c).empty();
+    const bool disk = findField("disk.surface.kind")->used(c);
+    tabs_->setTabVisible(static_cast<int>(Page::Maps), maps);
+    tabs_->setTabVisible(static_cast<int>(Page::Disk), disk);
+    tabs_->setVisible(maps || disk);
+    if (!tabs_->isTabVisible(tabs_->currentIndex())) setPage(Page::Plots);
+    plots_->setCase(c);
+    disk_->setCase(c);
+    showSpectrum();
+}
+
+void RunView::showSpectrum() { spectrum_->setVisible(spectrumWanted_->isChecked() && model_ != ModelKind::Contact); }
+
+void RunView::fit()
+{
+    plots_->group()->fit();
+    spectrum_->view()->group()->fit();
+    maps_->fit();
+    disk_->fit();
+}
+
+} // namespace touchdown
