@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/adhesive_contact.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace touchdown {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <typename... Values>
+std::string sentence(const char* format, Values... values)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+/// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence coefficients.
+double reachOf(HalfSpace& space)
+{
+    std::vector<double> field(space.grid().cells(), space.edges() == HalfSpaceEdges::Free ? 1.0 : 0.0);
+    if (space.edges() == HalfSpaceEdges::Periodic) field[0] = 1.0;
+    space.displace(field, field);
+    double most = 0.0, sum = 0.0;
+    for (const double u : field) {
+        most = std::max(most, u);
+        sum += std::abs(u);
+    }
+    // Free: none is negative, and the middle sees all of them.
+    return space.edges() == HalfSpaceEdges::Free ? most : sum;
+}
+
+} // namespace
+
+AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options)
+    : options_(options), cell_(AdhesionLaw(adhesion), space.ownCompliance(), options.hardness), reach_(reachOf(space)),
+      freeScale_(adhesion.equilibriumDistance)
+{
+    const UniformGrid grid = space.grid();
+    attraction_.assign(grid.cells(), 0.0);
+    if (!adhesion.acts()) {
+        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations, options.hardness});
+        return;
+    }
+    periodic_.emplace(grid, space.modulus(), HalfSpaceEdges::Periodic);
+    space_.emplace(std::move(space));
+    for (Solution* solution : {&now_, &kept_, &before_, &lower_})
+        for (auto* field : {&solution->separation, &solution->total, &solution->displacement}) field->assign(grid.cells(), 0.0);
+    for (auto* field : {&pressure_, &gap_, &offset_, &weight_, &residual_, &change_, &direction_, &image_, &work_, &totalBefore_,
+                        &displacementBefore_, &displacementEarlier_})
+        field->assign(grid.cells(), 0.0);
+    tangent_.assign(grid.cells(), {});
+}
+
+void AdhesiveContact::reset()
+{
+    if (elastic_) return elastic_->reset();
+    std::fill(now_.total.begin(), now_.total.end(), 0.0);
+    std::fill(now_.displacement.begin(), now_.displacement.end(), 0.0);
+    now_.exists = false;
+    now_.displaced = true;
+}
+
+std::optional<std::string> AdhesiveContact::objection(std::span<const double> separation) const
+{
+    double mean = 0.0;
+    for (const double s : separation) mean += s;
+    mean /= static_cast<double>(separation.size());
+    if (!std::isfinite(mean)) return "The separation of the surfaces is not a finite number everywhere.";
+    if (space_->edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
+        return sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space displaces nothing: give a "
+                        "greater separation.", -mean);
+    return std::nullopt;
+}
+
+AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation)
+{
+    assert(separation.size() == attraction_.size());
+    if (elastic_) return solveElastic(separation);
+    AdhesiveContactSummary summary;
+    if (auto problem = objection(separation)) {
+        summary.message = std::move(*problem);
+        return summary;
+    }
+    before_ = now_;
+    iterations_ = 0;
+    std::copy(separation.begin(), separation.end(), now_.separation.begin());
+    if (solveFar(separation)) summary.converged = true;
+    else descendToMinimum(summary);
+    summary.iterations = iterations_;
+    if (!std::isfinite(summary.error)) {
+        reset();
+        for (auto* field : {&pressure_, &attraction_}) std::fill(field->begin(), field->end(), 0.0);
+        std::copy(separation.begin(), separation.end(), gap_.begin());
+        summary.message = "The numbers of the contact are too large or too small to compute with.";
+        return summary;
+    }
+    finish(before_, summary);
+    if (!summary.converged)
+        summary.message = sentence("The adhesive contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_,
+                                   summary.error, options_.tolerance);
+    return summary;
+}
+
+AdhesiveContactSummary AdhesiveContact::solveElastic(std::span<const double> separation)
+{
+    ElasticContactSummary elastic = elastic_->solve(separation);
+    AdhesiveContactSummary summary;
+    summary.converged = elastic.converged;
+    summary.iterations = elastic.iterations;
+    summary.error = elastic.error;
+    summary.contactForce = elastic.load;
+    summary.message = std::move(elastic.message);
+    return summary;
+}
+
+// The deformation changes a gap by no more than reach max|f|, and with it a pressure by max|df/dg| times that.
+bool AdhesiveContact::solveFar(std::span<const double> separation)
+{
+    const AdhesionLaw& law = cell_.law();
+    const double nearest = *std::min_element(separation.begin(), separation.end());
+    if (!(nearest > law.peakGap())) return false;
+    double largest = 0.0, steepest = 0.0;
+    for (std::size_t i = 0; i < separation.size(); ++i) {
+        const AdhesionLaw::Sample f = law.sample(separation[i]);
+        largest = std::max(largest, std::abs(f.pressure));
+        steepest = std::max(steepest, std::abs(f.derivative));
+        image_[i] = f.pressure;
+    }
+    if (!(steepest * reach_ * largest <= options_.tolerance * law.peakAttraction())) return false;
+    now_.total.swap(image_);
+    std::fill(now_.displacement.begin(), now_.displacement.end(), 0.0);
+    now_.displaced = false;
+    for (std::size_t i = 0; i < separation.size(); ++i)
+        tangent_[i] = {AdhesiveCell::State::Far, separation[i], now_.total[i], 0.0};
+    return true;
+}
+
+void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
+{
+    constexpr double mostAhead = 4.0;
+    if (!now_.exists) {
+        std::fill(now_.total.begin(), now_.total.end(), 0.0);
+        now_.displaced = false;
+    }
+    if (!now_.displaced) displace();
+    ahead_ = 0.0;
+    double movedBefore = 0.0;
+    double least = infinity;
+    for (;;) {
+        touch();
+        summary.error = linearise();
+        summary.converged = summary.error <= options_.tolerance;
+        if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) return;
+        const double moved = descend();
+        ++summary.descents;
+        const double reached = energy();
+        if (ahead_ > 0.0 && reached > least) {
+            std::swap(now_, lower_);
+            ahead_ = movedBefore = 0.0;
+            continue;
+        }
+        least = reached;
+        const bool goesOn = movedBefore > 0.0 && moved > 0.7 * movedBefore;
+        ahead_ = goesOn ? std::min(2.0 * ahead_ + 1.0, mostAhead) : moved > 0.3 * movedBefore ? 0.5 * ahead_ : 0.0;
+        movedBefore = moved;
+        if (ahead_ > 0.0) lower_ = now_;
+    }
+}
+
+double AdhesiveContact::energy() const
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < now_.total.size(); ++i) sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gapAt(i));
+    return sum * space_->grid().cellArea();
+}
+
+// The fields that are returned lie on the law exactly; what is left is in the balance of gaps.
+void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& summary)
+{
+    using enum AdhesiveCell::State;
+    const double closed = cell_.closedPressure();
+    double contact = 0.0, adhesion = 0.0;
+    double work = 0.0, quadrature = 0.0; // by moving the surfaces; the change of pressure times that of separation
+    double neglected = 0.0;              // of the energy of solutions far away
+    for (std::size_t i = 0; i < now_.total.size(); ++i) {
+        const AdhesiveCell::Tangent& law = tangent_[i];
+        const bool touches = law.state == Contact || law.state == Flowed;
+        gap_[i] = law.gap;
+        attraction_[i] = touches ? closed : law.pressure;
+        pressure_[i] = touches ? std::max(law.pressure - closed, 0.0) : 0.0;
+        contact += pressure_[i];
+        adhesion += attraction_[i];
+        const double moved = now_.separation[i] - before.separation[i];
+        work -= 0.5 * (now_.total[i] + before.total[i]) * moved;
+        neglected += (now_.displaced ? 0.0 : now_.total[i] * now_.total[i]) + (before.displaced ? 0.0 : before.total[i] * before.total[i]);
+        quadrature += (now_.total[i] - before.total[i]) * moved;
+    }
+    const double area = space_->grid().cellArea();
+    summary.contactForce = contact * area;
+    summary.adhesionForce = adhesion * area;
+    now_.energy = energy();
+    if (before.exists) {
+        constexpr double rounding = 1e-12;
+        summary.energyDrop = before.energy + work * area - now_.energy;
+        const double doubt = rounding * (std::abs(before.energy) + std::abs(now_.energy) + std::abs(work * area)) + 0.5 * reach_ * neglected * area;
+        summary.jumped = summary.energyDrop > 0.25 * std::abs(quadrature * area) + doubt;
+    }
+    now_.exists = true;
+}
+
+} // namespace touchdown

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One descent of the adhesive contact: the minimum of the energy with its concave part replaced by tangents.
+#include "core/physics/adhesive_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace touchdown {
+namespace {
+
+using enum AdhesiveCell::State;
+
+constexpr double residualShare = 0.1; // to which conjugate gradients reduce the residual of one set of tangents
+constexpr double errorShare = 0.3;    // to which a descent reduces the error of its convex law
+constexpr int mostNewtonSteps = 6;    // that it takes for it
+constexpr int mostGradientSteps = 200;
+/// A cell whose stiffness times its compliance is less keeps its pressure while the others change theirs.
+constexpr double leastStiffness = 1e-3;
+
+/// Eight sums side by side: a single one would wait for itself at each number.
+double product(std::span<const double> a, std::span<const double> b)
+{
+    std::array<double, 8> sums{};
+    std::size_t i = 0;
+    for (; i + 8 <= a.size(); i += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
+    for (; i < a.size(); ++i) sums[0] += a[i] * b[i];
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+} // namespace
+
+void AdhesiveContact::displace()
+{
+    space_->displace(now_.total, now_.displacement);
+    now_.displaced = true;
+    ++iterations_;
+}
+
+void AdhesiveContact::touch()
+{
+    for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(gapAt(i));
+}
+
+// The tangents of the law that is set by the offsets, and the largest deviation from it.
+double AdhesiveContact::linearise()
+{
+    const double c = cell_.compliance();
+    double pressureScale = 0.0, gapScale = 0.0, pressureError = 0.0, gapError = 0.0;
+    double sum = 0.0; // not a number if any is
+    for (std::size_t i = 0; i < tangent_.size(); ++i) {
+        const double g = gapAt(i), q = now_.total[i];
+        const AdhesiveCell::Tangent law = cell_.tangent(g, q, offset_[i]);
+        tangent_[i] = law;
+        weight_[i] = residual_[i] = 0.0;
+        if (law.state == Contact) {
+            weight_[i] = 1.0;
+            residual_[i] = -g;
+        } else if (law.stiffness * c > leastStiffness) {
+            weight_[i] = 1.0 / std::sqrt(1.0 + space_->ownStiffness() / law.stiffness);
+            residual_[i] = (law.pressure - q) / law.stiffness + (law.gap - g);
+        }
+        pressureScale = std::max(pressureScale, std::abs(q));
+        gapScale = std::max(gapScale, std::abs(now_.displacement[i]));
+        pressureError = std::max(pressureError, std::abs(law.pressure - q));
+        gapError = std::max(gapError, std::abs(law.gap - g));
+        sum += g + q;
+    }
+    if (!std::isfinite(sum)) return sum;
+    gapScale = std::max(gapScale, c * pressureScale);
+    if (!(pressureScale > 0.0)) return std::max(pressureError, gapError) > 0.0 ? 1.0 : 0.0;
+    return std::max(pressureError / pressureScale, gapError / gapScale);
+}
+
+// The largest change of a displacement [m].
+double AdhesiveContact::descend()
+{
+    // The tangents touch ahead of the present gaps, no farther than to twice or half their distance.
+    if (ahead_ > 0.0) {
+        for (std::size_t i = 0; i < offset_.size(); ++i) {
+            const double g = gapAt(i), distance = g + freeScale_;
+            if (!(g > cell_.law().peakGap())) continue;
+            const double step = ahead_ * (now_.displacement[i] - displacementEarlier_[i]);
+            offset_[i] = cell_.offset(g + std::clamp(step, -0.5 * distance, distance));
+        }
+    }
+    displacementEarlier_ = now_.displacement;
+    minimiseConvex(linearise());
+    double moved = 0.0;
+    for (std::size_t i = 0; i < offset_.size(); ++i) moved = std::max(moved, std::abs(now_.displacement[i] - displacementEarlier_[i]));
+    return moved;
+}
+
+// Until the error is a share of `error`, what it is now.
+void AdhesiveContact::minimiseConvex(double error)
+{
+    double last = error;
+    for (int step = 0; step < mostNewtonSteps; ++step) {
+        totalBefore_ = now_.total;
+        displacementBefore_ = now_.displacement;
+        bool changed = false;
+        for (std::size_t i = 0; i < offset_.size(); ++i) {
+            if (weight_[i] > 0.0 || now_.total[i] == tangent_[i].pressure) continue;
+            now_.total[i] = tangent_[i].pressure;
+            changed = true;
+        }
+        if (changed) {
+            displace();
+            linearise();
+        }
+        solveTangents();
+        displace();
+        double now = linearise();
+        if (now > 0.5 * last && cutStep()) now = linearise();
+        last = now;
+        if (!(last > errorShare * error) || iterations_ >= options_.maximumIterations) break;
+    }
+}
+
+// (C + 1/D) dq = (q_law - q)/D + g_law - g on the cells with a weight, D = -dq/dg; others take the law's pressure.
+void AdhesiveContact::solveTangents()
+{
+    const std::size_t n = offset_.size();
+    std::fill(change_.begin(), change_.end(), 0.0);
+    precondition(residual_, direction_);
+    double square = product(residual_, direction_);
+    const double enough = residualShare * residualShare * square;
+    for (int k = 0; k < mostGradientSteps && square > enough && iterations_ < options_.maximumIterations; ++k) {
+        space_->displace(direction_, image_);
+        ++iterations_;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!(weight_[i] > 0.0)) image_[i] = 0.0;
+            else if (tangent_[i].state != Contact) image_[i] += direction_[i] / tangent_[i].stiffness;
+        }
+        const double curvature = product(direction_, image_);
+        if (!(curvature > 0.0)) break;
+        const double length = square / curvature;
+        for (std::size_t i = 0; i < n; ++i) {
+            change_[i] += length * direction_[i];
+            residual_[i] -= length * image_[i];
+        }
+        precondition(residual_, image_);
+        const double next = product(residual_, image_);
+        const double turn = next / square;
+        square = next;
+        for (std::size_t i = 0; i < n; ++i) direction_[i] = image_[i] + turn * direction_[i];
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]), cell_.highest(offset_[i]))
+                                         : tangent_[i].pressure;
+}
+
+// The stiffness of the half-space as if the grid repeated, and for the mean what a uniform pressure meets; between it weights
+// that make the diagonal right where 1/D is added.
+void AdhesiveContact::precondition(std::span<const double> in, std::span<double> out)
+{
+    double mean = 0.0;
+    for (std::size_t i = 0; i < in.size(); ++i) mean += work_[i] = weight_[i] * in[i];
+    mean /= static_cast<double>(in.size());
+    periodic_->stress(work_, work_);
+    for (std::size_t i = 0; i < in.size(); ++i) out[i] = weight_[i] * (work_[i] + mean / reach_);
+}
+
+// The energy that is convex in q has the slope g - g_law(q). Where it rises at the end of the step, the step ends at its least.
+bool AdhesiveContact::cutStep()
+{
+    const std::size_t n = offset_.size();
+    const auto slope = [&](double part) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double step = now_.total[i] - totalBefore_[i];
+            if (step == 0.0) continue;
+            const double u = displacementBefore_[i] + part * (now_.displacement[i] - displacementBefore_[i]);
+            sum += (now_.separation[i] + u - cell_.gapUnder(totalBefore_[i] + part * step, offset_[i])) * step;
+        }
+        return sum;
+    };
+    double lower = 0.0, upper = 1.0;
+    double slopeUpper = slope(1.0);
+    if (!(slopeUpper > 0.0)) return false;
+    double slopeLower = slope(0.0);
+    if (!(slopeLower < 0.0)) return false;
+    const double flat = -0.1 * slopeLower;
+    double part = 1.0;
+    for (int k = 0; k < 12; ++k) {
+        part = lower + (upper - lower) * std::clamp(slopeLower / (slopeLower - slopeUpper), 0.1, 0.9);
+        const double here = slope(part);
+        if (std::abs(here) < flat) break;
+        (here > 0.0 ? upper : lower) = part;
+        (here > 0.0 ? slopeUpper : slopeLower) = here;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        now_.total[i] = totalBefore_[i] + part * (now_.total[i] - totalBefore_[i]);
+        now_.displacement[i] = displacementBefore_[i] + part * (now_.displacement[i] - displacementBefore_[i]);
+    }
+    return true;
+}
+
+} // namespace touchdown
