@@ -5,7 +5,7 @@
 // negative: there the softer body has flowed (elastic - perfectly plastic, Almqvist et al. 2007).
 //
 // The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). Conjugate gradients on FFT
-// convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that take a fifth of the convolutions.
+// convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that spare most convolutions.
 // Theirs change the cells in contact at every step and convolve twice for it; here a few steps are taken on the same cells,
 // and then cells whose pressure left the bounds are fixed there and cells whose gap has the wrong sign are freed (primal-dual
 // active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned (contact_cells.h). If the
