@@ -77,8 +77,8 @@ std::array<double, neighbours + 4> inverseRow(unsigned set, std::span<const doub
     return row;
 }
 
-TOUCHDOWN_VECTOR_CLONES void applyRows(Runs runs, const std::uint16_t* sets, const std::array<double, 16>* rows, std::ptrdiff_t stride, const double* in,
-                                       double* half, double* out)
+TOUCHDOWN_VECTOR_CLONES void applyRows(Runs runs, const std::uint16_t* sets, const std::array<double, 16>* rows, std::ptrdiff_t stride,
+                                       const double* in, double* half, double* out)
 {
     for (const auto [first, last] : runs)
         for (std::size_t at = first; at < last; ++at) {

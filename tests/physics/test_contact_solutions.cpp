@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Elastic contact against exact solutions (Johnson 1985): sphere, flat punches, waves in full and in partial contact.
+// Elastic contact against exact solutions (Johnson 1985): sphere, flat punches, waves in full and in partial contact; and
+// against the same conditions solved by factorised matrices.
 #include <QtTest>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/physics/elastic_contact.h"
+#include "tests/support/self_affine.h"
 
 using namespace touchdown;
 
@@ -24,6 +29,8 @@ private slots:
     void waveInFullContact();
     void waveInPartialContact_data();
     void waveInPartialContact();
+    void isTheDenseSolution_data();
+    void isTheDenseSolution();
 };
 
 namespace {
@@ -205,6 +212,71 @@ void TestContactSolutions::waveInPartialContact()
         const double expected = inside > 0.0 ? 2.0 * std::cos(psi) * std::sqrt(inside) : 0.0;
         QVERIFY(std::abs(contact.pressure()[static_cast<std::size_t>(i)] / full - expected) < 1e-3);
     }
+}
+
+void TestContactSolutions::isTheDenseSolution_data()
+{
+    QTest::addColumn<bool>("load");
+    QTest::addColumn<bool>("periodic");
+    QTest::newRow("free, approach") << false << false;
+    QTest::newRow("free, load") << true << false;
+    QTest::newRow("periodic, load") << true << true;
+}
+
+void TestContactSolutions::isTheDenseSolution()
+{
+    // The same conditions solved by factorising the matrix of the cells in contact, one cell leaving or joining at a time
+    // (the least index first, which cannot cycle: Bland's rule as of Murty 1974 for these problems).
+    QFETCH(bool, load);
+    QFETCH(bool, periodic);
+    const UniformGrid grid = square(16, 2e-6);
+    const double side = 2e-6;
+    std::vector<double> separation = test::selfAffineHeights({.n = 16, .cutOff = 2.0, .slope = 0.02, .seed = 5});
+    for (double& s : separation) s *= -side;
+    HalfSpace space(grid, modulus, periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free);
+    const auto cells = static_cast<Eigen::Index>(separation.size());
+    Eigen::MatrixXd compliance(cells, cells);
+    for (Eigen::Index c = 0; c < cells; ++c) {
+        std::vector<double> column(separation.size(), 0.0);
+        column[static_cast<std::size_t>(c)] = 1.0;
+        space.displace(column, column);
+        compliance.col(c) = Eigen::Map<Eigen::VectorXd>(column.data(), cells) * modulus / side; // of the order 1
+    }
+    std::vector<bool> touches(separation.size(), true);
+    Eigen::VectorXd pressure; // [E*]
+    for (int exchanges = 0; exchanges < 5000; ++exchanges) {
+        std::vector<Eigen::Index> in;
+        for (Eigen::Index c = 0; c < cells; ++c)
+            if (touches[std::size_t(c)]) in.push_back(c);
+        const auto count = static_cast<Eigen::Index>(in.size());
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + 1, count + 1);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(count + 1);
+        matrix.topLeftCorner(count, count) = compliance(in, in);
+        matrix(count, count) = 1.0;
+        for (Eigen::Index k = 0; k < count; ++k) right[k] = -separation[std::size_t(in[std::size_t(k)])] / side;
+        if (load) {
+            matrix.col(count).setOnes();
+            matrix.row(count).setOnes();
+            matrix(count, count) = 0.0;
+            right[count] = 1e-2 * static_cast<double>(cells);
+        }
+        const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+        pressure = Eigen::VectorXd::Zero(cells);
+        for (Eigen::Index k = 0; k < count; ++k) pressure[in[std::size_t(k)]] = solution[k];
+        const Eigen::VectorXd displaced = compliance * pressure;
+        Eigen::Index wrong = -1;
+        for (Eigen::Index c = 0; c < cells && wrong < 0; ++c) {
+            const double gap = separation[std::size_t(c)] / side + displaced[c] + (load ? solution[count] : 0.0);
+            if (touches[std::size_t(c)] ? pressure[c] < -1e-12 : gap < -1e-13) wrong = c;
+        }
+        if (wrong < 0) break;
+        touches[std::size_t(wrong)] = !touches[std::size_t(wrong)];
+        QVERIFY(exchanges < 4999);
+    }
+    ElasticContact contact(std::move(space));
+    QVERIFY((load ? contact.solveLoad(separation, 1e-2 * modulus * side * side) : contact.solve(separation)).converged);
+    const double peak = pressure.maxCoeff();
+    for (Eigen::Index c = 0; c < cells; ++c) QVERIFY(std::abs(contact.pressure()[std::size_t(c)] / modulus - pressure[c]) < 1e-7 * peak);
 }
 
 QTEST_GUILESS_MAIN(TestContactSolutions)

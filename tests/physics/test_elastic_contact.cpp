@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,8 +20,6 @@ private slots:
     void fulfilsItsConditions();
     void doesNotDependOnTheStart_data() { fulfilsItsConditions_data(); }
     void doesNotDependOnTheStart();
-    void isTheDenseSolution_data();
-    void isTheDenseSolution();
     void loadAndApproachAgree();
     void hardnessOutOfReachChangesNothing();
     void hardnessEverywhere();
@@ -140,69 +136,6 @@ void TestElasticContact::doesNotDependOnTheStart()
     // The energy sets the pressures' difference: dp.A dp <= 2 sum |dp| |wrong gap|.
     const double peak = *std::max_element(cold.pressure().begin(), cold.pressure().end());
     for (std::size_t i = 0; i < cold.pressure().size(); ++i) QVERIFY(std::abs(cold.pressure()[i] - warm.pressure()[i]) < 1e-6 * peak);
-}
-
-void TestElasticContact::isTheDenseSolution_data()
-{
-    QTest::addColumn<bool>("load");
-    QTest::addColumn<bool>("periodic");
-    QTest::newRow("free, approach") << false << false;
-    QTest::newRow("free, load") << true << false;
-    QTest::newRow("periodic, load") << true << true;
-}
-
-void TestElasticContact::isTheDenseSolution()
-{
-    // The same conditions solved by factorising the matrix of the cells in contact, one cell leaving or joining at a time
-    // (the least index first, which cannot cycle: Bland's rule as of Murty 1974 for these problems).
-    QFETCH(bool, load);
-    QFETCH(bool, periodic);
-    Rough rough{.n = 16, .edges = periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free, .load = load ? 1e-2 * modulus * side * side : 0.0};
-    const std::vector<double> separation = rough.separation();
-    HalfSpace space(rough.grid(), modulus, rough.edges);
-    const auto cells = static_cast<Eigen::Index>(separation.size());
-    Eigen::MatrixXd compliance(cells, cells);
-    for (Eigen::Index c = 0; c < cells; ++c) {
-        std::vector<double> column(separation.size(), 0.0);
-        column[static_cast<std::size_t>(c)] = 1.0;
-        space.displace(column, column);
-        compliance.col(c) = Eigen::Map<Eigen::VectorXd>(column.data(), cells) * modulus / side; // of the order 1
-    }
-    std::vector<bool> touches(separation.size(), true);
-    Eigen::VectorXd pressure; // [E*]
-    for (int exchanges = 0; exchanges < 5000; ++exchanges) {
-        std::vector<Eigen::Index> in;
-        for (Eigen::Index c = 0; c < cells; ++c)
-            if (touches[std::size_t(c)]) in.push_back(c);
-        const auto count = static_cast<Eigen::Index>(in.size());
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + 1, count + 1);
-        Eigen::VectorXd right = Eigen::VectorXd::Zero(count + 1);
-        matrix.topLeftCorner(count, count) = compliance(in, in);
-        matrix(count, count) = 1.0;
-        for (Eigen::Index k = 0; k < count; ++k) right[k] = -separation[std::size_t(in[std::size_t(k)])] / side;
-        if (load) {
-            matrix.col(count).setOnes();
-            matrix.row(count).setOnes();
-            matrix(count, count) = 0.0;
-            right[count] = 1e-2 * static_cast<double>(cells);
-        }
-        const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
-        pressure = Eigen::VectorXd::Zero(cells);
-        for (Eigen::Index k = 0; k < count; ++k) pressure[in[std::size_t(k)]] = solution[k];
-        const Eigen::VectorXd displaced = compliance * pressure;
-        Eigen::Index wrong = -1;
-        for (Eigen::Index c = 0; c < cells && wrong < 0; ++c) {
-            const double gap = separation[std::size_t(c)] / side + displaced[c] + (load ? solution[count] : 0.0);
-            if (touches[std::size_t(c)] ? pressure[c] < -1e-12 : gap < -1e-13) wrong = c;
-        }
-        if (wrong < 0) break;
-        touches[std::size_t(wrong)] = !touches[std::size_t(wrong)];
-        QVERIFY(exchanges < 4999);
-    }
-    ElasticContact contact = rough.contact();
-    QVERIFY(rough.solve(contact).converged);
-    const double peak = pressure.maxCoeff();
-    for (Eigen::Index c = 0; c < cells; ++c) QVERIFY(std::abs(contact.pressure()[std::size_t(c)] / modulus - pressure[c]) < 1e-7 * peak);
 }
 
 void TestElasticContact::loadAndApproachAgree()
@@ -360,7 +293,8 @@ void TestElasticContact::refusesWhatCannotBeSolved()
                 if (contact.pressure()[i] != 0.0 || !std::isfinite(contact.gap()[i])) return false;
             return !summary.converged && QString::fromStdString(summary.message).contains(words);
         };
-        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
             std::vector<double> separation = rough.separation();
             separation[77] = bad;
             QVERIFY(isRefused(contact.solve(separation), "not a finite number"));
