@@ -158,6 +158,10 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         summary.error = linearise();
         summary.converged = summary.error <= options_.tolerance;
         if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) return;
+        if (summary.descents == 0 && before_.exists && before_.displaced) {
+            // The surfaces moved while what adheres stayed: the first tangents touch at the gaps of the last solution.
+            for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(before_.separation[i] + before_.displacement[i]);
+        }
         const double moved = descend();
         ++summary.descents;
         const double reached = energy();

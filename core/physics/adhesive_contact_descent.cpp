@@ -181,7 +181,15 @@ bool AdhesiveContact::cutStep()
     double slopeUpper = slope(1.0);
     if (!(slopeUpper > 0.0)) return false;
     double slopeLower = slope(0.0);
-    if (!(slopeLower < 0.0)) return false;
+    if (!(slopeLower < 0.0)) {
+        // No descent: a step along the gradient instead, too short to pass the least energy.
+        for (std::size_t i = 0; i < n; ++i) {
+            const double gap = now_.separation[i] + displacementBefore_[i] - cell_.gapUnder(totalBefore_[i], offset_[i]);
+            now_.total[i] = std::clamp(totalBefore_[i] - gap / reach_, cell_.lowest(offset_[i]), cell_.highest(offset_[i]));
+        }
+        displace();
+        return true;
+    }
     const double flat = -0.1 * slopeLower;
     double part = 1.0;
     for (int k = 0; k < 12; ++k) {
