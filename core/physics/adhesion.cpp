@@ -41,10 +41,11 @@ AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
 AdhesionLaw::Sample AdhesionLaw::sample(double gap) const
 {
     const double g = std::max(gap, 0.0);
-    const double near = 1.0 / (g + z0_); // [1/m]
+    const double s = z0_ / (g + z0_);
+    const double near = s / z0_; // 1/(g + z0) [1/m]
     Sample law{-electric_ * near * near, 2.0 * electric_ * near * near * near};
     if (kind_ == AdhesionKind::LennardJones) {
-        const double s = z0_ * near, s3 = s * s * s, s9 = s3 * s3 * s3;
+        const double s3 = s * s * s, s9 = s3 * s3 * s3;
         law.pressure -= scale_ * (s3 - s9);
         law.derivative += scale_ * near * (3.0 * s3 - 9.0 * s9);
     } else if (kind_ == AdhesionKind::VanDerWaals) {
@@ -64,10 +65,11 @@ double AdhesionLaw::energy(double gap) const
 {
     // The integral of f from g to far away.
     const double g = std::max(gap, 0.0);
-    const double near = 1.0 / (g + z0_);
+    const double s = z0_ / (g + z0_);
+    const double near = s / z0_;
     double phi = -electric_ * near;
     if (kind_ == AdhesionKind::LennardJones) {
-        const double s = z0_ * near, s2 = s * s, s8 = (s2 * s2) * (s2 * s2);
+        const double s2 = s * s, s8 = (s2 * s2) * (s2 * s2);
         phi -= scale_ * z0_ * (0.5 * s2 - 0.125 * s8);
     } else if (kind_ == AdhesionKind::VanDerWaals) {
         if (g <= tangentGap_) {
