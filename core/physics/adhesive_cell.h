@@ -8,8 +8,8 @@
 //   flowed    g < 0, q = f(0) + H: the softer body has flowed
 //
 // The energy's part beyond g_peak is concave. Replaced by its tangent at a gap g_0 it becomes a law that falls everywhere:
-// q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. It lies below the
-// energy's own law nowhere, and touches it at g_0.
+// q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its energy lies nowhere
+// below the true one, and touches it at g_0.
 //
 // A pair (g, q) that is not on that law is judged by v = g - c q, c the cell's own compliance: with all other cells at rest
 // the cell moves along g - c q = v, which meets the law once.

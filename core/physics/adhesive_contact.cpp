@@ -156,7 +156,10 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     for (;;) {
         touch();
         summary.error = linearise();
-        summary.converged = summary.error <= options_.tolerance;
+        if (summary.error <= options_.tolerance) {
+            summary.error = std::max(summary.error, imbalance());
+            summary.converged = summary.error <= options_.tolerance;
+        }
         if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) return;
         if (summary.descents == 0 && before_.exists && before_.displaced) {
             // The surfaces moved while what adheres stayed: the first tangents touch at the gaps of the last solution.

@@ -31,8 +31,8 @@
 namespace touchdown {
 
 struct AdhesiveContactOptions {
-    /// The largest deviation from the law, of a pressure against the largest pressure and of a gap against the largest
-    /// displacement [-].
+    /// The largest deviation of a pressure from the law, against the largest pressure, and of a gap from s + C (p + f), of the
+    /// fields that are returned, against the largest displacement [-].
     double tolerance = 1e-8;
     int maximumIterations = 50000;
     double hardness = 0.0; // H [Pa], cap of p; 0: none
@@ -94,6 +94,7 @@ private:
     double energy() const;
     void touch();
     double linearise();
+    double imbalance();
     double descend();
     void minimiseConvex(double error);
     void solveTangents();

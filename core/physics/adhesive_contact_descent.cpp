@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace touchdown {
 namespace {
@@ -72,6 +73,22 @@ double AdhesiveContact::linearise()
     gapScale = std::max(gapScale, c * pressureScale);
     if (!(pressureScale > 0.0)) return std::max(pressureError, gapError) > 0.0 ? 1.0 : 0.0;
     return std::max(pressureError / pressureScale, gapError / gapScale);
+}
+
+// How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps themselves.
+double AdhesiveContact::imbalance()
+{
+    for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangent_[i].pressure - now_.total[i];
+    space_->displace(work_, work_);
+    ++iterations_;
+    double error = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < work_.size(); ++i) {
+        const double u = now_.displacement[i] + work_[i];
+        const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(now_.separation[i]);
+        error = std::max(error, std::abs(tangent_[i].gap - now_.separation[i] - u) - rounding);
+        scale = std::max(scale, std::abs(u));
+    }
+    return scale > 0.0 ? error / scale : error > 0.0 ? 1.0 : 0.0;
 }
 
 // The largest change of a displacement [m].
