@@ -154,30 +154,30 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     double movedBefore = 0.0;
     double least = infinity;
     for (;;) {
-        touch();
+        for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(gapAt(i));
         summary.error = linearise();
         if (summary.error <= options_.tolerance) {
             summary.error = std::max(summary.error, imbalance());
             summary.converged = summary.error <= options_.tolerance;
         }
         if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) return;
-        if (summary.descents == 0 && before_.exists && before_.displaced) {
-            // The surfaces moved while what adheres stayed: the first tangents touch at the gaps of the last solution.
-            for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(before_.separation[i] + before_.displacement[i]);
-        }
-        const double moved = descend();
+        const bool elsewhere = setTangents(summary.descents == 0 && before_.exists && before_.displaced);
+        const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;
-        const double reached = energy();
-        if (ahead_ > 0.0 && reached > least) {
+        const bool wasAhead = ahead_ > 0.0;
+        const double reached = wasAhead ? energy() : 0.0;
+        if (wasAhead && reached > least) {
             std::swap(now_, lower_);
             ahead_ = movedBefore = 0.0;
             continue;
         }
-        least = reached;
         const bool goesOn = movedBefore > 0.0 && moved > 0.7 * movedBefore;
         ahead_ = goesOn ? std::min(2.0 * ahead_ + 1.0, mostAhead) : moved > 0.3 * movedBefore ? 0.5 * ahead_ : 0.0;
         movedBefore = moved;
-        if (ahead_ > 0.0) lower_ = now_;
+        if (ahead_ > 0.0) {
+            lower_ = now_;
+            least = wasAhead ? reached : energy();
+        }
     }
 }
 

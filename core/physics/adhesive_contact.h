@@ -92,10 +92,10 @@ private:
     void displace();
     double gapAt(std::size_t i) const { return now_.separation[i] + now_.displacement[i]; }
     double energy() const;
-    void touch();
     double linearise();
     double imbalance();
-    double descend();
+    bool setTangents(bool first);
+    double descend(double error);
     void minimiseConvex(double error);
     void solveTangents();
     void precondition(std::span<const double> in, std::span<double> out);

@@ -40,11 +40,6 @@ void AdhesiveContact::displace()
     ++iterations_;
 }
 
-void AdhesiveContact::touch()
-{
-    for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(gapAt(i));
-}
-
 // The tangents of the law that is set by the offsets, and the largest deviation from it.
 double AdhesiveContact::linearise()
 {
@@ -91,11 +86,14 @@ double AdhesiveContact::imbalance()
     return scale > 0.0 ? error / scale : error > 0.0 ? 1.0 : 0.0;
 }
 
-// The largest change of a displacement [m].
-double AdhesiveContact::descend()
+// Where the concave part's tangents touch, unless at the present gaps: whether any does elsewhere.
+bool AdhesiveContact::setTangents(bool first)
 {
-    // The tangents touch ahead of the present gaps, no farther than to twice or half their distance.
-    if (ahead_ > 0.0) {
+    if (first) {
+        // The surfaces moved while what adheres stayed: the first tangents touch at the gaps of the last solution.
+        for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(before_.separation[i] + before_.displacement[i]);
+    } else if (ahead_ > 0.0) {
+        // Ahead of the present gaps, no farther than at twice or half their distance.
         for (std::size_t i = 0; i < offset_.size(); ++i) {
             const double g = gapAt(i), distance = g + freeScale_;
             if (!(g > cell_.law().peakGap())) continue;
@@ -103,8 +101,14 @@ double AdhesiveContact::descend()
             offset_[i] = cell_.offset(g + std::clamp(step, -0.5 * distance, distance));
         }
     }
+    return first || ahead_ > 0.0;
+}
+
+// From the error that the present tangents have. Returns the largest change of a displacement [m].
+double AdhesiveContact::descend(double error)
+{
     displacementEarlier_ = now_.displacement;
-    minimiseConvex(linearise());
+    minimiseConvex(error);
     double moved = 0.0;
     for (std::size_t i = 0; i < offset_.size(); ++i) moved = std::max(moved, std::abs(now_.displacement[i] - displacementEarlier_[i]));
     return moved;
