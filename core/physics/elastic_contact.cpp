@@ -18,6 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int fewestCells = 16;       // along a side of a grid that has a coarser one
 constexpr double coarseTolerance = 1e-2;
 constexpr int mostCoarseIterations = 30;
+constexpr int mostCarried = 32;       // solutions whose displacement comes from the one before
 
 /// What a field's gap and error take over all cells; by eight cells side by side, whatever the width of vectors.
 struct Extremes {
@@ -88,6 +89,7 @@ void ElasticContact::reset()
     std::fill(displacement_.begin(), displacement_.end(), 0.0);
     displacementHolds_ = true;
     solved_ = 0;
+    carried_ = 0;
 }
 
 double ElasticContact::contactArea() const
@@ -197,6 +199,13 @@ void ElasticContact::start(std::span<const double> separation, std::optional<dou
             displacementHolds_ = false;
         }
     }
+    // Steps add to the displacement, and the extrapolation lets its rounding grow from solution to solution.
+    if (++carried_ > mostCarried) {
+        space_.displace(lastPressure_, lastDisplacement_);
+        ++iterations_;
+        displacementHolds_ = false;
+        carried_ = 0;
+    }
     if (!displacementHolds_) displace();
 }
 
@@ -255,7 +264,8 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     summary.approach = approach;
     summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
     if (!std::isfinite(extremes.all + scale)) summary.error = infinity;
-    wrongGap_ = options_.tolerance * scale;
+    // Before anything is displaced, what is to come is of the size of the overlap.
+    wrongGap_ = options_.tolerance * std::max(scale, worst);
 }
 
 } // namespace touchdown

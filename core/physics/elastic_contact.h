@@ -32,7 +32,7 @@ namespace touchdown {
 
 struct ElasticContactOptions {
     /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to rounding.
+    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to 1e-10 of itself.
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
@@ -88,6 +88,7 @@ private:
     std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
     bool displacementHolds_ = true; // displacement_ is of pressure_
     int solved_ = 0;                // solutions behind this one, at most two count
+    int carried_ = 0;               // solutions since both displacements were those of their pressures but for rounding
     bool bounded_ = true;           // pressure_ is within its bounds
     std::unique_ptr<ElasticContact> coarser_; // of half the cells along each side, where there are many
     std::vector<double> coarseSeparation_;

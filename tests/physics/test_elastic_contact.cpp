@@ -25,6 +25,9 @@ private slots:
     void hardnessEverywhere();
     void costsNothingWithoutContact();
     void followsTheLastSolution();
+    void startsFromNothing_data();
+    void startsFromNothing();
+    void roundingDoesNotGrow();
     void allocatesNothing();
     void threadsGiveTheSameBits();
     void solvesSmallestGrids();
@@ -67,6 +70,8 @@ double range(std::span<const double> values)
 } // namespace
 
 Q_DECLARE_METATYPE(Rough)
+Q_DECLARE_METATYPE(touchdown::UniformGrid)
+Q_DECLARE_METATYPE(touchdown::HalfSpaceEdges)
 
 void TestElasticContact::fulfilsItsConditions_data()
 {
@@ -218,6 +223,49 @@ void TestElasticContact::followsTheLastSolution()
     rough.height = 2e-9 - 0.02e-9;
     QVERIFY(rough.solve(contact).converged);
     for (std::size_t i = 0; i < afresh.pressure().size(); ++i) QCOMPARE(contact.pressure()[i], afresh.pressure()[i]);
+}
+
+void TestElasticContact::startsFromNothing_data()
+{
+    QTest::addColumn<UniformGrid>("grid");
+    QTest::addColumn<HalfSpaceEdges>("edges");
+    QTest::newRow("odd grid") << UniformGrid{21, 17, 1e-7, 1e-7} << HalfSpaceEdges::Free;
+    QTest::newRow("row") << UniformGrid{19, 1, 1e-7, 1e-7} << HalfSpaceEdges::Free;
+    QTest::newRow("periodic") << UniformGrid{11, 23, 1e-7, 1e-7} << HalfSpaceEdges::Periodic;
+    QTest::newRow("periodic row") << UniformGrid{1, 19, 1e-7, 1e-7} << HalfSpaceEdges::Periodic;
+}
+
+void TestElasticContact::startsFromNothing()
+{
+    // No coarser grid, no pressure and so no displacement that would say how small a gap is: separated humps that stay pressed,
+    // whose few equations need no more steps than any others.
+    QFETCH(UniformGrid, grid);
+    QFETCH(HalfSpaceEdges, edges);
+    std::vector<double> separation(grid.cells(), 20e-9);
+    for (std::size_t i = 3; i < separation.size(); i += 7) separation[i] = i % 2 == 0 ? -1e-9 : -2e-9;
+    ElasticContact contact(HalfSpace(grid, modulus, edges));
+    const ElasticContactSummary summary = contact.solve(separation);
+    QVERIFY2(summary.converged, summary.message.c_str());
+    QVERIFY2(summary.iterations <= 24, qPrintable(QString::number(summary.iterations)));
+    QVERIFY(summary.load > 0.0);
+}
+
+void TestElasticContact::roundingDoesNotGrow()
+{
+    // A flat pad that goes down and up steadily: its cells stay the same, and each displacement is made from the last two.
+    const UniformGrid grid{8, 8, 1e-7, 1e-7};
+    ElasticContact contact(HalfSpace(grid, modulus));
+    HalfSpace afresh(grid, modulus);
+    std::vector<double> separation(grid.cells()), displacement(grid.cells());
+    for (int step = 0; step < 20000; ++step) {
+        std::fill(separation.begin(), separation.end(), -10e-9 - 5e-9 * std::sin(1e-3 * step));
+        QVERIFY(contact.solve(separation).converged);
+        if (step % 997 != 0) continue;
+        afresh.displace(contact.pressure(), displacement);
+        const double peak = *std::max_element(contact.pressure().begin(), contact.pressure().end());
+        for (std::size_t i = 0; i < grid.cells(); ++i)
+            QVERIFY(std::abs(separation[i] + displacement[i]) < 1.01e-8 * 0.1 * peak * afresh.ownCompliance());
+    }
 }
 
 void TestElasticContact::allocatesNothing()
