@@ -42,7 +42,7 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
     : QWidget(parent, Qt::Window), shortcuts_(shortcuts), contents_(new QListWidget(this)), browser_(new QTextBrowser(this))
 {
     setWindowTitle(tr("Touchdown: help"));
-    contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+    contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -76,6 +76,7 @@ QString HelpWindow::html(Page page) const
     case Page::Use: return resource(QStringLiteral("use.html"));
     case Page::Equations: return resource(QStringLiteral("equations.html"));
     case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
+    case Page::Contact: return resource(QStringLiteral("contact.html"));
     case Page::Parameters: return parameterTable();
     case Page::Shortcuts: return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ + resource(QStringLiteral("plot_keys.html"));
     case Page::About: break;

@@ -17,7 +17,7 @@ public:
     /// `shortcuts` as rows of a table, in HTML.
     explicit HelpWindow(const QString& shortcuts, QWidget* parent = nullptr);
 
-    enum class Page { Use, Equations, AirFilm, Parameters, Shortcuts, About };
+    enum class Page { Use, Equations, AirFilm, Contact, Parameters, Shortcuts, About };
     Q_ENUM(Page)
     void open(Page page);
     QString text() const { return browser_->toPlainText(); }
