@@ -83,7 +83,7 @@ QString resultText(const RunRecord& run)
         const auto add = [&](const char* name, const QString& what) {
             const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
             if (figure == summary.figures.end()) return;
-            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + what.arg(readout(figure->value, figure->quantity));
+            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + what.arg(figureText(*figure));
         };
         add("largest_contact_force", AboutCasePane::tr("Largest contact force %1"));
         add("pull_off_force", AboutCasePane::tr("pull-off force %1"));
@@ -112,11 +112,17 @@ QString resultText(const RunRecord& run)
     return text;
 }
 
+QString figureText(const RunFigure& figure)
+{
+    // Between sliders and single asperities forces differ by powers of ten.
+    return figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+}
+
 QString figuresText(const Summary& summary)
 {
     QStringList lines;
     for (const RunFigure& figure : summary.figures)
-        lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName), readout(figure.value, figure.quantity).trimmed());
+        lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName), figureText(figure));
     if (summary.fit) lines << sentence(summary.fit->message);
     return lines.join(QLatin1Char('\n'));
 }

@@ -38,6 +38,8 @@ private:
 
 /// What a run came to, in a few sentences; warnings and the check of the step are not among them.
 QString resultText(const RunRecord& run);
+/// The value of one figure: "3.577 mN".
+QString figureText(const RunFigure& figure);
 /// What one reads off a contact run, a line for each figure.
 QString figuresText(const Summary& summary);
 

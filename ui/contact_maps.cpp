@@ -240,7 +240,7 @@ QString ContactMaps::readingText(const RunRecord& shown, std::size_t index) cons
     const double time = shown.snapshots[index].time;
     QStringList parts{timeText(time)};
     const MinMaxPyramid* separation = shown.pyramid("minimum_spacing");
-    if (const auto at = separation ? separation->valueAt(time) : std::nullopt) parts << tr("separation %1").arg(readout(*at, "nm", 3));
+    if (const auto at = separation ? separation->valueAt(time) : std::nullopt) parts << tr("separation %1").arg(readout(*at, "nm", 3).replace(QLatin1Char('-'), QChar(0x2212)));
     parts << tr("%1 of %2").arg(index + 1).arg(shown.snapshots.size());
     if (shown.fieldStride > 1) parts << tr("one in %1 kept").arg(shown.fieldStride);
     return parts.join(QStringLiteral("   ·   "));

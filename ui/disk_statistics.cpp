@@ -53,6 +53,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
 
 QString trackText(double metres, const QLocale& locale)
 {
+    if (metres == 0.0) return QStringLiteral("0");
     if (metres < 0.9999995e-3) return lengthText(metres, 4, locale);
     return locale.toString(metres / 1e-3, 'g', 5) + QChar(0x00A0) + QStringLiteral("mm");
 }

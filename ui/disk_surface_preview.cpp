@@ -36,7 +36,7 @@ DiskSurfacePreview previewOf(const Case& c)
         return made;
     }
     for (const InputProblem& problem : diskFileProblems(c)) {
-        made.problem = problem.text();
+        made.problem = "The file " + problem.file + (problem.line > 0 ? ", line " + std::to_string(problem.line) : "") + ": " + problem.message;
         return made;
     }
     made.topography = diskTopography(c);
@@ -50,10 +50,15 @@ DiskSurfacePreview previewOf(const Case& c)
     const RequestedSpectrum request(c.diskSurface);
     for (std::size_t i = 0; i < asked.density.size(); ++i) asked.density[i] = request.profile(asked.waveNumber[i]).density;
     asked = averaged(asked, perDecade);
+    double low = 0.0, high = 0.0; // against the density [-]
     for (std::size_t i = 0; i < asked.density.size(); ++i) {
+        // In the middle of the bin where the spectrum is cut off there may be nothing: its band is that of the one before.
         const RequestedPsd band = request.profile(asked.waveNumber[i], asked.modes[i]);
-        const double part = band.density > 0.0 ? asked.density[i] / band.density : 0.0;
-        made.requested.push_back({asked.density[i], part * band.low, part * band.high});
+        if (band.density > 0.0) {
+            low = band.low / band.density;
+            high = band.high / band.density;
+        }
+        made.requested.push_back({asked.density[i], low * asked.density[i], high * asked.density[i]});
     }
     return made;
 }

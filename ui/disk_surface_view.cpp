@@ -23,7 +23,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int stepsPerPiece = 8; // of the slider
+constexpr int stepsPerPiece = 8;   // of the slider
+constexpr double faintest = 1e-9;  // of the density that is shown, against its largest
 
 /// What the picture depends on.
 bool sameSurface(const Case& a, const Case& b)
@@ -143,15 +144,15 @@ void DiskSurfaceView::request()
     wanted_ = false;
     if (case_.diskSurface.kind == DiskSurfaceKind::Flat) {
         controller_.cancel();
-        show(tr("The surface of the disk is flat."));
+        say(tr("The surface of the disk is flat."));
         return;
     }
     // The surface before it stays in sight until the new one is ready.
-    if (empty()) show(tr("Making the surface…"));
+    if (empty()) say(tr("Making the surface…"));
     controller_.request(case_);
 }
 
-void DiskSurfaceView::show(const QString& sentence)
+void DiskSurfaceView::say(const QString& sentence)
 {
     text_->setText(sentence);
     pages_->setCurrentIndex(0);
@@ -161,11 +162,11 @@ void DiskSurfaceView::onMade()
 {
     preview_ = controller_.take();
     if (!preview_.problem.empty()) {
-        show(sentence(preview_.problem));
+        say(touchdown::sentence(preview_.problem));
         return;
     }
     if (preview_.topography.flat()) {
-        show(tr("The surface of the disk is flat."));
+        say(tr("The surface of the disk is flat."));
         return;
     }
     const UniformGrid period = preview_.topography.period();
@@ -211,27 +212,25 @@ void DiskSurfaceView::showSpectrum()
 {
     spectrum_->clearCurves();
     const ProfilePsd& psd = preview_.psd;
-    std::array<std::vector<double>, 4> values{psd.density, {}, {}, {}};
+    std::array<std::vector<double>, 4> values{{{}, {}, {}, psd.density}}; // what is above covers what is below
     for (const RequestedPsd& asked : preview_.requested) {
-        values[1].push_back(asked.density);
-        values[2].push_back(asked.low);
-        values[3].push_back(asked.high);
+        values[0].push_back(asked.density);
+        values[1].push_back(asked.low);
+        values[2].push_back(asked.high);
     }
+    const double least = psd.density.empty() ? 0.0 : faintest * *std::ranges::max_element(psd.density);
     struct Look {
         QString name;
         CurveStyle style;
     };
-    const std::array<Look, 4> looks{{{tr("Surface"), {0, 0}},
-                                     {tr("Asked for"), {6, 0}},
-                                     {tr("95 %"), {6, 2}},
-                                     {{}, {6, 2}}}};
+    const std::array<Look, 4> looks{{{tr("Asked for"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
     curves_.clear();
     curves_.reserve(values.size()); // curves point to them
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i].empty()) continue;
-        std::vector<double> at, density; // zero has no place on a logarithmic axis
+        std::vector<double> at, density;
         for (std::size_t k = 0; k < values[i].size(); ++k) {
-            if (!(values[i][k] > 0.0)) continue;
+            if (!(values[i][k] > least)) continue;
             at.push_back(psd.waveNumber[k]);
             density.push_back(values[i][k]);
         }

@@ -42,7 +42,7 @@ protected:
 private:
     void build();
     void request();
-    void show(const QString& sentence);
+    void say(const QString& sentence);
     void onMade();
     void showPiece();
     void showSpectrum();

@@ -178,6 +178,8 @@ QString lengthText(double metres, int digits, const QLocale& locale)
     return number + QChar(0x00A0) + (micrometres ? QStringLiteral("µm") : QStringLiteral("nm"));
 }
 
+QString forceText(double newtons, const QLocale& locale) { return withPrefix(newtons, QStringLiteral("N"), locale); }
+
 QString timeText(double seconds, const QLocale& locale)
 {
     return withPrefix(seconds, QStringLiteral("s"), locale);

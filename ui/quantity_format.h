@@ -35,6 +35,8 @@ QString valueText(const Case& c, const Field& field, const QLocale& locale = QLo
 QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());
 /// A read-out of a recorded quantity with as many decimals as its unit deserves.
 QString readout(double value, const Quantity& quantity, const QLocale& locale = QLocale());
+/// A force with a fitting prefix and about four figures: "3.577 mN".
+QString forceText(double newtons, const QLocale& locale = QLocale());
 /// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to three
 /// digits are all shown: "5.60 nm".
 QString lengthText(double metres, int digits = 6, const QLocale& locale = QLocale());
