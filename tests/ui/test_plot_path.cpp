@@ -25,6 +25,8 @@ class TestPlotPath : public QObject {
     Q_OBJECT
 
 private slots:
+    void arrowsPointTheWay();
+    void dashesOfAWayBackCoverThoseOfTheWayThere();
     void cutLineKeepsItsSlope();
     void nothingFarOutside();
     void denseLineKeepsItsExtremes();
@@ -133,6 +135,47 @@ void TestPlotPath::phasePortraitOfDifferentTimes()
     up.append(std::vector{0.0, 1.0, 2.0, 3.0}, std::vector{0.0, 1.0, 0.0, 5.0}); // beyond t = 2 there is no x
     const auto path = phasePath(across, up, {0.0, 10.0}, axis(0.0, 1.0), axis(0.0, 1.0), {100.0, 100.0});
     QCOMPARE(path, (std::vector<QPointF>{{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}));
+}
+
+void TestPlotPath::arrowsPointTheWay()
+{
+    // To the right and back to the left, half a height up: each head lies on the line and points along it.
+    const std::vector<QPointF> path{{0.1, 0.5}, {0.9, 0.5}, {0.9, 0.6}, {0.1, 0.6}};
+    const QSizeF pixels(400.0, 200.0);
+    const std::vector<PathArrow> arrows = pathArrows(path, pixels);
+    QVERIFY(arrows.size() >= 4);
+    for (const PathArrow& arrow : arrows) {
+        const bool there = arrow.tip.y() < 0.55;
+        if (arrow.tip.x() < 0.9) QCOMPARE(arrow.along, QPointF(there ? 1.0 : -1.0, 0.0));
+    }
+    QVERIFY(arrows.front().along.x() > 0.0 && arrows.back().along.x() < 0.0);
+    // Outside the area there are none, nor on a line too short to carry one.
+    QVERIFY(pathArrows({{1.1, 0.5}, {1.4, 0.5}, {1.4, 0.9}}, pixels).empty());
+    QVERIFY(pathArrows({{0.1, 0.5}, {0.15, 0.5}}, pixels).empty());
+}
+
+void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
+{
+    // There in one line, back with a detour of 0.23 at the far end: both ways share the piece beside the turning point and the
+    // one beside the ends.
+    const std::vector<QPointF> path{{0.9, 0.5}, {0.1, 0.5}, {0.6, 0.5}, {0.6, 0.27}, {0.8, 0.27}, {0.8, 0.5}, {0.9, 0.5}};
+    const QSizeF pixels(400.0, 400.0);
+    QPen pen(Qt::black, 1.5);
+    pen.setDashPattern({5.0, 3.0});
+    const QPen fitted = penThereAndBack(path, pixels, pen);
+    const QList<qreal> dashes = fitted.dashPattern();
+    QVERIFY(std::abs(dashes[0] / 5.0 - 1.0) < 0.1 && std::abs(dashes[1] / dashes[0] - 0.6) < 1e-9);
+    const auto inked = [&](double walked) { // [px]
+        const double period = dashes[0] + dashes[1];
+        const double phase = std::fmod(walked / fitted.widthF() + fitted.dashOffset(), period);
+        return std::min(std::abs(phase - dashes[0]), std::min(phase, period - phase)) < 0.05 ? -1 : phase < dashes[0] ? 1 : 0; // -1: an end
+    };
+    const double turn = 0.8 * 400.0;
+    const double whole = pathLength(path, pixels);
+    for (double away = 0.0; away < 190.0; away += 3.1) QVERIFY(inked(turn - away) < 0 || inked(turn - away) == inked(turn + away));
+    for (double away = 0.0; away < 39.0; away += 1.3) QVERIFY(inked(away) < 0 || inked(away) == inked(whole - away));
+    // A solid pen stays what it is.
+    QVERIFY(penThereAndBack(path, pixels, QPen(Qt::black, 1.5)).dashPattern().isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestPlotPath)

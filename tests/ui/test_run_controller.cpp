@@ -90,6 +90,8 @@ private slots:
     void deliversEverySampleOfARealRun();
     void coalescesDeliveries();
     void keepsEventsWithTheirSamples();
+    void deliversEveryField();
+    void keepsFieldsWithTheirSamples();
     void stopsAnEndlessRunInSlowMotion();
     void stopsWhilePaused();
     void endsAStoppedRunWhereItWasSeen();
@@ -152,6 +154,61 @@ void TestRunController::keepsEventsWithTheirSamples()
     QCOMPARE(received.events, std::size_t(10));
     QCOMPARE(received.early, 0);
     QVERIFY(received.deliveries > 1);
+}
+
+namespace {
+
+/// Snapshots of a given number of values with every tenth sample, all in one update.
+struct Photographer {
+    std::size_t values = 1000;
+
+    Summary operator()(const Case&, const RunCallback& callback) const
+    {
+        SampleBatch batch;
+        batch.columns.resize(1);
+        std::vector<FieldSnapshot> fields;
+        for (int k = 0; k < 200; ++k) {
+            batch.time.push_back(k * microsecond);
+            batch.columns[0].push_back(k);
+            if (k % 10 == 0) fields.push_back({batch.time.back(), {std::vector<double>(values, k)}});
+        }
+        callback({199 * microsecond, 199 * microsecond, batch, {}, fields});
+        return {};
+    }
+};
+
+} // namespace
+
+void TestRunController::deliversEveryField()
+{
+    // 20 snapshots of 2^18 values are more than the mailbox holds of them: the solver waits, and nothing is lost.
+    RunController controller(Photographer{std::size_t(1) << 18});
+    std::vector<FieldSnapshot> received;
+    connect(&controller, &RunController::delivered, this,
+            [&](const RunDelivery& delivery) { received.insert(received.end(), delivery.fields.begin(), delivery.fields.end()); });
+    controller.start({});
+    QTRY_COMPARE_WITH_TIMEOUT(controller.state(), State::Idle, 30000);
+    QCOMPARE(received.size(), std::size_t(20));
+    for (std::size_t i = 0; i < received.size(); ++i) {
+        QCOMPARE(received[i].time, 10.0 * static_cast<double>(i) * microsecond);
+        QCOMPARE(received[i].values[0].back(), 10.0 * static_cast<double>(i));
+    }
+}
+
+void TestRunController::keepsFieldsWithTheirSamples()
+{
+    RunController controller(Photographer{});
+    controller.setPace(2e-3); // 200 us of the run in 0.1 s: several deliveries
+    int early = 0;
+    std::size_t fields = 0;
+    connect(&controller, &RunController::delivered, this, [&](const RunDelivery& delivery) {
+        for (const FieldSnapshot& snapshot : delivery.fields) early += snapshot.time > delivery.time;
+        fields += delivery.fields.size();
+    });
+    controller.start({});
+    QTRY_COMPARE_WITH_TIMEOUT(controller.state(), State::Idle, 30000);
+    QCOMPARE(fields, std::size_t(20));
+    QCOMPARE(early, 0);
 }
 
 void TestRunController::stopsAnEndlessRunInSlowMotion()
