@@ -62,6 +62,16 @@ bool exportPlots(MainWindow& window, const QString& folder)
         const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
         good = report(savePicture(*entry.plot, file), file) && good;
     }
+    for (const auto& [shown, name] : {std::pair(RunView::Page::Maps, "maps"), std::pair(RunView::Page::Disk, "disk")}) {
+        if (!window.runView().tabs()->isTabVisible(static_cast<int>(shown))) continue;
+        window.runView().setPage(shown);
+        do settle(window);
+        while (window.runView().disk()->controller().busy());
+        const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
+        good = report(savePage(*window.page(), file), file) && good;
+    }
+    window.runView().setPage(RunView::Page::Plots);
+    if (window.spectrum().isHidden()) return good;
     const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
     return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
 }
