@@ -15,36 +15,56 @@ namespace {
 constexpr int chunk = 128;         // columns whose weights are kept at a time
 constexpr double finest = 0x1p-30; // positions are multiples of this or of a larger power of two [cell]
 
-/// Rounding leaves of a position beyond `largest` [m] only multiples of some 2^-52 of it: as a power of two [cell].
-double positionQuantum(double largest, double step)
+/// Rounding leaves of a length `largest` [m] only multiples of some 2^-52 of it: as a power of two [cell].
+double quantumOf(double largest, double step)
 {
     const double lost = 0x1p-49 * largest / step;
     return lost <= finest ? finest : std::exp2(std::ceil(std::log2(lost)));
 }
 
-double farthest(double first, double last, double shift)
-{
-    return std::max({std::abs(first), std::abs(last), std::abs(shift)});
-}
+/// One axis and how far the surface has moved along it. Positions and the shift are rounded each for itself: what a position
+/// becomes must not depend on how far a surface has gone that stands where it stood.
+struct Axis {
+    double step = 0.0;    // [m]
+    int points = 0;       // of the period
+    double quantum = 0.0; // of positions [cell]
+    std::int64_t shift = 0;
+    double shiftPart = 0.0; // of a cell beyond it, 0 <= shiftPart < 1
 
-/// A position on one axis: point `index` of period `turn`, and the part of a cell beyond it.
+    /// For positions up to +-`largest` [m], of a surface moved by `moved` [m].
+    Axis(double cell, int count, double largest, double moved) : step(cell), points(count), quantum(quantumOf(largest, cell))
+    {
+        const double shiftQuantum = quantumOf(std::abs(moved), cell);
+        const double cells = std::nearbyint(moved / cell / shiftQuantum) * shiftQuantum;
+        shift = static_cast<std::int64_t>(std::floor(cells));
+        shiftPart = cells - std::floor(cells);
+    }
+};
+
+/// A position on an axis: point `index` of period `turn`, and the part of a cell beyond it.
 struct Place {
     std::int64_t index = 0, turn = 0;
-    double cells = 0.0;    // from the origin, rounded [cell]
+    double cells = 0.0;    // from the origin, before the surface moved, rounded [cell]
     double fraction = 0.0; // 0 <= fraction < 1
 };
 
-Place placeOf(double position, double shift, double step, int points, double quantum)
+Place placeOf(double position, const Axis& axis)
 {
     Place place;
-    place.cells = std::nearbyint((position - shift) / step / quantum) * quantum;
+    place.cells = std::nearbyint(position / axis.step / axis.quantum) * axis.quantum;
     const double whole = std::floor(place.cells);
-    place.fraction = place.cells - whole;
-    const auto i = static_cast<std::int64_t>(whole);
-    place.turn = i / points - (i % points < 0 ? 1 : 0);
-    place.index = i - place.turn * points;
+    place.fraction = place.cells - whole - axis.shiftPart;
+    auto i = static_cast<std::int64_t>(whole) - axis.shift;
+    if (place.fraction < 0.0) {
+        place.fraction += 1.0;
+        --i;
+    }
+    place.turn = i / axis.points - (i % axis.points < 0 ? 1 : 0);
+    place.index = i - place.turn * axis.points;
     return place;
 }
+
+double farthest(double first, double last) { return std::max(std::abs(first), std::abs(last)); }
 
 using Weights = std::array<double, 5>;
 
@@ -95,16 +115,16 @@ Taps tapsAt(const Place& place, int points, const Weights& weights, std::int64_t
     return taps;
 }
 
-Taps valueTaps(double position, double shift, double step, int points, double quantum)
+Taps valueTaps(double position, const Axis& axis)
 {
-    const Place place = placeOf(position, shift, step, points, quantum);
-    return tapsAt(place, points, valueWeights(place.fraction), place.turn);
+    const Place place = placeOf(position, axis);
+    return tapsAt(place, axis.points, valueWeights(place.fraction), place.turn);
 }
 
-Taps integralTaps(double position, double shift, double step, int points, double quantum, std::int64_t firstTurn)
+Taps integralTaps(double position, const Axis& axis, std::int64_t firstTurn)
 {
-    const Place place = placeOf(position, shift, step, points, quantum);
-    return tapsAt(place, points, integralWeights(place.fraction), firstTurn);
+    const Place place = placeOf(position, axis);
+    return tapsAt(place, axis.points, integralWeights(place.fraction), firstTurn);
 }
 
 double dot(const double* row, std::size_t last, const Taps& x)
@@ -165,23 +185,23 @@ PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector
 
 double PeriodicSpline::value(double x, double y) const
 {
-    const Taps across = valueTaps(y, 0.0, dy_, ny_, positionQuantum(std::abs(y), dy_));
-    return evaluate(sums_, nx_, ny_, valueTaps(x, 0.0, dx_, nx_, positionQuantum(std::abs(x), dx_)), across);
+    const Taps across = valueTaps(y, Axis(dy_, ny_, std::abs(y), 0.0));
+    return evaluate(sums_, nx_, ny_, valueTaps(x, Axis(dx_, nx_, std::abs(x), 0.0)), across);
 }
 
 void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const
 {
     assert(out.size() == grid.cells());
     if (out.empty()) return;
-    const double quantumX = positionQuantum(farthest(grid.x(0), grid.x(grid.nx - 1), shiftX), dx_);
-    const double quantumY = positionQuantum(farthest(grid.y(0), grid.y(grid.ny - 1), shiftY), dy_);
+    const Axis axisX(dx_, nx_, farthest(grid.x(0), grid.x(grid.nx - 1)), shiftX);
+    const Axis axisY(dy_, ny_, farthest(grid.y(0), grid.y(grid.ny - 1)), shiftY);
     std::array<Taps, chunk> along;
     for (int begin = 0; begin < grid.nx; begin += chunk) {
         const int count = std::min(chunk, grid.nx - begin);
         for (int i = 0; i < count; ++i)
-            along[static_cast<std::size_t>(i)] = valueTaps(grid.x(begin + i), shiftX, dx_, nx_, quantumX);
+            along[static_cast<std::size_t>(i)] = valueTaps(grid.x(begin + i), axisX);
         for (int j = 0; j < grid.ny; ++j) {
-            const Taps across = valueTaps(grid.y(j), shiftY, dy_, ny_, quantumY);
+            const Taps across = valueTaps(grid.y(j), axisY);
             double* row = &out[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx)] + begin;
             for (int i = 0; i < count; ++i)
                 row[i] += evaluate(sums_, nx_, ny_, along[static_cast<std::size_t>(i)], across);
@@ -193,14 +213,12 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
 {
     assert(out.size() == grid.cells());
     if (out.empty()) return;
-    const double quantumX = positionQuantum(farthest(grid.x.front(), grid.x.back(), shiftX), dx_);
-    const double quantumY = positionQuantum(farthest(grid.y.front(), grid.y.back(), shiftY), dy_);
+    const Axis axisX(dx_, nx_, farthest(grid.x.front(), grid.x.back()), shiftX);
+    const Axis axisY(dy_, ny_, farthest(grid.y.front(), grid.y.back()), shiftY);
     // Turns count from the first line, so that a surface that has come round returns the same bits.
-    const std::int64_t turnX = placeOf(grid.x.front(), shiftX, dx_, nx_, quantumX).turn;
-    const std::int64_t turnY = placeOf(grid.y.front(), shiftY, dy_, ny_, quantumY).turn;
-    const auto acrossAt = [&](int j) {
-        return integralTaps(grid.y[static_cast<std::size_t>(j)], shiftY, dy_, ny_, quantumY, turnY);
-    };
+    const std::int64_t turnX = placeOf(grid.x.front(), axisX).turn;
+    const std::int64_t turnY = placeOf(grid.y.front(), axisY).turn;
+    const auto acrossAt = [&](int j) { return integralTaps(grid.y[static_cast<std::size_t>(j)], axisY, turnY); };
     std::array<Taps, chunk + 1> along;
     std::array<double, chunk + 1> below;
     for (int begin = 0; begin < grid.nx(); begin += chunk) {
@@ -208,7 +226,7 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
         Taps across = acrossAt(0);
         for (int i = 0; i <= count; ++i) {
             const auto k = static_cast<std::size_t>(i);
-            along[k] = integralTaps(grid.x[static_cast<std::size_t>(begin + i)], shiftX, dx_, nx_, quantumX, turnX);
+            along[k] = integralTaps(grid.x[static_cast<std::size_t>(begin + i)], axisX, turnX);
             below[k] = evaluate(sums_, nx_, ny_, along[k], across);
         }
         for (int j = 0; j < grid.ny(); ++j) {

@@ -9,8 +9,9 @@
 //              between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its amplitude;
 //   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
 //
-// A surface that has moved by (sx, sy) is w(x - sx, y - sy). Moved by whole cells of a map it returns the same bits, as
-// positions are rounded to 2^-30 of a cell, or to what the rounding of the shift leaves of them, if that is more.
+// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits, wherever
+// the points lie: their positions, and on its own the shift, are rounded to 2^-30 of a cell, or to what numbers of their size
+// can hold, if that is more.
 #pragma once
 
 #include <cstddef>
