@@ -45,7 +45,7 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
     const UniformGrid grid = space.grid();
     attraction_.assign(grid.cells(), 0.0);
     if (!adhesion.acts()) {
-        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations, options.hardness});
+        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations, options.hardness, options.goOn});
         return;
     }
     periodic_.emplace(grid, space.modulus(), HalfSpaceEdges::Periodic);

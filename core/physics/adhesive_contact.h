@@ -19,6 +19,7 @@
 // attraction f_max and the deformation by f(s) could change no pressure by more than tolerance f_max.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,7 +36,8 @@ struct AdhesiveContactOptions {
     /// fields that are returned, against the largest displacement [-].
     double tolerance = 1e-8;
     int maximumIterations = 50000;
-    double hardness = 0.0; // H [Pa], cap of p; 0: none
+    double hardness = 0.0;        // H [Pa], cap of p; 0: none
+    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, which has not converged then
 };
 
 struct AdhesiveContactSummary {
@@ -90,6 +92,7 @@ private:
     void finish(const Solution& before, AdhesiveContactSummary& summary);
 
     void displace();
+    void countIteration();
     double gapAt(std::size_t i) const { return now_.separation[i] + now_.displacement[i]; }
     double energy() const;
     double linearise();

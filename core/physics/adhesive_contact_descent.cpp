@@ -37,7 +37,13 @@ void AdhesiveContact::displace()
 {
     space_->displace(now_.total, now_.displacement);
     now_.displaced = true;
+    countIteration();
+}
+
+void AdhesiveContact::countIteration()
+{
     ++iterations_;
+    if (options_.goOn && !options_.goOn()) iterations_ = options_.maximumIterations;
 }
 
 // The tangents of the law that is set by the offsets, and the largest deviation from it.
@@ -150,7 +156,7 @@ void AdhesiveContact::solveTangents()
     const double enough = residualShare * residualShare * square;
     for (int k = 0; k < mostGradientSteps && square > enough && iterations_ < options_.maximumIterations; ++k) {
         space_->displace(direction_, image_);
-        ++iterations_;
+        countIteration();
         for (std::size_t i = 0; i < n; ++i) {
             if (!(weight_[i] > 0.0)) image_[i] = 0.0;
             else if (tangent_[i].state != Contact) image_[i] += direction_[i] / tangent_[i].stiffness;

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <memory>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,7 @@ struct ElasticContactOptions {
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
+    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, which has not converged then
 };
 
 struct ElasticContactSummary {
