@@ -123,7 +123,7 @@ struct ElasticCase {
     double friction = 0.3;     // mu [-]
     double cell = 0.25e-6;     // of the contact patch [m]
     double tolerance = 1e-8;   // of force balance and complementarity [-]
-    int maximumIterations = 2000;
+    int maximumIterations = 50000;
     bool periodic = false;     // the patch repeats in both directions
 };
 

@@ -38,10 +38,8 @@ void checkSide(const char* key, double side, double cell, Problems& problems)
 
 void checkPad(const Case& c, Problems& problems)
 {
-    if (c.pad.shape != PadShape::Slider) {
-        checkSide("pad.length", c.pad.length, c.elastic.cell, problems);
-        checkSide("pad.width", c.pad.width, c.elastic.cell, problems);
-    } else if (c.elastic.periodic) {
+    checkPatch(c, problems);
+    if (c.pad.shape == PadShape::Slider && c.elastic.periodic) {
         problems.push_back({"elastic.periodic", "must be false with pad.shape \"slider\", whose pads do not repeat"});
     }
 }
@@ -70,7 +68,7 @@ void checkPeriodic(const Case& c, Problems& problems)
                             : 0.0;
     if (c.approach.closest + mean <= 0.0)
         problems.push_back({"approach.closest", inNanometres(c.approach.closest) + " must be greater than " +
-                                                    inNanometres(-mean) + " with elastic.periodic: a patch that repeats can be "
+                                                    inNanometres(0.0 - mean) + " with elastic.periodic: a patch that repeats can be "
                                                     "pressed flat, but no further"});
 }
 
@@ -105,6 +103,13 @@ void checkElastic(const Case& c, Problems& problems)
 }
 
 } // namespace
+
+void checkPatch(const Case& c, Problems& problems)
+{
+    if (c.pad.shape == PadShape::Slider) return;
+    checkSide("pad.length", c.pad.length, c.elastic.cell, problems);
+    checkSide("pad.width", c.pad.width, c.elastic.cell, problems);
+}
 
 void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
 {

@@ -13,6 +13,9 @@ namespace touchdown {
 inline constexpr int fewestPatchCells = 2;
 inline constexpr int mostPatchCells = 2048;
 
+/// Cells of the patch, without what the surface of the disk asks of them.
+void checkPatch(const Case& c, std::vector<CaseProblem>& problems);
+
 void checkContact(const Case& c, std::vector<CaseProblem>& problems);
 
 /// d_e >= d_s, wherever the simplified characteristic is used.

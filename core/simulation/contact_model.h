@@ -5,6 +5,7 @@
 // menisci, adhesion.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -64,8 +65,8 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid and of the model "contact".
-std::unique_ptr<ContactModel> makeContactModel(const Case& c);
+/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a problem.
+std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
 /// What a run of the case records, and one state as those values.
 std::vector<Quantity> contactQuantities(const Case& c);

@@ -20,7 +20,9 @@ constexpr std::size_t samplesInBatch = 1024;
 constexpr std::size_t mostEvents = 100'000;
 constexpr double jumpResolution = 1e-12;      // of the separation [m]
 constexpr double smallestJump = 1e-3;         // against the largest force of the run so far [-]
+constexpr double suddenChange = 4.0;          // of the force over a step, against the one before: worth a search [-]
 constexpr int mostJumpsInStep = 20;
+constexpr int mostMisses = 4;
 
 double wallClock()
 {
@@ -63,7 +65,7 @@ class ContactRun {
 public:
     ContactRun(const Case& c, const RunCallback& callback)
         : case_(c), callback_(callback), quantities_(contactQuantities(c)), statistics_(c, quantities_), figures_(c),
-          model_(makeContactModel(c)), recordsFields_(!contactMaps(c).empty()), values_(quantities_.size())
+          model_(makeContactModel(c, [this] { return lookAtClock(); })), recordsFields_(!contactMaps(c).empty()), values_(quantities_.size())
     {
         batch_.columns.resize(quantities_.size());
     }
@@ -88,6 +90,9 @@ public:
         summary.figures = figures_.figures(model_->surfaceStatistics());
         summary.fit = model_->fit();
         summary.warnings = model_->remarks();
+        if (widestBracket_ > jumpResolution)
+            summary.warnings.push_back("not every jump could be located: the separation of one is known to " +
+                                       formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
         if (summary.fit && !summary.fit->describes) summary.warnings.push_back(summary.fit->message);
         summary.wallSeconds = wallClock() - begin;
         summary.solverSeconds = summary.wallSeconds - secondsOutside_;
@@ -110,8 +115,8 @@ private:
             fields_.push_back({station.time, {}});
             model_->observe(fields_.back());
         }
-        if (batch_.size() >= samplesInBatch || wallClock() - lastUpdate_ > longestSilence) flush();
-        return status_ == RunStatus::Completed;
+        if (batch_.size() >= samplesInBatch) flush();
+        return lookAtClock();
     }
 
     /// Moves the pad; looks for jumps where the law may have jumped. False when a solution was not found.
@@ -122,7 +127,11 @@ private:
         if (started_ && model_->canJump()) model_->remember();
         if (!move(d, time)) return false;
         started_ = true;
-        if (steps_ == 1 || !model_->mayHaveJumped()) return true;
+        if (steps_ == 1 || !model_->canJump()) return true;
+        const double change = std::abs(forces_.net() - before);
+        const bool sudden = change > suddenChange * lastChange_ && change > smallestJump * largestForce_;
+        lastChange_ = change;
+        if (!model_->mayHaveJumped() && !sudden) return true;
         return findJumps(from, fromTime, before, d, time);
     }
 
@@ -137,18 +146,36 @@ private:
                                    return forces_.net();
                                },
                                [&] { model_->remember(); }, [&] { model_->recall(); }};
+        const double change = std::abs(forces_.net() - before);
         model_->recall();
         double at = from, force = before;
+        int misses = 0;
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
-            const ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
+            ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
             if (!good) return false;
-            if (!jump.found) break;
-            addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.forceAfter < jump.forceBefore ? "snap-in" : "pull-off");
-            figures_.addJump(jump);
+            if (jump.found) takeJump(jump, timeAt);
+            else if (++misses > mostMisses) break;
+            // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on this side
+            // of it, and goes on from there.
             at = jump.after;
             force = path.force(at);
+            model_->remember();
+            const double ahead = std::abs(path.force(d) - force);
+            if (!good) return false;
+            if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return true; // it is at d
+            model_->recall();
         }
-        return move(d, time) && good;
+        const double last = at, lastForce = force;
+        if (!move(d, time) || !good) return false;
+        if (model_->mayHaveJumped() && std::abs(forces_.net() - lastForce) > 0.5 * change) takeJump({true, last, d, lastForce, forces_.net()}, timeAt);
+        return true;
+    }
+
+    void takeJump(const ContactJump& jump, const std::function<double(double)>& timeAt)
+    {
+        addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
+        figures_.addJump(jump);
+        widestBracket_ = std::max(widestBracket_, std::abs(jump.after - jump.before));
     }
 
     bool move(double d, double time)
@@ -168,8 +195,16 @@ private:
         for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
     }
 
+    /// Within a long solution, too. False when somebody stopped the run.
+    bool lookAtClock()
+    {
+        if (wallClock() - lastUpdate_ > longestSilence) flush();
+        return status_ == RunStatus::Completed;
+    }
+
     bool fail(double time)
     {
+        if (status_ != RunStatus::Completed) return false; // stopped within the solution
         status_ = RunStatus::Failed;
         message_ = "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
                    ", where the separation is " + formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " +
@@ -211,6 +246,8 @@ private:
     ContactForces forces_;
     double time_ = 0.0;          // of the last good state [s]
     double largestForce_ = 0.0;  // so far [N]
+    double widestBracket_ = 0.0; // of a jump [m]
+    double lastChange_ = 0.0;    // of the net force over the last step [N]
     long long steps_ = 0, iterations_ = 0;
     SampleBatch batch_;
     std::vector<RunEvent> events_, newEvents_;

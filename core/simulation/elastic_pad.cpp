@@ -17,6 +17,9 @@ namespace {
 /// The attraction falls to about a thousandth of its largest value within so many of its own lengths.
 constexpr double adhesionReach = 10.0;
 
+/// With fewer cells in the zone where adhesion lets go, edges of a contact hang on cells.
+constexpr double cellsOfZone = 2.0;
+
 double reachOf(const Case& c, const DiskTopography& surface)
 {
     double reach = surface.highest() - c.approach.closest;
@@ -54,7 +57,8 @@ SliderPatches patchesOf(const Case& c, const DiskTopography& surface)
     return result;
 }
 
-ElasticPad::ElasticPad(const Case& c) : case_(c), topography_(diskTopography(c)), modulus_(contactModulus(c.elastic.pair))
+ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn)
+    : case_(c), topography_(diskTopography(c)), modulus_(contactModulus(c.elastic.pair))
 {
     if (c.diskSurface.motion == SurfaceMotion::Moving && !topography_.flat())
         velocity_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
@@ -65,10 +69,25 @@ ElasticPad::ElasticPad(const Case& c) : case_(c), topography_(diskTopography(c))
         const auto add = [&](auto contact) {
             parts_.push_back({std::move(patch), std::move(contact), std::move(surface), std::vector<double>(cells)});
         };
-        add(ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
+        if (c.adhesion.acts())
+            add(AdhesiveContact(std::move(space), c.adhesion,
+                                {.tolerance = c.elastic.tolerance,
+                                 .maximumIterations = c.elastic.maximumIterations,
+                                 .hardness = c.elastic.hardness,
+                                 .goOn = goOn}));
+        else
+            add(ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
                                                   .maximumIterations = c.elastic.maximumIterations,
-                                                  .hardness = c.elastic.hardness}));
+                                                  .hardness = c.elastic.hardness,
+                                                  .goOn = goOn}));
     }
+}
+
+std::size_t ElasticPad::cells() const
+{
+    std::size_t count = 0;
+    for (const Part& part : parts_) count += part.patch.grid.cells();
+    return count;
 }
 
 const ContactForces& ElasticPad::move(double separation, double time)
@@ -104,8 +123,27 @@ void ElasticPad::solve(Part& part, double separation, double time)
         }
         forces_.minimumGap = std::min(forces_.minimumGap, *std::ranges::min_element(gap));
     };
-    const ElasticContactSummary summary = part.contact.solve(part.separation);
-    take(summary, part.contact.pressure(), part.contact.gap());
+    if (auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
+        const ElasticContactSummary summary = elastic->solve(part.separation);
+        take(summary, elastic->pressure(), elastic->gap());
+    } else if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
+        const AdhesiveContactSummary summary = adhesive->solve(part.separation);
+        take(summary, adhesive->pressure(), adhesive->gap());
+        for (const double p : adhesive->adhesion()) forces_.adhesion += p * cell;
+        jumped_ = jumped_ || summary.jumped;
+    }
+}
+
+void ElasticPad::remember()
+{
+    for (Part& part : parts_)
+        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->remember();
+}
+
+void ElasticPad::recall()
+{
+    for (Part& part : parts_)
+        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->recall();
 }
 
 void ElasticPad::observe(FieldSnapshot& snapshot) const
@@ -113,23 +151,40 @@ void ElasticPad::observe(FieldSnapshot& snapshot) const
     const Part& part = parts_.front();
     snapshot.values.clear();
     const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
-    add(part.contact.gap());
-    add(part.contact.pressure());
+    if (const auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
+        add(elastic->gap());
+        add(elastic->pressure());
+    } else if (const auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
+        add(adhesive->gap());
+        add(adhesive->pressure());
+        add(adhesive->adhesion());
+    }
     if (!part.surface.empty()) add(part.surface);
 }
 
 std::vector<std::string> ElasticPad::remarks() const
 {
-    if (parts_.size() < 2) return {};
+    std::vector<std::string> list;
+    if (case_.adhesion.acts()) {
+        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the energy at gap 0 (Maugis 1992).
+        const AdhesionLaw law(case_.adhesion);
+        const double zone = modulus_ * -law.energy(0.0) / (law.peakAttraction() * law.peakAttraction());
+        if (zone < cellsOfZone * case_.elastic.cell)
+            list.push_back("elastic.cell is " + formatQuantity(case_.elastic.cell, "um") + ", but adhesion parts the surfaces over a zone of " +
+                           formatQuantity(std::round(zone * 1e10) / 1e10, "um") + " at the edges of a contact: where they are smooth, these hang on the cells and "
+                           "jump from one to the next; cells of half that length follow them smoothly");
+    }
+    if (parts_.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (std::size_t k = i + 1; k < parts_.size(); ++k)
             nearest = std::min(nearest, patchDistance(parts_[i].patch.grid, parts_[k].patch.grid));
     // Boussinesq: F/(pi E* r).
     const double perNewton = 1.0 / (std::numbers::pi * modulus_ * nearest);
-    return {std::to_string(parts_.size()) + " patches are solved as if each were alone; the nearest two are " +
+    list.push_back(std::to_string(parts_.size()) + " patches are solved as if each were alone; the nearest two are " +
             formatQuantity(std::round(nearest * 1e7) / 1e7, "um") + " apart, so that a force of 1 mN on one would lower the disk under the other by " +
-            formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out"};
+            formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out");
+    return list;
 }
 
 std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const

@@ -4,6 +4,9 @@
 // elastic half-space, with adhesion where there is one.
 #pragma once
 
+#include <variant>
+
+#include "core/physics/adhesive_contact.h"
 #include "core/physics/contact_patch.h"
 #include "core/physics/disk_topography.h"
 #include "core/physics/disk_velocity.h"
@@ -17,11 +20,16 @@ SliderPatches patchesOf(const Case& c, const DiskTopography& surface);
 
 class ElasticPad final : public ContactModel {
 public:
-    explicit ElasticPad(const Case& c);
+    explicit ElasticPad(const Case& c, const std::function<bool()>& goOn = {});
+
+    /// Of all patches.
+    std::size_t cells() const;
 
     const ContactForces& move(double separation, double time) override;
     bool canJump() const override { return case_.adhesion.acts(); }
     bool mayHaveJumped() const override { return jumped_; }
+    void remember() override;
+    void recall() override;
     void observe(FieldSnapshot& snapshot) const override;
     std::vector<std::string> remarks() const override;
     std::optional<SurfaceStatistics> surfaceStatistics() const override;
@@ -29,10 +37,11 @@ public:
     static RecordedFields fields(const Case& c);
 
 private:
+    using Contact = std::variant<ElasticContact, AdhesiveContact>;
     /// One patch and all that is solved on it.
     struct Part {
         ContactPatch patch;
-        ElasticContact contact;
+        Contact contact;
         std::vector<double> surface;    // w [m]; empty: flat
         std::vector<double> separation; // s [m]
         double surfaceTime = -1.0;      // of `surface` [s]
