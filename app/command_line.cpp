@@ -13,6 +13,7 @@
 #include "app/modes_command.h"
 #include "app/run_command.h"
 #include "app/steady_command.h"
+#include "app/study_command.h"
 
 namespace touchdown {
 namespace {
@@ -85,6 +86,19 @@ int commandLine(int argc, char** argv)
     modes.add_flag("--progress", modesArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(modes);
 
+    StudyArguments studyArguments;
+    CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
+    study.require_subcommand(1);
+    CLI::App& convergence =
+        *study.add_subcommand("convergence", "How the closest approach of a contact case depends on the cells of its patch");
+    addCase(convergence, studyArguments.caseArguments);
+    convergence.add_option("--out", studyArguments.out, "Writes the table as HDF5")->type_name("FILE.h5");
+    convergence.add_option("--csv", studyArguments.csv, "Writes the table as CSV")->type_name("FILE.csv");
+    convergence.add_option("--levels", studyArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
+        ->check(CLI::Range(fewestLevels, mostLevels));
+    convergence.add_option("--jobs", studyArguments.options.jobs, "Levels that are solved at a time")->check(CLI::Range(1, 64));
+    addJson(convergence);
+
     std::string from;
     std::string to;
     CLI::App& convert = *app.add_subcommand(
@@ -111,14 +125,16 @@ int commandLine(int argc, char** argv)
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
+        if (convergence.parsed()) findCase(convergence, studyArguments.caseArguments);
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
     if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
     if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
+    if (study.parsed()) return finishOutput(convergenceCommand(studyArguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));

@@ -4,7 +4,7 @@
 # Fails when an include points to a higher layer, when the core includes Qt, or when the command line links Qt.
 
 cmake_minimum_required(VERSION 3.25)
-set(layers app ui core/simulation core/physics core/numerics) # highest first
+set(layers app ui core/studies core/simulation core/physics core/numerics) # highest first
 set(problems "")
 
 set(higher tests)
