@@ -14,6 +14,7 @@ namespace {
 
 constexpr int scanLines = 512;  // over the width
 constexpr int scanPoints = 512; // over the length at least
+constexpr double mostNumber = 1e9; // of cells along a side, that they can be counted
 constexpr double aside = 1e-12; // from a break, relative to the length: on which side of it a value is taken
 
 UniformGrid gridOf(double x0, double y0, double length, double width, double cell)
@@ -22,7 +23,7 @@ UniformGrid gridOf(double x0, double y0, double length, double width, double cel
     return {count(length), count(width), cell, cell, x0, y0};
 }
 
-/// Whole numbers of scan steps, [x0, x1) x [y0, y1).
+/// Whole numbers of scan steps, or of cells, [x0, x1) x [y0, y1).
 struct Box {
     int x0, y0, x1, y1;
     void include(const Box& other)
@@ -175,26 +176,31 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
     const SliderScan scan(surface, length, width, pitch, roll, reach);
     SliderPatches result;
     result.lowest = scan.lowest();
-    std::vector<Box> boxes = regions(scan, length, width, scanLines, scan.lowest().y);
+    // On multiples of the cell, one more all round, within the slider; merged as such, lest two share a cell.
+    std::vector<Box> boxes;
+    for (const Box& box : regions(scan, length, width, scanLines, scan.lowest().y)) {
+        const auto low = [&](int steps, double side, int of) {
+            return static_cast<int>(std::clamp(std::floor(steps * side / of / cell) - 1.0, 0.0, mostNumber));
+        };
+        const auto high = [&](int steps, double side, int of) {
+            return static_cast<int>(std::min({std::ceil(steps * side / of / cell) + 1.0, std::floor(side / cell + 1e-9), mostNumber}));
+        };
+        const int x0 = low(box.x0, length, scanPoints), y0 = low(box.y0, width, scanLines);
+        boxes.push_back({x0, y0, std::max(high(box.x1, length, scanPoints), x0 + 1), std::max(high(box.y1, width, scanLines), y0 + 1)});
+    }
     mergeNear(boxes);
 
     for (const Box& box : boxes) {
-        // On multiples of the cell, one more all round, within the slider.
-        const auto low = [&](int steps, double side, int of) { return std::max(std::floor(steps * side / of / cell) - 1.0, 0.0); };
-        const auto high = [&](int steps, double side, int of) {
-            return std::min(std::ceil(steps * side / of / cell) + 1.0, std::floor(side / cell + 1e-9));
-        };
-        const double x0 = low(box.x0, length, scanPoints), x1 = std::max(high(box.x1, length, scanPoints), x0 + 1.0);
-        const double y0 = low(box.y0, width, scanLines), y1 = std::max(high(box.y1, width, scanLines), y0 + 1.0);
-        if (x1 - x0 > mostCells || y1 - y0 > mostCells) {
+        const int nx = box.x1 - box.x0, ny = box.y1 - box.y0;
+        if (nx > mostCells || ny > mostCells) {
             result.patches.clear();
-            result.problem = "a region of " + micrometres((x1 - x0) * cell) + " by " + micrometres((y1 - y0) * cell) +
+            result.problem = "a region of " + micrometres(nx * cell) + " by " + micrometres(ny * cell) +
                              " can touch, which is more than " + std::to_string(mostCells) +
                              " cells along or across";
             return result;
         }
         ContactPatch patch;
-        patch.grid = {static_cast<int>(x1 - x0), static_cast<int>(y1 - y0), cell, cell, x0 * cell, y0 * cell};
+        patch.grid = {nx, ny, cell, cell, box.x0 * cell, box.y0 * cell};
         patch.height.reserve(patch.grid.cells());
         for (int j = 0; j < patch.grid.ny; ++j)
             for (int i = 0; i < patch.grid.nx; ++i) patch.height.push_back(scan.height(patch.grid.x(i), patch.grid.y(j)));
