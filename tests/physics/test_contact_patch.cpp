@@ -104,6 +104,14 @@ private slots:
         QCOMPARE(found.patches.size(), std::size_t{1});
         QVERIFY(found.patches.front().grid.ny * cell >= 0.12e-3);
     }
+    /// Posts of 6 um, 20 um apart, are not near each other, but cells of 40 um with one more all round are.
+    void noCellIsInTwoPatches()
+    {
+        AirBearingSurface surface;
+        surface.rails = {rail(1.1e-3, 1.106e-3, 0.4e-3, 0.406e-3), rail(1.126e-3, 1.132e-3, 0.4e-3, 0.406e-3)};
+        QCOMPARE(sliderPatches(surface, length, width, 0.0, 0.0, cell, 1e-9, mostCells).patches.size(), std::size_t{2});
+        QCOMPARE(sliderPatches(surface, length, width, 0.0, 0.0, 40e-6, 1e-9, mostCells).patches.size(), std::size_t{1});
+    }
     void firstHoldsTheLowestPoint()
     {
         AirBearingSurface surface = twoPads();
