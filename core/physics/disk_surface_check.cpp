@@ -38,12 +38,13 @@ public:
         finite("wave_angles", s_.waveAngles);
         finite("wave_phases", s_.wavePhases);
         positive("wave_lengths", s_.waveLengths);
+        sampledTrack();
     }
 
     void roughness()
     {
         if (!(s_.rms > 0.0) || !std::isfinite(s_.rms)) add("rms", "must be above 0 where the disk is rough");
-        if (!period() || !positive("cell", s_.cell)) return;
+        if (!sampledTrack()) return;
         wholeCells("track", s_.track);
         wholeCells("track_width", s_.trackWidth);
         if (s_.track / s_.cell * (s_.trackWidth / s_.cell) > mostMapPoints) {
@@ -74,7 +75,7 @@ public:
         finite("bump_x", s_.bumpX);
         finite("bump_y", s_.bumpY);
         const bool sized = positive("bump_lengths", s_.bumpLengths) && positive("bump_widths", s_.bumpWidths);
-        if (!sized || !period()) return;
+        if (!sampledTrack() || !sized) return;
         fits("bump_lengths", s_.bumpLengths, s_.track, "the track");
         fits(s_.bumpWidths.empty() ? "bump_lengths" : "bump_widths",
              s_.bumpWidths.empty() ? s_.bumpLengths : s_.bumpWidths, s_.trackWidth, "track_width");
@@ -103,10 +104,12 @@ private:
     {
         if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) add(key, "must all be finite");
     }
-    bool period()
+    /// What the surface repeats with, or what is looked at of one that does not.
+    bool sampledTrack()
     {
         const bool along = positive("track", s_.track);
-        return positive("track_width", s_.trackWidth) && along;
+        const bool across = positive("track_width", s_.trackWidth);
+        return positive("cell", s_.cell) && along && across;
     }
 
     void listLength(const std::string& key, const std::vector<double>& list, const std::vector<double>& leader,

@@ -60,9 +60,11 @@ UniformGrid askedTrack(const DiskSurface& s)
 
 } // namespace
 
-DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file) : period_(askedTrack(surface))
+DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file)
 {
     assert(diskSurfaceProblems(surface).empty());
+    // What a flat disk or a measured one says of the track counts for nothing and may be anything.
+    period_ = askedTrack(hasWaves(surface) || hasBumps(surface) ? surface : DiskSurface{});
     if (hasWaves(surface)) waves_ = Waves(surface);
     if (hasBumps(surface)) bumps_ = Bumps(surface);
     if (hasFile(surface) && file) maps_.push_back(splineOf(*file));

@@ -59,6 +59,10 @@ private slots:
             s.rms = -1.0;
             s.waveLengths = {0.0};
         });
+        row("flat, without a track", [](DiskSurface& s) {
+            s = {};
+            s.track = s.trackWidth = s.cell = std::numeric_limits<double>::quiet_NaN();
+        });
         row("rough as it comes", [](DiskSurface& s) { s = only(DiskSurfaceKind::Rough); });
         row("self-affine as it comes", [](DiskSurface& s) {
             s = only(DiskSurfaceKind::Rough);
@@ -117,6 +121,31 @@ private slots:
             [](DiskSurface& s) { s.waveAmplitudes[0] = std::numeric_limits<double>::quiet_NaN(); },
             "wave_amplitudes must all be finite");
 
+        row(
+            "waves on a track of no length",
+            [](DiskSurface& s) {
+                s = only(DiskSurfaceKind::Waves);
+                s.waveAmplitudes = {1e-9};
+                s.waveLengths = {5e-6};
+                s.track = 0.0;
+            },
+            "track must be above 0");
+        row(
+            "waves seen at no points",
+            [](DiskSurface& s) {
+                s = only(DiskSurfaceKind::Waves);
+                s.waveAmplitudes = {1e-9};
+                s.waveLengths = {5e-6};
+                s.cell = std::numeric_limits<double>::quiet_NaN();
+            },
+            "cell must be above 0");
+        row(
+            "bumps seen at no points",
+            [](DiskSurface& s) {
+                s.rms = 0.0;
+                s.cell = 0.0;
+            },
+            "cell must be above 0");
         row(
             "rough without height",
             [](DiskSurface& s) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <thread>
 
@@ -73,8 +74,11 @@ class TestDiskTopography : public QObject {
 private slots:
     void aFlatDiskIsFlat()
     {
-        for (const DiskTopography& disk : {DiskTopography(), DiskTopography(DiskSurface{})}) {
+        DiskSurface withoutTrack;
+        withoutTrack.track = withoutTrack.cell = std::numeric_limits<double>::quiet_NaN();
+        for (const DiskTopography& disk : {DiskTopography(), DiskTopography(DiskSurface{}), DiskTopography(withoutTrack)}) {
             QVERIFY(disk.flat());
+            QCOMPARE(disk.period(), DiskTopography().period());
             QVERIFY(disk.repeats());
             QCOMPARE(disk.height(1e-3, 2e-3), 0.0);
             QCOMPARE(disk.highest(), 0.0);
