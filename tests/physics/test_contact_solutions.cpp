@@ -19,8 +19,12 @@ using namespace touchdown;
 class TestContactSolutions : public QObject {
     Q_OBJECT
 
+    static void cellsOfASphere();
+
 private slots:
+    void sphereAtGivenApproach_data() { cellsOfASphere(); }
     void sphereAtGivenApproach();
+    void sphereAtGivenLoad_data() { cellsOfASphere(); }
     void sphereAtGivenLoad();
     void sphereConvergesAtSecondOrder();
     void roundPunch();
@@ -65,27 +69,46 @@ struct Sphere {
 
 } // namespace
 
+// At 128^2 load, radius and peak are to be within half a per cent. Load, approach and peak are of second order in the larger side of a
+// cell, a quarter of its square (1e-4) and less; the staircase that stands for the circle is off by a quarter of a cell (0.5 %) and less.
+void TestContactSolutions::cellsOfASphere()
+{
+    QTest::addColumn<int>("nx");
+    QTest::addColumn<int>("ny");
+    QTest::newRow("square cells") << 128 << 128;
+    QTest::newRow("long cells") << 64 << 128;
+    QTest::newRow("wide cells") << 128 << 64;
+}
+
 void TestContactSolutions::sphereAtGivenApproach()
 {
+    QFETCH(int, nx);
+    QFETCH(int, ny);
     const Sphere sphere;
-    ElasticContact contact(HalfSpace(square(128, 2.5 * sphere.contactRadius()), modulus));
-    const ElasticContactSummary summary = contact.solve(sphere.separation(contact.space().grid(), sphere.approach));
+    const double side = 2.5 * sphere.contactRadius(), cell = 2.5 / std::min(nx, ny); // the larger side of a cell [a]
+    const UniformGrid grid{nx, ny, side / nx, side / ny, -side / 2, -side / 2};
+    ElasticContact contact(HalfSpace(grid, modulus));
+    const ElasticContactSummary summary = contact.solve(sphere.separation(grid, sphere.approach));
     QVERIFY(summary.converged);
-    QVERIFY(std::abs(summary.load / sphere.load() - 1.0) < 0.005);
-    QVERIFY(std::abs(std::sqrt(contact.contactArea() / pi) / sphere.contactRadius() - 1.0) < 0.005);
-    QVERIFY(std::abs(peak(contact) / sphere.peak() - 1.0) < 0.005);
+    QVERIFY(std::abs(summary.load / sphere.load() - 1.0) < 0.25 * cell * cell);
+    QVERIFY(std::abs(std::sqrt(contact.contactArea() / pi) / sphere.contactRadius() - 1.0) < 0.25 * cell);
+    QVERIFY(std::abs(peak(contact) / sphere.peak() - 1.0) < 0.25 * cell * cell);
 }
 
 void TestContactSolutions::sphereAtGivenLoad()
 {
+    QFETCH(int, nx);
+    QFETCH(int, ny);
     const Sphere sphere;
-    ElasticContact contact(HalfSpace(square(128, 2.5 * sphere.contactRadius()), modulus));
-    const ElasticContactSummary summary = contact.solveLoad(sphere.separation(contact.space().grid(), 0.0), sphere.load());
+    const double side = 2.5 * sphere.contactRadius(), cell = 2.5 / std::min(nx, ny);
+    const UniformGrid grid{nx, ny, side / nx, side / ny, -side / 2, -side / 2};
+    ElasticContact contact(HalfSpace(grid, modulus));
+    const ElasticContactSummary summary = contact.solveLoad(sphere.separation(grid, 0.0), sphere.load());
     QVERIFY(summary.converged);
     QVERIFY(std::abs(summary.load / sphere.load() - 1.0) < 1e-11);
-    QVERIFY(std::abs(-summary.approach / sphere.approach - 1.0) < 0.005);
-    QVERIFY(std::abs(std::sqrt(contact.contactArea() / pi) / sphere.contactRadius() - 1.0) < 0.005);
-    QVERIFY(std::abs(peak(contact) / sphere.peak() - 1.0) < 0.005);
+    QVERIFY(std::abs(-summary.approach / sphere.approach - 1.0) < 0.25 * cell * cell);
+    QVERIFY(std::abs(std::sqrt(contact.contactArea() / pi) / sphere.contactRadius() - 1.0) < 0.25 * cell);
+    QVERIFY(std::abs(peak(contact) / sphere.peak() - 1.0) < 0.25 * cell * cell);
 }
 
 void TestContactSolutions::sphereConvergesAtSecondOrder()

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <thread>
 
+#include "core/numerics/gauss_legendre.h"
 #include "core/physics/half_space.h"
 
 using namespace touchdown;
@@ -18,6 +19,7 @@ private slots:
     void squareUnderUniformPressure_data();
     void squareUnderUniformPressure();
     void oblongUnderUniformPressure();
+    void oneCellMovesItsNeighbours();
     void isAPointForceFarAway();
     void periodicWavesAreExact();
     void freeStiffnessIsTheInverse();
@@ -71,6 +73,27 @@ void TestHalfSpace::oblongUnderUniformPressure()
     space.displace(field, field);
     const double expected = 4.0 / (pi * modulus) * (a * std::asinh(b / a) + b * std::asinh(a / b));
     QVERIFY(std::abs(field[field.size() / 2] / expected - 1.0) < 1e-12);
+}
+
+void TestHalfSpace::oneCellMovesItsNeighbours()
+{
+    // Boussinesq's u = F/(pi E* r), summed over the cell by quadrature where it is smooth: a cell's length away or more, where 24
+    // points each way leave nothing but rounding.
+    const double dx = 2e-6, dy = 0.7e-6;
+    HalfSpace space({9, 9, dx, dy}, modulus);
+    std::vector<double> field(81, 0.0);
+    field[40] = 1.0;
+    space.displace(field, field);
+    const GaussLegendre<24> rule;
+    for (int j = -4; j <= 4; ++j)
+        for (int i = -4; i <= 4; ++i) {
+            if (std::abs(i) < 2 && std::abs(j) < 4) continue; // nearer along y than the cell is long
+            double sum = 0.0;
+            rule.sample(-0.5 * dx, 0.5 * dx, [&](double x, double wx) {
+                rule.sample(-0.5 * dy, 0.5 * dy, [&](double y, double wy) { sum += wx * wy / std::hypot(i * dx - x, j * dy - y); });
+            });
+            QVERIFY(std::abs(field[static_cast<std::size_t>(40 + 9 * j + i)] / (sum / (pi * modulus)) - 1.0) < 1e-12);
+        }
 }
 
 void TestHalfSpace::isAPointForceFarAway()
