@@ -230,7 +230,8 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const std::size_t cells = pressure_.size();
     double approach = 0.0;
     if (load) {
-        double sumBetween = 0.0, atLeast = -infinity, atMost = infinity;
+        // The mean, from one of them on: what all have in common, a pad far away, must not cost digits of where they differ.
+        double first = 0.0, beyondFirst = 0.0, atLeast = -infinity, atMost = infinity;
         std::size_t between = 0;
         for (std::size_t i = 0; i < cells; ++i) {
             const double needed = -(separation[i] + displacement_[i]);
@@ -239,11 +240,12 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
             } else if (pressure_[i] >= hardness) {
                 atMost = std::min(atMost, needed);
             } else {
-                sumBetween += needed;
+                if (between == 0) first = needed;
+                beyondFirst += needed - first;
                 ++between;
             }
         }
-        if (between > 0) approach = sumBetween / static_cast<double>(between);
+        if (between > 0) approach = first + beyondFirst / static_cast<double>(between);
         else if (!std::isfinite(atLeast)) approach = atMost;
         else if (!std::isfinite(atMost)) approach = atLeast;
         else approach = 0.5 * (atLeast + atMost);

@@ -21,6 +21,7 @@ private slots:
     void doesNotDependOnTheStart_data() { fulfilsItsConditions_data(); }
     void doesNotDependOnTheStart();
     void loadAndApproachAgree();
+    void flatPadFromAfar();
     void hardnessOutOfReachChangesNothing();
     void hardnessEverywhere();
     void costsNothingWithoutContact();
@@ -155,6 +156,20 @@ void TestElasticContact::loadAndApproachAgree()
     QVERIFY(back.converged);
     QVERIFY(std::abs(back.load / given.load - 1.0) < 1e-7);
     QVERIFY(std::abs(again.contactArea() / contact.contactArea() - 1.0) < 1e-3);
+}
+
+void TestElasticContact::flatPadFromAfar()
+{
+    // All cells touch at once, under a load that displaces them by 1e-4 of the way there: the rounding of the mean of four thousand
+    // equal numbers would be more than the tolerance allows.
+    const UniformGrid grid{64, 64, 1e-7, 0.8e-7};
+    ElasticContact contact(HalfSpace(grid, modulus));
+    const double load = 1e-7, height = 3e-9;
+    const ElasticContactSummary summary = contact.solveLoad(std::vector(grid.cells(), height), load);
+    QVERIFY2(summary.converged, summary.message.c_str());
+    // A circle gives way by F/(2 E* a): the oblong by more than the one around it and less than the one within.
+    const double displaced = -summary.approach - height;
+    QVERIFY(displaced > load / (2.0 * modulus * std::hypot(3.2e-6, 2.56e-6)) && displaced < load / (2.0 * modulus * 2.56e-6));
 }
 
 void TestElasticContact::hardnessOutOfReachChangesNothing()
