@@ -13,8 +13,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostMarks = 2000; // ticks closer than pixels say nothing
-
 /// Of what the user chose in the menu of a plot.
 std::string curveKey(const QString& plot, const QString& quantity)
 {
@@ -268,53 +266,6 @@ const MinMaxPyramid* LivePlots::dataFor(const RunRecord& run, const std::string&
     std::unique_ptr<MinMaxPyramid>& made = differences_[curveId(run, quantity)];
     if (!made) made = difference(*own, *other);
     return made.get();
-}
-
-void LivePlots::updateMarks()
-{
-    const RunRecord* run = newestShown();
-    std::vector<EventMark> marks;
-    std::vector<ReferenceLine> spacing;
-    std::vector<ReferenceLine> pitch;
-    marksShown_ = 0;
-    if (run) {
-        marksShown_ = run->events.size();
-        for (std::size_t i = 0; i < std::min(mostMarks, run->events.size()); ++i)
-            marks.push_back({run->events[i].time, QString::fromStdString(run->events[i].name)});
-        if (runs_.baseline() < 0) {
-            const Case& c = run->value;
-            const auto line = [](const char* symbol, double value) {
-                return ReferenceLine{value, QStringLiteral("%1 = %2").arg(QString::fromUtf8(symbol),
-                                                                         QString::fromStdString(formatQuantity(value, "nm")))};
-            };
-            if (c.model == ModelKind::Springs) spacing.push_back(line("d₁", c.springs.cutoff));
-            if (c.contact == ContactKind::OnoYamane) {
-                spacing.push_back(line("dₛ", c.onoYamane.touchDown));
-                spacing.push_back(line("dₑ", c.onoYamane.takeOff));
-            }
-            if (c.model == ModelKind::Springs) pitch.push_back({c.springs.pitch, tr("static")});
-        }
-    }
-    for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
-    plot(QStringLiteral("force_separation"))->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
-    plot(QStringLiteral("spacing"))->setReferenceLines(spacing);
-    plot(QStringLiteral("pitch"))->setReferenceLines(pitch);
-}
-
-/// Where each kind of event took place first: the snap into contact, the pull-off.
-std::vector<PointMark> LivePlots::eventPoints(const RunRecord& run) const
-{
-    const MinMaxPyramid* separation = run.pyramid("minimum_spacing");
-    const MinMaxPyramid* force = run.pyramid("net_contact_force");
-    std::vector<PointMark> marks;
-    std::set<std::string> named;
-    for (std::size_t i = 0; separation && force && i < std::min(mostMarks, run.events.size()); ++i) {
-        const RunEvent& event = run.events[i];
-        const std::optional<double> x = separation->valueAt(event.time);
-        const std::optional<double> y = force->valueAt(event.time);
-        if (x && y && named.insert(event.name).second) marks.push_back({*x, *y, QString::fromStdString(event.name), {6, 0}});
-    }
-    return marks;
 }
 
 void LivePlots::updateVisibility()

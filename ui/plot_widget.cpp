@@ -166,8 +166,10 @@ void PlotWidget::refreshRanges()
         x_.setRange(*view_.x);
         view_.x = x_.range();
     } else if (const auto whole = dataRangeX()) {
-        if (isPhasePortrait())
-            x_.setRange(autoscaled(*whole, x_.range(), x_.label.scale, x_.label.factor));
+        if (isPhasePortrait()) {
+            const bool cut = mostX_ && whole->low < *mostX_ && whole->high > *mostX_;
+            x_.setRange(autoscaled(cut ? PlotRange{whole->low, *mostX_} : *whole, x_.range(), x_.label.scale, x_.label.factor));
+        }
         else
             x_.setRange(whole->width() > 0.0 ? *whole : PlotRange{whole->low, whole->low + x_.label.factor});
     } else {

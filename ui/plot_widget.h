@@ -83,6 +83,13 @@ public:
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
     bool isPhasePortrait() const;
+    /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there are data
+    /// below.
+    void setMostX(std::optional<double> most)
+    {
+        mostX_ = most;
+        dataChanged();
+    }
 
     /// Cursor 0 or 1 ("1" and "2" on the screen); nothing takes it away. Emits nothing.
     void setPlotCursor(int which, std::optional<double> x);
@@ -152,6 +159,7 @@ private:
     std::array<std::optional<double>, 2> cursors_;
     bool cursorPinned_ = false;
     std::optional<PlotRange> timeWindow_;
+    std::optional<double> mostX_;
     PlotCanvas* canvas_ = nullptr; // owned by Qt as a child
     QTimer refreshTimer_;
     bool stale_ = true;

@@ -152,6 +152,14 @@ void TestLivePlots::offersForcesOfASliderOnSprings()
     QVERIFY(!visible("force_separation"));
     plots_->wanted(QStringLiteral("force_separation"))->trigger();
     QVERIFY(visible("force_separation"));
+    // Dropped from 250 nm, but nothing acts above d_e = 5 nm: the axis ends at 10 nm.
+    SampleBatch batch;
+    batch.columns.assign(recordedQuantities(c).size(), {0.0, 0.0});
+    batch.time = {0.0, 1e-3};
+    batch.columns[static_cast<std::size_t>(findQuantity(recordedQuantities(c), "minimum_spacing"))] = {250e-9, 1e-9};
+    runs_->append(1, batch, {});
+    forces()->refreshNow();
+    QVERIFY(forces()->xAxis().range().high >= 10e-9 && forces()->xAxis().range().high < 20e-9);
 }
 
 void TestLivePlots::remembersWhatWasChosenForAModel()
