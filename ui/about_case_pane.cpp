@@ -83,7 +83,8 @@ QString resultText(const RunRecord& run)
         const auto add = [&](const char* name, const QString& what) {
             const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
             if (figure == summary.figures.end()) return;
-            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + what.arg(figureText(*figure));
+            const QString part = figure->value == 0.0 ? AboutCasePane::tr("No contact") : what.arg(figureText(*figure));
+            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + part;
         };
         add("largest_contact_force", AboutCasePane::tr("Largest contact force %1"));
         add("pull_off_force", AboutCasePane::tr("pull-off force %1"));
@@ -115,7 +116,8 @@ QString resultText(const RunRecord& run)
 QString figureText(const RunFigure& figure)
 {
     // Between sliders and single asperities forces differ by powers of ten.
-    return figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+    QString text = figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+    return text.replace(QLatin1Char('-'), QChar(0x2212)); // a true minus sign
 }
 
 QString figuresText(const Summary& summary)

@@ -223,7 +223,7 @@ void DiskSurfaceView::showSpectrum()
         QString name;
         CurveStyle style;
     };
-    const std::array<Look, 4> looks{{{tr("Asked for"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
+    const std::array<Look, 4> looks{{{tr("Asked"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
     curves_.clear();
     curves_.reserve(values.size()); // curves point to them
     for (std::size_t i = 0; i < values.size(); ++i) {

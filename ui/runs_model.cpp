@@ -138,7 +138,7 @@ QString RunsModel::result(const RunRecord& run) const
     case RunStatus::Completed: break;
     }
     for (const RunFigure& figure : run.summary->figures)
-        if (figure.quantity.name == "largest_contact_force") return forceText(figure.value);
+        if (figure.quantity.name == "largest_contact_force") return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
     const int index = findQuantity(run.quantities, "flying_height");
     const std::optional<double> height = run.last("flying_height");
     return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : tr("completed");
