@@ -71,6 +71,7 @@ private slots:
     void typesAFlyingHeightAndRuns();
     void refusesABadEntryUntilUndone();
     void opensASampleCaseByKeyboard();
+    void goesThroughTheMapsOfAContact();
     void stopsByAClick();
     void zoomsAndReadsAPlot();
     void growsForAProjector();
@@ -162,6 +163,32 @@ void TestXvfbWorkbench::opensASampleCaseByKeyboard()
     press("F5");
     QTRY_COMPARE(window_->runs().count(), 1);
     QTRY_VERIFY(window_->runs().record(0).finished());
+}
+
+void TestXvfbWorkbench::goesThroughTheMapsOfAContact()
+{
+    window_->files().openNow(QStringLiteral("contact_hertz"));
+    const QTabBar* tabs = window_->runView().tabs();
+    QTRY_VERIFY(tabs->isVisible());
+    press("F5");
+    QTRY_COMPARE(window_->runs().count(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->runs().record(0).finished(), 60'000);
+    ContactMaps* maps = window_->runView().maps();
+    click(window_->runView().tabs(), tabs->tabRect(1).center());
+    QTRY_VERIFY(maps->isVisible() && !maps->empty());
+    // The pad is nearest to the disk half way through; arrow keys go on from there.
+    const int nearest = maps->time()->value();
+    QCOMPARE(maps->time()->maximum(), 2 * nearest);
+    maps->time()->setFocus();
+    press("Left");
+    QTRY_COMPARE(maps->time()->value(), nearest - 1);
+    press("Home");
+    QTRY_COMPARE(maps->time()->value(), 0);
+    QCOMPARE(*window_->plots().group()->cursor(0), 0.0);
+    // A click on the map pins the sections there.
+    const QPoint at = maps->view()->map()->toPixel({2e-6, 2e-6}).toPoint();
+    click(maps->view()->map(), at);
+    QTRY_VERIFY(maps->view()->pinned());
 }
 
 void TestXvfbWorkbench::stopsByAClick()
