@@ -19,6 +19,8 @@ private slots:
     void runAsJson();
     void stepCheckAsJson();
     void resultFiles();
+    void contactCase();
+    void fittedParameters();
     void everySampleCaseRuns_data();
     void everySampleCaseRuns();
     void filmCase();
@@ -119,6 +121,45 @@ void TestRunCommand::resultFiles()
     QCOMPARE(lines.size(), 20003);
     QVERIFY(lines[0].startsWith("time [s],flying_height [m],"));
     QCOMPARE(lines[20001].split(',')[1].toDouble(), run.samples.columns[column].back());
+}
+
+// Figures in JSON and for people, fields in the file; what a pad alone does not have is null.
+void TestRunCommand::contactCase()
+{
+    const Outcome o = folder_->touchdown({"run", "contact_rough", "--out", "a.h5", "--csv", "a.csv", "--json"});
+    QCOMPARE(o.code, 0);
+    const QJsonObject json = o.json();
+    QVERIFY(json["final"].toObject()["flying_height"].isNull());
+    QVERIFY(json["final"].toObject()["contact_force"].isDouble());
+    QVERIFY(json["fit"].isNull());
+    const QJsonObject figures = json["figures"].toObject();
+    QVERIFY(figures["largest_contact_force"].toDouble() > 0.0);
+    QVERIFY(std::abs(figures["surface_rms"].toDouble() - 0.2e-9) < 1e-15);
+
+    const StoredRun run = readResults(folder_->path("a.h5").toStdString());
+    QCOMPARE(run.problem, std::string());
+    QCOMPARE(run.samples.size(), std::size_t{201});
+    QCOMPARE(run.recorded.quantities.size(), std::size_t{3}); // gap, contact pressure, disk surface
+    QCOMPARE(run.fields.size(), std::size_t{41});             // 40, and the closest approach
+
+    const Outcome text = folder_->touchdown({"run", "contact_ono_yamane"});
+    QCOMPARE(text.code, 0);
+    for (const char* part : {"pull off force", "touch-down            at 3 nm, on the way in",
+                             "take-off              at 5 nm, on the way out", "assumed"})
+        QVERIFY2(text.out.contains(part), part);
+}
+
+void TestRunCommand::fittedParameters()
+{
+    const QJsonObject fit = folder_->touchdown({"run", "contact_ono_yamane_full", "--json"}).json()["fit"].toObject();
+    QVERIFY(fit["describes"].toBool());
+    for (const char* key : {"meniscus_force", "contact_stiffness", "initial_contact_force", "touch_down", "take_off"})
+        QVERIFY2(fit[key].toDouble() > 0.0, key);
+    QVERIFY(fit["message"].toString().startsWith("The five parameters describe the model"));
+    const Outcome poor =
+        folder_->touchdown({"run", "contact_ono_yamane_full", "--set", "asperity.height_deviation=1 nm"});
+    QCOMPARE(poor.code, 0);
+    QVERIFY(poor.out.contains("warning               The five parameters do not describe the model"));
 }
 
 void TestRunCommand::everySampleCaseRuns_data()
