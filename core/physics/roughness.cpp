@@ -217,14 +217,14 @@ RequestedSpectrum::RequestedSpectrum(const DiskSurface& surface) : surface_(surf
     const int nx = mapColumns(surface), ny = mapRows(surface);
     const double qx = 2.0 * pi / (nx * surface.cell), qy = 2.0 * pi / (ny * surface.cell);
     if (surface.spectrum != RoughnessSpectrum::SelfAffine) {
-        variance_ = surface.rms * surface.rms / (1.0 - density(0.0) * qx * qy);
+        scale_ = surface.rms * surface.rms / (1.0 - density(0.0) * qx * qy);
         return;
     }
     const auto copies = [](int i, int n) { return i == 0 || 2 * i == n ? 1.0 : 2.0; }; // of wave i and wave n - i
     double sum = -density(0.0);
     for (int j = 0; j <= ny / 2; ++j)
         for (int i = 0; i <= nx / 2; ++i) sum += copies(i, nx) * copies(j, ny) * density(std::hypot(i * qx, j * qy));
-    variance_ = surface.rms * surface.rms / (sum * qx * qy);
+    scale_ = surface.rms * surface.rms / (sum * qx * qy);
 }
 
 double RequestedSpectrum::density(double q) const
@@ -232,12 +232,12 @@ double RequestedSpectrum::density(double q) const
     const DiskSurface& s = surface_;
     const double u = q * s.correlationLength, area = s.correlationLength * s.correlationLength;
     switch (s.spectrum) {
-    case RoughnessSpectrum::Gaussian: return variance_ * area / (4.0 * pi) * std::exp(-0.25 * u * u);
-    case RoughnessSpectrum::Exponential: return variance_ * area / (2.0 * pi) * std::pow(1.0 + u * u, -1.5);
+    case RoughnessSpectrum::Gaussian: return scale_ * area / (4.0 * pi) * std::exp(-0.25 * u * u);
+    case RoughnessSpectrum::Exponential: return scale_ * area / (2.0 * pi) * std::pow(1.0 + u * u, -1.5);
     case RoughnessSpectrum::SelfAffine: break;
     }
     const double rollOff = 2.0 * pi / s.rollOff, cutOff = 2.0 * pi / s.cutOff * (1.0 + 1e-9);
-    return q > cutOff ? 0.0 : q <= rollOff ? variance_ : variance_ * std::pow(q / rollOff, -2.0 - 2.0 * s.hurst);
+    return q > cutOff ? 0.0 : q <= rollOff ? scale_ : scale_ * std::pow(q / rollOff, -2.0 - 2.0 * s.hurst);
 }
 
 RequestedPsd RequestedSpectrum::profile(double q, int modes) const
@@ -262,7 +262,7 @@ RequestedPsd RequestedSpectrum::profile(double q, int modes) const
         for (int m = reach; m >= 0; --m)
             covariance += (m > 0 ? 2.0 : 1.0) * repeatedCorrelation(s.spectrum, m * step, 0.0, 0.0, ny * step) *
                           std::cos(q * s.cell * m);
-        psd.density = variance_ * s.cell / pi * std::max(0.0, covariance);
+        psd.density = scale_ * s.cell / pi * std::max(0.0, covariance);
     }
     if (squares == 0.0) return psd;
     const double spread = 2.0 / (9.0 * 2.0 * modes * sum * sum / squares);
@@ -272,11 +272,6 @@ RequestedPsd RequestedSpectrum::profile(double q, int modes) const
     psd.low = psd.density * quantile(-normalQuantile);
     psd.high = psd.density * quantile(normalQuantile);
     return psd;
-}
-
-RequestedPsd requestedProfilePsd(const DiskSurface& surface, double q, int modes)
-{
-    return RequestedSpectrum(surface).profile(q, modes);
 }
 
 } // namespace touchdown

@@ -52,10 +52,7 @@ public:
 
 private:
     DiskSurface surface_;
-    double variance_ = 1.0; // of all waves with the mean [m^2]; C0 of the self-affine spectrum [m^4]
+    double scale_ = 1.0; // variance of all waves with the mean [m^2]; C0 of the self-affine spectrum [m^4]
 };
-
-/// The same at one wave number. For many, make a RequestedSpectrum: of the self-affine one it sums all waves.
-RequestedPsd requestedProfilePsd(const DiskSurface& surface, double q, int modes = 1);
 
 } // namespace touchdown

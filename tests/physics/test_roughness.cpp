@@ -202,7 +202,7 @@ private slots:
         for (const double q : {1e4, 3e5, 1e6, 2e6}) {
             const double u = q * lc;
             const double gaussian = sigma * sigma * lc / std::sqrt(pi) * std::exp(-0.25 * u * u) / (1.0 - mean);
-            QVERIFY(std::abs(requestedProfilePsd(s, q).density / gaussian - 1.0) < 1e-9);
+            QVERIFY(std::abs(RequestedSpectrum(s).profile(q).density / gaussian - 1.0) < 1e-9);
         }
         s.spectrum = RoughnessSpectrum::Exponential;
         for (const double q : {1e4, 3e5, 1e6, 2e6}) {
@@ -210,7 +210,7 @@ private slots:
             const double exponential = 2.0 / pi * sigma * sigma * lc / (1.0 + u * u) / (1.0 - 2.0 * mean);
             // Folded: a share of about (q cell)^2/12, and the step at the origin (cell/lc)^2/12.
             const double folded = (q * s.cell * q * s.cell + 0.025 * 0.025) / 12.0 * 1.05;
-            QVERIFY(std::abs(requestedProfilePsd(s, q).density / exponential - 1.0) < folded + 1e-8);
+            QVERIFY(std::abs(RequestedSpectrum(s).profile(q).density / exponential - 1.0) < folded + 1e-8);
         }
     }
 
