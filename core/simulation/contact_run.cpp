@@ -23,6 +23,7 @@ constexpr double smallestJump = 1e-3;         // against the largest force of th
 constexpr double suddenChange = 4.0;          // of the force over a step, against the one before: worth a search [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
+constexpr int shortSteps = 8;
 
 double wallClock()
 {
@@ -165,9 +166,20 @@ private:
             if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return true; // it is at d
             model_->recall();
         }
-        const double last = at, lastForce = force;
-        if (!move(d, time) || !good) return false;
-        if (model_->mayHaveJumped() && std::abs(forces_.net() - lastForce) > 0.5 * change) takeJump({true, last, d, lastForce, forces_.net()}, timeAt);
+        return goInShortSteps(at, force, d, change, timeAt);
+    }
+
+    /// The rest of a way on which a jump was suspected and not located: a short step tells a jump from a steep way.
+    bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
+    {
+        for (int i = 1; i <= shortSteps; ++i) {
+            const double next = i == shortSteps ? d : at + (d - at) / (shortSteps + 1 - i);
+            if (!move(next, timeAt(next))) return false;
+            if (model_->mayHaveJumped() && std::abs(forces_.net() - force) > 0.5 * change)
+                takeJump({true, at, next, force, forces_.net()}, timeAt);
+            at = next;
+            force = forces_.net();
+        }
         return true;
     }
 
@@ -182,7 +194,7 @@ private:
     {
         forces_ = model_->move(d, time);
         ++steps_;
-        iterations_ += forces_.iterations;
+        if (status_ == RunStatus::Completed) iterations_ += forces_.iterations; // one that was stopped counts none
         largestForce_ = std::max({largestForce_, forces_.contact, -forces_.adhesion});
         return forces_.problem.empty();
     }

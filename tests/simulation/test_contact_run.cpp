@@ -267,6 +267,26 @@ private slots:
         QVERIFY(has("pull-off") != trace.events.end());
         QVERIFY(padSeparation(c, has("pull-off")->time) > padSeparation(c, has("snap-in")->time));
         QVERIFY(std::ranges::all_of(trace.column("adhesion_force"), [](double force) { return force <= 0.0; }));
+        QVERIFY(trace.summary.warnings.empty());
+    }
+    /// With a Tabor number of (R dgamma^2/(E*^2 z_0^3))^(1/3) = 0.22 the sphere keeps its shape: it neither snaps nor jumps, and
+    /// its pull is near 2 pi R dgamma, less what it yields.
+    void stiffSphereDoesNotSnap()
+    {
+        Case c = sample("contact_pull_off");
+        c.pad.radius = 2e-6;
+        c.pad.length = c.pad.width = 0.512e-6;
+        c.elastic.cell = 8e-9;
+        c.elastic.pair.diskModulus = 100e9;
+        c.elastic.pair.diskPoissonRatio = 0.25;
+        c.adhesion.equilibriumDistance = 0.4e-9;
+        c.approach = {3e-9, -0.5e-9};
+        const Trace trace(c);
+        QCOMPARE(trace.summary.status, RunStatus::Completed);
+        QVERIFY(trace.events.empty());
+        const double limit = 2.0 * std::numbers::pi * c.pad.radius * c.adhesion.surfaceEnergy;
+        QVERIFY(figure(trace.summary, "pull_off_force") > 0.93 * limit);
+        QVERIFY(figure(trace.summary, "pull_off_force") < limit);
     }
 };
 
