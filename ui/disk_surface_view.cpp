@@ -149,6 +149,7 @@ void DiskSurfaceView::request()
     }
     // The surface before it stays in sight until the new one is ready.
     if (empty()) say(tr("Making the surface…"));
+    else placeText_->setText(tr("Making the surface…"));
     controller_.request(case_);
 }
 

@@ -101,6 +101,7 @@ private slots:
     void turnsAnExceptionIntoAFailure();
     void joinsWhenDestroyed();
     void recordsToAFile();
+    void recordsFieldsToAFile();
     void saysWhyAFileCannotBeRecorded();
 };
 
@@ -362,6 +363,29 @@ void TestRunController::recordsToAFile()
     QCOMPARE(stored.status, std::string("completed"));
     QCOMPARE(stored.caseText, text);
     QCOMPARE(stored.samples.time, received.times);
+}
+
+void TestRunController::recordsFieldsToAFile()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("contact.h5"));
+    RunRequest request = sampleRequest("contact_hertz");
+    request.value.elastic.cell = 1e-6;
+    request.value.run.fieldSnapshots = 9;
+    request.recordTo = file.toStdString();
+    RunController controller;
+    std::vector<FieldSnapshot> seen;
+    connect(&controller, &RunController::delivered, this,
+            [&seen](const RunDelivery& delivery) { seen.insert(seen.end(), delivery.fields.begin(), delivery.fields.end()); });
+    const QSignalSpy failed(&controller, &RunController::recordingFailed);
+    controller.start(request);
+    QTRY_COMPARE_WITH_TIMEOUT(controller.state(), State::Idle, 30000);
+    QCOMPARE(failed.count(), 0);
+    const StoredRun stored = readResults(file.toStdString());
+    QCOMPARE(stored.problem, std::string());
+    QVERIFY(seen.size() >= 9);
+    QCOMPARE(stored.fields.size(), seen.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) QCOMPARE(stored.fields[i].values, seen[i].values);
 }
 
 void TestRunController::saysWhyAFileCannotBeRecorded()
