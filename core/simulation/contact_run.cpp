@@ -88,7 +88,9 @@ public:
         if (status_ != RunStatus::Failed || haveSample_)
             for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
         statistics_.finish(summary);
-        summary.figures = figures_.figures(model_->surfaceStatistics());
+        // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
+        const bool stopped = status_ == RunStatus::Cancelled;
+        summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics());
         summary.fit = model_->fit();
         summary.warnings = model_->remarks();
         if (widestBracket_ > jumpResolution)

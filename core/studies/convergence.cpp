@@ -2,6 +2,7 @@
 #include "core/studies/convergence.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -40,13 +41,13 @@ std::vector<Quantity> studied(const Case& c)
     return list;
 }
 
-ConvergenceLevel solveLevel(Case c, double cell)
+ConvergenceLevel solveLevel(Case c, double cell, const std::function<bool()>& goOn)
 {
     const double begin = wallClock();
     ConvergenceLevel level;
     level.cell = cell;
     c.elastic.cell = cell;
-    ElasticPad pad(c);
+    ElasticPad pad(c, goOn);
     level.cells = static_cast<long long>(pad.cells());
     const double closest = 0.5 * c.run.duration;
     const int steps = pad.canJump() ? stepsOfAdhesion : 1;
@@ -84,6 +85,7 @@ public:
             lock.lock();
             if (goOn) continue;
             study_.status = StudyStatus::Cancelled;
+            stopped_ = true;
             next_ = 0;
             break;
         }
@@ -97,7 +99,7 @@ private:
         while (next_ > 0) {
             ConvergenceLevel& level = study_.levels[--next_];
             lock.unlock();
-            level = solveLevel(case_, level.cell);
+            level = solveLevel(case_, level.cell, [this] { return !stopped_; });
             lock.lock();
             ++solved_;
             changed_.notify_all();
@@ -110,6 +112,7 @@ private:
     std::condition_variable changed_;
     std::size_t next_;
     int solved_ = 0;
+    std::atomic<bool> stopped_ = false;
 };
 
 } // namespace
@@ -145,6 +148,7 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
         return "model \"springs\" has no grid; run.step_check compares a run with one of half its time step";
     if (c.contact != ContactKind::Elastic)
         return "this contact is a law without a grid; a convergence study takes contact \"elastic\"";
+    if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
     for (int level = 0; level < options.levels; ++level) {
         Case at = c;
         at.elastic.cell = cellOf(c, level, options.levels);

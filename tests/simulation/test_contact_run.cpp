@@ -257,6 +257,9 @@ private slots:
     void snapsInAndPullsOff()
     {
         Case c = sample("contact_pull_off");
+        c.approach = {13e-9, 3e-9};
+        c.run.sampleInterval = 50e-6;
+        c.run.fieldSnapshots = 0;
         const Trace trace(c);
         QCOMPARE(trace.summary.status, RunStatus::Completed);
         const double unit = std::numbers::pi * c.pad.radius * c.adhesion.surfaceEnergy;

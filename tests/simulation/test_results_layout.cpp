@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "core/simulation/fields.h"
 #include "tests/support/sample_results.h"
 
 using namespace touchdown;
@@ -14,6 +15,7 @@ class TestResultsLayout : public QObject {
 private slots:
     void init();
     void layout();
+    void figuresAndFit();
     void spectra_data();
     void spectra();
 
@@ -70,6 +72,38 @@ void TestResultsLayout::layout()
     hsize_t most = 0;
     H5Sget_simple_extent_dims(space, nullptr, &most);
     QCOMPARE(most, H5S_UNLIMITED);
+}
+
+// Of contact cases: what one reads off a run, the fitted parameters, and the seed of the disk.
+void TestResultsLayout::figuresAndFit()
+{
+    Case c = defaultsOf(ModelKind::Contact);
+    c.diskSurface.kind = DiskSurfaceKind::Rough;
+    c.diskSurface.seed = 42;
+    Summary summary = sampleSummary();
+    summary.figures = {{{"pull_off_force", "N", "mN", "Pull-off force"}, 5e-6}};
+    summary.fit.emplace().parameters.takeOff = 5e-9;
+    summary.fit->describes = true;
+    ResultsWriter writer;
+    QCOMPARE(writer.open(path(), c, "", sampleQuantities), std::string());
+    QCOMPARE(writer.finish(summary), std::string());
+    const Hdf5Access access;
+    const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    const auto number = [&](const char* name) {
+        double value = NAN;
+        checkHdf5(H5Dread(openHdf5Dataset(file, name), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value));
+        return value;
+    };
+    QCOMPARE(number("summary/figures/pull_off_force"), 5e-6);
+    QCOMPARE(readHdf5Attribute(openHdf5Dataset(file, "summary/figures/pull_off_force"), "unit"), std::string("N"));
+    QCOMPARE(number("summary/fit/take_off"), 5e-9);
+    QCOMPARE(number("summary/fit/describes"), 1.0);
+    QCOMPARE(readHdf5Text(file, "summary/fit/take_off_shape"), std::string("constant"));
+    QCOMPARE(number("case/parameters/disk.surface.seed"), 42.0);
+    std::int64_t seed = 0;
+    const Hdf5Handle attribute(H5Aopen(file, "seed", H5P_DEFAULT), H5Aclose);
+    checkHdf5(H5Aread(attribute, H5T_NATIVE_INT64, &seed));
+    QCOMPARE(seed, std::int64_t{42});
 }
 
 void TestResultsLayout::spectra_data()
