@@ -150,6 +150,7 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
 {
     iterations_ = 0;
     rises_ = 0;
+    stopped_ = false;
     ElasticContactSummary summary;
     start(separation, total);
     measure(separation, total.has_value(), summary);
@@ -159,7 +160,8 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
         measure(separation, total.has_value(), summary);
         summary.iterations = iterations_;
         summary.converged = summary.error <= options_.tolerance;
-        if (summary.converged || (bounded_ && iterations_ >= options_.maximumIterations) || !std::isfinite(summary.error)) break;
+        const bool ends = stopped_ || iterations_ >= options_.maximumIterations;
+        if (summary.converged || (bounded_ && ends) || !std::isfinite(summary.error)) break;
         pressureBefore_ = pressure_;
         displacementBefore_ = displacement_;
         if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = infinity;
@@ -171,7 +173,8 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
     }
     if (!std::isfinite(summary.error)) return refuse("The numbers of the contact are too large or too small to compute with.");
     summary.load = sum(pressure_) * space_.grid().cellArea();
-    if (!summary.converged)
+    if (stopped_ && !summary.converged) summary.message = "The contact was stopped before it converged.";
+    else if (!summary.converged)
         summary.message = sentence("The contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_, summary.error,
                                    options_.tolerance);
     return summary;

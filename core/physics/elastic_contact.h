@@ -13,14 +13,15 @@
 // the gradient where there is none.
 //
 // It starts from the last solution, at a given separation from the point of least energy on the line through the last two.
-// Without a last solution it starts from the one on a grid of cells twice as large, and so on.
+// Without a last solution it starts from the one on a grid of cells twice as large, and so on, where their numbers are even and not
+// below sixteen.
 //
 // A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear less
 // than H, as Polonsky & Keer's.
 #pragma once
 
-#include <memory>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,7 +38,7 @@ struct ElasticContactOptions {
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
-    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, which has not converged then
+    std::function<bool()> goOn{}; // asked at each step; false ends the solution where it is
 };
 
 struct ElasticContactSummary {
@@ -96,6 +97,7 @@ private:
     std::vector<double> coarseSeparation_;
     double wrongGap_ = 0.0;         // that the tolerance allows [m]
     int iterations_ = 0, rises_ = 0;
+    bool stopped_ = false;
 };
 
 } // namespace touchdown

@@ -82,10 +82,8 @@ bool ElasticContact::step(bool load, int mostIterations)
     const double enough = 0.8 * wrongGap_;
     double goal = 0.0, before = 0.0;
     for (int k = 0; k < mostIterations; ++k) {
-        if (options_.goOn && !options_.goOn()) {
-            iterations_ = options_.maximumIterations;
-            break;
-        }
+        stopped_ = options_.goOn && !options_.goOn();
+        if (stopped_) break;
         const double zSum = cells_.precondition(r, z);
         if (load) {
             const double shift = zSum / constantSum;

@@ -34,6 +34,7 @@ private slots:
     void solvesSmallestGrids();
     void refusesWhatCannotBeSolved();
     void tellsThatItDidNotConverge();
+    void stopsWhenAsked();
 };
 
 namespace {
@@ -383,6 +384,23 @@ void TestElasticContact::tellsThatItDidNotConverge()
     QVERIFY(summary.error > 1e-8);
     QVERIFY(QString::fromStdString(summary.message).contains("did not converge"));
     for (const double p : contact.pressure()) QVERIFY(std::isfinite(p) && p >= 0.0);
+}
+
+void TestElasticContact::stopsWhenAsked()
+{
+    const Rough rough{.load = 1e-3 * modulus * side * side, .height = 2e-9};
+    int left = 3;
+    ElasticContact contact(HalfSpace(rough.grid(), modulus), {.goOn = [&left] { return left-- > 0; }});
+    for (const bool load : {true, false}) {
+        left = 3;
+        const ElasticContactSummary summary = load ? contact.solveLoad(rough.separation(), rough.load) : contact.solve(rough.separation());
+        QVERIFY(!summary.converged);
+        QVERIFY(summary.iterations >= 3 && summary.iterations < 10);
+        QVERIFY(QString::fromStdString(summary.message).contains("stopped"));
+        for (const double p : contact.pressure()) QVERIFY(std::isfinite(p) && p >= 0.0);
+    }
+    left = 2000;
+    QVERIFY(rough.solve(contact).converged); // and goes on from there
 }
 
 QTEST_GUILESS_MAIN(TestElasticContact)
