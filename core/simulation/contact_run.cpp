@@ -93,6 +93,9 @@ public:
         summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics());
         summary.fit = model_->fit();
         summary.warnings = model_->remarks();
+        if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
+        if (status_ == RunStatus::Completed && isTouching() && !startsInContact_)
+            summary.warnings.push_back("the surfaces still touch back at approach.start: a greater one shows where they part");
         if (widestBracket_ > jumpResolution)
             summary.warnings.push_back("not every jump could be located: the separation of one is known to " +
                                        formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
@@ -112,6 +115,7 @@ private:
             addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation), known.name);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
+        if (station.time == 0.0) startsInContact_ = isTouching();
         figures_.add(forces_, away);
         if (station.sample) record(station.time);
         if (station.snapshot && recordsFields_) {
@@ -201,6 +205,9 @@ private:
         return forces_.problem.empty();
     }
 
+    /// Of surfaces; the summits of a statistical one reach as far as one likes.
+    bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
+
     void record(double time)
     {
         contactValues(case_, forces_, values_.data());
@@ -256,7 +263,7 @@ private:
     std::unique_ptr<ContactModel> model_;
     bool recordsFields_;
     std::vector<double> values_; // of the newest sample
-    bool haveSample_ = false, started_ = false;
+    bool haveSample_ = false, started_ = false, startsInContact_ = false;
     ContactForces forces_;
     double time_ = 0.0;          // of the last good state [s]
     double largestForce_ = 0.0;  // so far [N]

@@ -174,6 +174,9 @@ std::vector<std::string> ElasticPad::remarks() const
                            formatQuantity(std::round(zone * 1e10) / 1e10, "um") + " at the edges of a contact: where they are smooth, these hang on the cells and "
                            "jump from one to the next; cells of half that length follow them smoothly");
     }
+    if (case_.adhesion.kind == AdhesionKind::VanDerWaals && case_.adhesion.hamakerB > 0.0)
+        list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the adhesion force, and bears no "
+                       "friction");
     if (parts_.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < parts_.size(); ++i)

@@ -146,6 +146,19 @@ private slots:
         QVERIFY(recordedFields(c).empty());
     }
 
+    void saysWhereTheWayIsTooShort()
+    {
+        Case c = smallSphere();
+        c.approach = {-1e-9, -2e-9};
+        QCOMPARE(run(c).warnings, std::vector<std::string>{"the surfaces touch at approach.start already"});
+        c = sample("contact_adhesion");
+        c.approach.start = 2e-9; // it snaps in at 1.5 nm and holds to 2.6 nm
+        c.run.sampleInterval = c.run.duration / 40.0;
+        const Summary held = run(c);
+        QCOMPARE(held.status, RunStatus::Completed);
+        QCOMPARE(held.warnings.size(), std::size_t{1});
+        QVERIFY2(held.warnings[0].starts_with("the surfaces still touch back at approach.start"), held.warnings[0].c_str());
+    }
     void nothingTouches()
     {
         Case c = smallSphere();

@@ -77,6 +77,15 @@ private slots:
         QVERIFY(ElasticPad(c).remarks().empty());
     }
 
+    void tellsWhatCountsAsAdhesion()
+    {
+        Case c = flatPad();
+        c.adhesion.kind = AdhesionKind::VanDerWaals;
+        c.elastic.cell = 0.03125e-6;
+        const std::vector<std::string> remarks = ElasticPad(c).remarks();
+        QVERIFY(std::ranges::any_of(remarks, [](const std::string& r) { return r.starts_with("van-der-waals repels by itself"); }));
+    }
+
     void nothingTouches()
     {
         ElasticPad pad(flatPad());
