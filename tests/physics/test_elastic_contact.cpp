@@ -21,17 +21,12 @@ private slots:
     void doesNotDependOnTheStart_data() { fulfilsItsConditions_data(); }
     void doesNotDependOnTheStart();
     void loadAndApproachAgree();
-    void flatPadFromAfar();
     void hardnessOutOfReachChangesNothing();
     void hardnessEverywhere();
     void costsNothingWithoutContact();
     void followsTheLastSolution();
-    void startsFromNothing_data();
-    void startsFromNothing();
-    void roundingDoesNotGrow();
     void allocatesNothing();
     void threadsGiveTheSameBits();
-    void solvesSmallestGrids();
     void refusesWhatCannotBeSolved();
     void tellsThatItDidNotConverge();
     void stopsWhenAsked();
@@ -72,8 +67,6 @@ double range(std::span<const double> values)
 } // namespace
 
 Q_DECLARE_METATYPE(Rough)
-Q_DECLARE_METATYPE(touchdown::UniformGrid)
-Q_DECLARE_METATYPE(touchdown::HalfSpaceEdges)
 
 void TestElasticContact::fulfilsItsConditions_data()
 {
@@ -159,20 +152,6 @@ void TestElasticContact::loadAndApproachAgree()
     QVERIFY(std::abs(again.contactArea() / contact.contactArea() - 1.0) < 1e-3);
 }
 
-void TestElasticContact::flatPadFromAfar()
-{
-    // All cells touch at once, under a load that displaces them by 1e-4 of the way there: the rounding of the mean of four thousand
-    // equal numbers would be more than the tolerance allows.
-    const UniformGrid grid{64, 64, 1e-7, 0.8e-7};
-    ElasticContact contact(HalfSpace(grid, modulus));
-    const double load = 1e-7, height = 3e-9;
-    const ElasticContactSummary summary = contact.solveLoad(std::vector(grid.cells(), height), load);
-    QVERIFY2(summary.converged, summary.message.c_str());
-    // A circle gives way by F/(2 E* a): the oblong by more than the one around it and less than the one within.
-    const double displaced = -summary.approach - height;
-    QVERIFY(displaced > load / (2.0 * modulus * std::hypot(3.2e-6, 2.56e-6)) && displaced < load / (2.0 * modulus * 2.56e-6));
-}
-
 void TestElasticContact::hardnessOutOfReachChangesNothing()
 {
     Rough rough{.load = 1e-3 * modulus * side * side};
@@ -241,49 +220,6 @@ void TestElasticContact::followsTheLastSolution()
     for (std::size_t i = 0; i < afresh.pressure().size(); ++i) QCOMPARE(contact.pressure()[i], afresh.pressure()[i]);
 }
 
-void TestElasticContact::startsFromNothing_data()
-{
-    QTest::addColumn<UniformGrid>("grid");
-    QTest::addColumn<HalfSpaceEdges>("edges");
-    QTest::newRow("odd grid") << UniformGrid{21, 17, 1e-7, 1e-7} << HalfSpaceEdges::Free;
-    QTest::newRow("row") << UniformGrid{19, 1, 1e-7, 1e-7} << HalfSpaceEdges::Free;
-    QTest::newRow("periodic") << UniformGrid{11, 23, 1e-7, 1e-7} << HalfSpaceEdges::Periodic;
-    QTest::newRow("periodic row") << UniformGrid{1, 19, 1e-7, 1e-7} << HalfSpaceEdges::Periodic;
-}
-
-void TestElasticContact::startsFromNothing()
-{
-    // No coarser grid, no pressure and so no displacement that would say how small a gap is: separated humps that stay pressed,
-    // whose few equations need no more steps than any others.
-    QFETCH(UniformGrid, grid);
-    QFETCH(HalfSpaceEdges, edges);
-    std::vector<double> separation(grid.cells(), 20e-9);
-    for (std::size_t i = 3; i < separation.size(); i += 7) separation[i] = i % 2 == 0 ? -1e-9 : -2e-9;
-    ElasticContact contact(HalfSpace(grid, modulus, edges));
-    const ElasticContactSummary summary = contact.solve(separation);
-    QVERIFY2(summary.converged, summary.message.c_str());
-    QVERIFY2(summary.iterations <= 24, qPrintable(QString::number(summary.iterations)));
-    QVERIFY(summary.load > 0.0);
-}
-
-void TestElasticContact::roundingDoesNotGrow()
-{
-    // A flat pad that goes down and up steadily: its cells stay the same, and each displacement is made from the last two.
-    const UniformGrid grid{8, 8, 1e-7, 1e-7};
-    ElasticContact contact(HalfSpace(grid, modulus));
-    HalfSpace afresh(grid, modulus);
-    std::vector<double> separation(grid.cells()), displacement(grid.cells());
-    for (int step = 0; step < 20000; ++step) {
-        std::fill(separation.begin(), separation.end(), -10e-9 - 5e-9 * std::sin(1e-3 * step));
-        QVERIFY(contact.solve(separation).converged);
-        if (step % 997 != 0) continue;
-        afresh.displace(contact.pressure(), displacement);
-        const double peak = *std::max_element(contact.pressure().begin(), contact.pressure().end());
-        for (std::size_t i = 0; i < grid.cells(); ++i)
-            QVERIFY(std::abs(separation[i] + displacement[i]) < 1.01e-8 * 0.1 * peak * afresh.ownCompliance());
-    }
-}
-
 void TestElasticContact::allocatesNothing()
 {
     Rough rough{.n = 32};
@@ -319,31 +255,6 @@ void TestElasticContact::threadsGiveTheSameBits()
     }
     QVERIFY(results[0] == results[1]);
     QVERIFY(results[0] == results[2]);
-}
-
-void TestElasticContact::solvesSmallestGrids()
-{
-    // One cell: p = -s/ownCompliance.
-    ElasticContact one(HalfSpace({1, 1, 1e-6, 1e-6}, modulus));
-    QVERIFY(one.solve(std::vector{-1e-9}).converged);
-    QVERIFY(std::abs(one.pressure()[0] * one.space().ownCompliance() / 1e-9 - 1.0) < 1e-8);
-    // A given load on it takes no solving; periodic, it displaces nothing.
-    for (const HalfSpaceEdges edges : {HalfSpaceEdges::Free, HalfSpaceEdges::Periodic}) {
-        ElasticContact loaded(HalfSpace({1, 1, 1e-6, 1e-6}, modulus, edges));
-        const ElasticContactSummary summary = loaded.solveLoad(std::vector{3e-9}, 1e-3);
-        QVERIFY(summary.converged);
-        QVERIFY(std::abs(summary.load - 1e-3) < 1e-15);
-        QVERIFY(std::abs(summary.approach + 3e-9 + loaded.pressure()[0] * loaded.space().ownCompliance()) < 1e-18);
-    }
-    // Given an overlap instead, it can but flow.
-    ElasticContact flows(HalfSpace({1, 1, 1e-6, 1e-6}, modulus, HalfSpaceEdges::Periodic), {.hardness = 1e9});
-    QVERIFY(flows.solve(std::vector{-1e-9}).converged);
-    QCOMPARE(flows.pressure()[0], 1e9);
-    // A row of three, the middle one highest and alone in contact.
-    ElasticContact row(HalfSpace({3, 1, 1e-6, 1e-6}, modulus));
-    QVERIFY(row.solve(std::vector{5e-9, -1e-9, 5e-9}).converged);
-    QCOMPARE(row.pressure()[0], 0.0);
-    QVERIFY(std::abs(row.pressure()[1] * row.space().ownCompliance() / 1e-9 - 1.0) < 1e-8);
 }
 
 void TestElasticContact::refusesWhatCannotBeSolved()
