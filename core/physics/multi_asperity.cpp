@@ -17,9 +17,6 @@ constexpr double farthest = 9.0;
 /// Pieces of the way in the folding zone, in deviations; shallower folds are none.
 constexpr double piece = 1.0 / 16.0;
 
-/// Share of Gaussian heights above x deviations.
-double shareAbove(double x) { return x < farthest ? 0.5 * std::erfc(x / std::numbers::sqrt2) : 0.0; }
-
 double normal(double x)
 {
     return std::abs(x) < farthest ? std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::numbers::pi) : 0.0;
@@ -193,7 +190,8 @@ MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& menis
 
 double MultiAsperity::wettedShare(double wettedAbove) const
 {
-    return shareAbove((wettedAbove - planeHeight_) / sigma_);
+    // As many lie above a height as touch a pad there.
+    return contact_.contactDensity(wettedAbove) / density_;
 }
 
 MultiAsperityForces MultiAsperity::forces(const MultiAsperityState& state) const
