@@ -132,8 +132,8 @@ private slots:
         }
     }
 
-    // Between a point before the seam and one behind it the surface goes on as anywhere: over steps h of a 25th of the cell, no
-    // step is larger than the slope's bound, the largest difference of coefficients, anywhere.
+    // The slopes over h, a 25th of a cell, before and behind the seam differ by h times the curvature, as anywhere; a kink or a
+    // step would stand out by 25 and more.
     void thereIsNoSeam()
     {
         for (int spectrum = 0; spectrum < 3; ++spectrum) {
@@ -187,7 +187,7 @@ private slots:
 
     void wideCellsSeeAlmostNothing()
     {
-        // Cells of the whole period: the mean, 0 of the map; the bump's volume over the area.
+        // Cells of the whole period: the mean of the map, 0.
         DiskSurface s = rough();
         const DiskTopography disk(s);
         CellGrid grid{{0.0, 100e-6, 200e-6}, {0.0, 32e-6}};
