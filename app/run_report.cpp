@@ -113,7 +113,8 @@ std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& qua
 std::string fitText(const CharacteristicFit& fit)
 {
     const OnoYamane& p = fit.parameters;
-    std::string text = reportRow("fitted f_m, f_c0", displayed(p.meniscusForce, "mN", 4) + ", " + displayed(p.initialContactForce, "mN", 4));
+    std::string text = reportRow("fitted f_m, f_c0", displayed(p.meniscusForce, "mN", 4) + ", " +
+                                                         displayed(p.initialContactForce, "mN", 4));
     text += reportRow("fitted k_c", displayed(p.contactStiffness, "N/m", 4));
     text += reportRow("fitted d_s, d_e", displayed(p.touchDown, "nm", 4) + ", " + displayed(p.takeOff, "nm", 4));
     return text + reportRow("fit", fit.message);
@@ -136,8 +137,9 @@ std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
     constexpr std::size_t most = 8;
     std::string text;
     for (std::size_t i = 0; i < std::min(events.size(), most); ++i)
-        text += reportRow(events[i].name, "at " + displayed(padSeparation(c, events[i].time), "nm", 5) +
-                                              (events[i].time > 0.5 * c.run.duration ? ", on the way out" : ", on the way in"));
+        text += reportRow(events[i].name,
+                          "at " + displayed(padSeparation(c, events[i].time), "nm", 5) +
+                              (events[i].time > 0.5 * c.run.duration ? ", on the way out" : ", on the way in"));
     if (events.size() > most) text += reportRow("more events", std::to_string(events.size() - most));
     return text;
 }
@@ -154,7 +156,8 @@ std::string contactText(const Case& c, const Summary& summary)
     }
     text += eventRows(c, summary.events);
     if (summary.fit) text += fitText(*summary.fit);
-    text += reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
+    text +=
+        reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
     text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
     if (!c.about.assumed.empty()) text += reportRow("assumed", c.about.assumed);
     for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
@@ -204,15 +207,17 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
             text += reportRow(label, shown(quantities, key, found->second));
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
         text += reportRow("minimum spacing",
-                    shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
+                          shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
     if (!summary.bouncingRule.empty())
         text += reportRow("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
     for (std::size_t i = 0; i < summary.peaks.size(); ++i)
-        text += reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
-                                                        displayed(summary.peaks[i].amplitude, "nm"));
+        text +=
+            reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
+                                                          displayed(summary.peaks[i].amplitude, "nm"));
     text += reportRow("events", std::to_string(summary.events.size()));
-    text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) + " rejected), " +
-                             std::to_string(summary.evaluations) + " evaluations, " + summary.integrator);
+    text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) +
+                                   " rejected), " + std::to_string(summary.evaluations) + " evaluations, " +
+                                   summary.integrator);
     text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
     if (summary.stepCheck) text += reportRow("step check", summary.stepCheck->message);
     for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);

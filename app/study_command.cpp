@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_command.h"
 
-
 #include "app/case_commands.h"
 #include "app/output_target.h"
 #include "app/stop_signal.h"

@@ -31,7 +31,10 @@ std::string tableText(const std::vector<Row>& rows)
     return text;
 }
 
-std::string orderText(const ObservedOrder& observed) { return observed.order ? displayed(*observed.order, "", 3) : "none"; }
+std::string orderText(const ObservedOrder& observed)
+{
+    return observed.order ? displayed(*observed.order, "", 3) : "none";
+}
 
 } // namespace
 
@@ -40,7 +43,8 @@ std::string convergenceJson(const ConvergenceStudy& study)
     Json levels = Json::array();
     for (const ConvergenceLevel& level : study.levels) {
         Json values = Json::object();
-        for (std::size_t i = 0; i < level.values.size(); ++i) values[study.quantities[i].name] = jsonNumber(level.values[i]);
+        for (std::size_t i = 0; i < level.values.size(); ++i)
+            values[study.quantities[i].name] = jsonNumber(level.values[i]);
         levels.push_back({{"cell", jsonNumber(level.cell)},
                           {"cells", level.cells},
                           {"iterations", level.iterations},

@@ -19,13 +19,15 @@ bool withMenisci(const Case& c) { return withContactModel(c) && c.contact == Con
 std::vector<Field> asperityFields()
 {
     return {
-        choice({.key = "asperity.model",
-                .label = "model",
-                .choices = {"greenwood-williamson", "elastic-plastic"},
-                .help = "Law of one summit: greenwood-williamson = elastic, elastic-plastic = it yields where it is pressed "
-                        "far enough.",
-                .source = "Greenwood & Williamson 1966; Chang, Etsion & Bogy 1987"},
-               at(&Case::asperity, &Asperities::model), withAsperities),
+        choice(
+            {.key = "asperity.model",
+             .label = "model",
+             .choices = {"greenwood-williamson", "elastic-plastic"},
+             .help =
+                 "Law of one summit: greenwood-williamson = elastic, elastic-plastic = it yields where it is pressed "
+                 "far enough.",
+             .source = "Greenwood & Williamson 1966; Chang, Etsion & Bogy 1987"},
+            at(&Case::asperity, &Asperities::model), withAsperities),
         number({.key = "asperity.radius",
                 .label = "summit radius",
                 .symbol = "R",
@@ -66,8 +68,9 @@ std::vector<Field> asperityFields()
                 .displayUnit = "nm",
                 .minimum = -1e-3,
                 .maximum = 1e-3,
-                .help = "Height of the summits' mean plane above the mean plane of the disk, from which the separation is "
-                        "measured.",
+                .help =
+                    "Height of the summits' mean plane above the mean plane of the disk, from which the separation is "
+                    "measured.",
                 .source = assumed},
                at(&Case::asperity, &Asperities::planeHeight), withAsperities),
         number({.key = "asperity.yield_strength",

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/physics/disk_surface_check.h"
-#include "core/physics/disk_surface_check.h"
 #include "core/simulation/decimal.h"
 #include "core/simulation/elastic_pad.h"
 #include "core/simulation/units.h"
@@ -32,8 +31,8 @@ void checkSide(const char* key, double side, double cell, Problems& problems)
                                      std::to_string(fewestPatchCells) + " to " + std::to_string(mostPatchCells) +
                                      " are possible"});
     else if (std::abs(side - cells * cell) > 1e-6 * cell)
-        problems.push_back({key, ofCells + " is no whole number of cells; the nearest length is " +
-                                     inMicrometres(cells * cell)});
+        problems.push_back(
+            {key, ofCells + " is no whole number of cells; the nearest length is " + inMicrometres(cells * cell)});
 }
 
 void checkPad(const Case& c, Problems& problems)
@@ -68,7 +67,8 @@ void checkPeriodic(const Case& c, Problems& problems)
                             : 0.0;
     if (c.approach.closest + mean <= 0.0)
         problems.push_back({"approach.closest", inNanometres(c.approach.closest) + " must be greater than " +
-                                                    inNanometres(0.0 - mean) + " with elastic.periodic: a patch that repeats can be "
+                                                    inNanometres(0.0 - mean) +
+                                                    " with elastic.periodic: a patch that repeats can be "
                                                     "pressed flat, but no further"});
 }
 
@@ -76,12 +76,14 @@ void checkPeriodic(const Case& c, Problems& problems)
 void checkMemory(const Case& c, Problems& problems)
 {
     const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
-    const double fields = 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
+    const double fields =
+        2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
     const double bytes = cells * fields * (c.run.fieldSnapshots + 1.0) * sizeof(double);
     if (c.pad.shape != PadShape::Slider && c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
-        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " + decimalText(cells, -6, 3) +
-                                                       " million cells take " + decimalText(bytes, -9, 3) +
-                                                       " GB; at most " + decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
+        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " +
+                                                       decimalText(cells, -6, 3) + " million cells take " +
+                                                       decimalText(bytes, -9, 3) + " GB; at most " +
+                                                       decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
 }
 
 void checkElastic(const Case& c, Problems& problems)
@@ -92,7 +94,8 @@ void checkElastic(const Case& c, Problems& problems)
         problems.push_back({"disk.surface." + problem.key, problem.sentence});
     if (c.diskSurface.kind == DiskSurfaceKind::Combined && !hasWaves(c.diskSurface) && !hasRoughness(c.diskSurface) &&
         !hasFile(c.diskSurface) && !hasBumps(c.diskSurface))
-        problems.push_back({"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+        problems.push_back(
+            {"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
     if (problems.size() == before) checkSampling(c, problems);
     // Without the surface's own heights, which take time to make: the run looks again with them.
     if (c.pad.shape == PadShape::Slider && problems.empty())
@@ -127,8 +130,9 @@ void checkContact(const Case& c, Problems& problems)
                                                     inNanometres(c.approach.start) + ")"});
     switch (c.contact) {
     case ContactKind::None:
-        problems.push_back({"contact", "must not be \"none\" with model \"contact\", which is nothing else; allowed is one of "
-                                       "ono-yamane, elastic, asperity, multi-asperity"});
+        problems.push_back({"contact",
+                            "must not be \"none\" with model \"contact\", which is nothing else; allowed is one of "
+                            "ono-yamane, elastic, asperity, multi-asperity"});
         break;
     case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
     case ContactKind::Elastic: checkElastic(c, problems); break;

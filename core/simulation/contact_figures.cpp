@@ -29,7 +29,8 @@ void ContactFigures::addJump(const ContactJump& jump)
 std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatistics>& surface) const
 {
     std::vector<RunFigure> list;
-    const auto add = [&](const char* name, const char* unit, const char* displayUnit, const char* longName, double value) {
+    const auto add = [&](const char* name, const char* unit, const char* displayUnit, const char* longName,
+                         double value) {
         if (std::isfinite(value)) list.push_back({{name, unit, displayUnit, longName}, value});
     };
     add("largest_contact_force", "N", "mN", "Largest contact force", largestContact_);

@@ -23,7 +23,7 @@ public:
 private:
     const Case& case_;
     std::optional<ContactForces> closest_;
-    double largestContact_ = 0.0;                          // [N]
+    double largestContact_ = 0.0;                           // [N]
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
 };

@@ -16,8 +16,12 @@ namespace {
 class CharacteristicPad final : public ContactModel {
 public:
     explicit CharacteristicPad(const Case& c)
-        : law_(c.onoYamane), touchDown_(c.onoYamane.touchDown), takeOff_(c.onoYamane.takeOff), friction_(c.onoYamane.friction),
-          separation_(c.approach.start), branch_(law_.nextBranch(c.initial.branch, c.approach.start))
+        : law_(c.onoYamane),
+          touchDown_(c.onoYamane.touchDown),
+          takeOff_(c.onoYamane.takeOff),
+          friction_(c.onoYamane.friction),
+          separation_(c.approach.start),
+          branch_(law_.nextBranch(c.initial.branch, c.approach.start))
     {}
 
     const ContactForces& move(double separation, double) override
@@ -35,7 +39,8 @@ public:
     {
         if (branch_ == ContactBranch::TouchDown && separation_ > touchDown_ && separation <= touchDown_)
             return {{touchDown_, "touch-down"}};
-        if (branch_ == ContactBranch::TakeOff && separation_ < takeOff_ && separation >= takeOff_) return {{takeOff_, "take-off"}};
+        if (branch_ == ContactBranch::TakeOff && separation_ < takeOff_ && separation >= takeOff_)
+            return {{takeOff_, "take-off"}};
         return {};
     }
 
@@ -72,10 +77,13 @@ private:
 class MultiAsperityPad final : public ContactModel {
 public:
     explicit MultiAsperityPad(const Case& c)
-        : model_(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width), friction_(c.asperity.friction),
-          separation_(c.approach.start), state_(model_.start(c.approach.start)),
+        : model_(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width),
+          friction_(c.asperity.friction),
+          separation_(c.approach.start),
+          state_(model_.start(c.approach.start)),
           fit_(fitCharacteristic(model_, c.approach.start, c.approach.closest, {.friction = c.asperity.friction})),
-          fitted_(fit_.parameters), fittedBranch_(fitted_.nextBranch(ContactBranch::TouchDown, c.approach.start))
+          fitted_(fit_.parameters),
+          fittedBranch_(fitted_.nextBranch(ContactBranch::TouchDown, c.approach.start))
     {}
 
     const ContactForces& move(double separation, double) override
@@ -100,7 +108,8 @@ public:
         const auto passed = [&](double d) { return motion == PadMotion::Towards ? d >= separation : d <= separation; };
         std::vector<ContactSwitch> list;
         MultiAsperityState state = state_;
-        for (auto jump = model_.nextJump(state, motion); jump && passed(jump->padSeparation); jump = model_.nextJump(state, motion)) {
+        for (auto jump = model_.nextJump(state, motion); jump && passed(jump->padSeparation);
+             jump = model_.nextJump(state, motion)) {
             list.push_back({jump->padSeparation, motion == PadMotion::Towards ? "touch-down" : "take-off"});
             state = jump->to;
         }
@@ -173,7 +182,8 @@ void contactValues(const Case& c, const ContactForces& forces, double* values)
     if (adheres(c)) *values++ = forces.adhesion;
     *values++ = forces.net();
     *values++ = forces.friction;
-    if (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity)
+    if (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity ||
+        c.contact == ContactKind::MultiAsperity)
         *values++ = forces.area;
     if (c.contact == ContactKind::Elastic) {
         *values++ = forces.peakPressure;

@@ -21,16 +21,16 @@ namespace touchdown {
 
 /// What acts on the pad at one separation. What a law does not know is zero.
 struct ContactForces {
-    double separation = 0.0;   // d [m]
-    double contact = 0.0;      // >= 0, away from the disk [N]
-    double adhesion = 0.0;     // <= 0 [N]
-    double friction = 0.0;     // mu times contact [N]
-    double area = 0.0;         // real area of contact [m^2]
-    double peakPressure = 0.0; // of contact [Pa]
-    double minimumGap = 0.0;   // of the deformed surfaces [m]
+    double separation = 0.0;                          // d [m]
+    double contact = 0.0;                             // >= 0, away from the disk [N]
+    double adhesion = 0.0;                            // <= 0 [N]
+    double friction = 0.0;                            // mu times contact [N]
+    double area = 0.0;                                // real area of contact [m^2]
+    double peakPressure = 0.0;                        // of contact [Pa]
+    double minimumGap = 0.0;                          // of the deformed surfaces [m]
     double fittedContact = 0.0, fittedAdhesion = 0.0; // of the five parameters that were fitted [N]
-    int iterations = 0;        // of the solution
-    std::string problem;       // a sentence, when it did not converge; "" when it did
+    int iterations = 0;                               // of the solution
+    std::string problem;                              // a sentence, when it did not converge; "" when it did
     double net() const { return contact + adhesion; } // [N]
 };
 

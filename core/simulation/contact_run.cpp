@@ -15,12 +15,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double longestSilence = 0.015;      // between updates [s]
+constexpr double longestSilence = 0.015; // between updates [s]
 constexpr std::size_t samplesInBatch = 1024;
 constexpr std::size_t mostEvents = 100'000;
-constexpr double jumpResolution = 1e-12;      // of the separation [m]
-constexpr double smallestJump = 1e-3;         // against the largest force of the run so far [-]
-constexpr double suddenChange = 4.0;          // of the force over a step, against the one before: worth a search [-]
+constexpr double jumpResolution = 1e-12; // of the separation [m]
+constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
+constexpr double suddenChange = 4.0;     // of the force over a step, against the one before: worth a search [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
@@ -43,7 +43,8 @@ std::vector<Station> stations(const Case& c)
     const double slack = 1e-9 * interval;
     const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1;
     std::vector<Station> list(count);
-    for (std::size_t i = 0; i < count; ++i) list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
+    for (std::size_t i = 0; i < count; ++i)
+        list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
     if (list.back().time > duration - slack) list.back().time = duration;
 
     const auto snapshots = static_cast<std::size_t>(c.run.fieldSnapshots);
@@ -65,8 +66,14 @@ std::vector<Station> stations(const Case& c)
 class ContactRun {
 public:
     ContactRun(const Case& c, const RunCallback& callback)
-        : case_(c), callback_(callback), quantities_(contactQuantities(c)), statistics_(c, quantities_), figures_(c),
-          model_(makeContactModel(c, [this] { return lookAtClock(); })), recordsFields_(!contactMaps(c).empty()), values_(quantities_.size())
+        : case_(c),
+          callback_(callback),
+          quantities_(contactQuantities(c)),
+          statistics_(c, quantities_),
+          figures_(c),
+          model_(makeContactModel(c, [this] { return lookAtClock(); })),
+          recordsFields_(!contactMaps(c).empty()),
+          values_(quantities_.size())
     {
         batch_.columns.resize(quantities_.size());
     }
@@ -85,8 +92,9 @@ public:
         summary.steps = steps_;
         summary.evaluations = iterations_;
         summary.events = std::move(events_);
-        if (status_ != RunStatus::Failed || haveSample_)
-            for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
+        if (haveSample_)
+            for (std::size_t i = 0; i < quantities_.size(); ++i)
+                summary.final.emplace_back(quantities_[i].name, values_[i]);
         statistics_.finish(summary);
         // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
         const bool stopped = status_ == RunStatus::Cancelled;
@@ -95,7 +103,8 @@ public:
         summary.warnings = model_->remarks();
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
         if (status_ == RunStatus::Completed && isTouching() && !startsInContact_)
-            summary.warnings.push_back("the surfaces still touch back at approach.start: a greater one shows where they part");
+            summary.warnings.push_back(
+                "the surfaces still touch back at approach.start: a greater one shows where they part");
         if (widestBracket_ > jumpResolution)
             summary.warnings.push_back("not every jump could be located: the separation of one is known to " +
                                        formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
@@ -112,7 +121,8 @@ private:
         const double d = padSeparation(case_, station.time);
         const bool away = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation), known.name);
+            addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
+                     known.name);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
@@ -160,8 +170,10 @@ private:
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
             ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
             if (!good) return false;
-            if (jump.found) takeJump(jump, timeAt);
-            else if (++misses > mostMisses) break;
+            if (jump.found)
+                takeJump(jump, timeAt);
+            else if (++misses > mostMisses)
+                break;
             // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on this side
             // of it, and goes on from there.
             at = jump.after;
@@ -228,8 +240,9 @@ private:
         if (status_ != RunStatus::Completed) return false; // stopped within the solution
         status_ = RunStatus::Failed;
         message_ = "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
-                   ", where the separation is " + formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " +
-                   forces_.problem + "; the samples end with the last good state";
+                   ", where the separation is " +
+                   formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " + forces_.problem +
+                   "; the samples end with the last good state";
         return false;
     }
 
@@ -242,7 +255,8 @@ private:
     {
         const double begin = wallClock();
         statistics_.add(batch_);
-        if (callback_ && !callback_({time_, case_.run.duration, batch_, newEvents_, fields_}) && status_ == RunStatus::Completed) {
+        if (callback_ && !callback_({time_, case_.run.duration, batch_, newEvents_, fields_}) &&
+            status_ == RunStatus::Completed) {
             status_ = RunStatus::Cancelled;
             message_ = "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us");
         }

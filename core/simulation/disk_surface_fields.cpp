@@ -74,13 +74,16 @@ Field length(const char* key, const char* label, const char* unit, const char* h
 std::vector<Field> kindFields()
 {
     return {
-        choice({.key = "disk.surface.kind",
-                .label = "surface",
-                .choices = {"flat", "waves", "rough", "file", "bumps", "combined"},
-                .help = "Surface of the disk: flat, waves = a sum of sines, rough = random heights of a given spectrum, file = "
-                        "a measured profile or map, bumps = single bumps and pits, combined = the sum of all that is given.",
-                .source = "paper, section 3: rough, and flat for comparison"},
-               at(&Case::diskSurface, &DiskSurface::kind), withSurfaces),
+        choice(
+            {.key = "disk.surface.kind",
+             .label = "surface",
+             .choices = {"flat", "waves", "rough", "file", "bumps", "combined"},
+             .help =
+                 "Surface of the disk: flat, waves = a sum of sines, rough = random heights of a given spectrum, file "
+                 "= "
+                 "a measured profile or map, bumps = single bumps and pits, combined = the sum of all that is given.",
+             .source = "paper, section 3: rough, and flat for comparison"},
+            at(&Case::diskSurface, &DiskSurface::kind), withSurfaces),
         choice({.key = "disk.surface.motion",
                 .label = "motion",
                 .choices = {"moving", "still"},
@@ -95,8 +98,8 @@ std::vector<Field> waveFields()
     return {
         lengths("disk.surface.wave_amplitudes", "wave amplitudes", "nm", mostWaves,
                 "Amplitude of each wave; empty = no waves.", &DiskSurface::waveAmplitudes, withWaves, false),
-        lengths("disk.surface.wave_lengths", "wavelengths", "um", mostWaves, "Wavelength of each wave, one to each amplitude.",
-                &DiskSurface::waveLengths, withWaves, true),
+        lengths("disk.surface.wave_lengths", "wavelengths", "um", mostWaves,
+                "Wavelength of each wave, one to each amplitude.", &DiskSurface::waveLengths, withWaves, true),
         angles("disk.surface.wave_angles", "wave angles",
                "Angle between the motion of the disk and the direction in which each wave runs; empty = 0 for all.",
                &DiskSurface::waveAngles),
@@ -137,7 +140,8 @@ std::vector<Field> roughFields()
                 .source = "the usual 0.8"},
                at(&Case::diskSurface, &DiskSurface::hurst), selfAffine),
         length("disk.surface.roll_off", "roll-off wavelength", "um",
-               "Longest wavelength of the power law; the spectrum is flat beyond.", ours, &DiskSurface::rollOff, selfAffine),
+               "Longest wavelength of the power law; the spectrum is flat beyond.", ours, &DiskSurface::rollOff,
+               selfAffine),
         length("disk.surface.cut_off", "cut-off wavelength", "um", "Shortest wavelength of the surface.", ours,
                &DiskSurface::cutOff, selfAffine),
         plain(FieldKind::Integer,
@@ -153,21 +157,23 @@ std::vector<Field> roughFields()
                &DiskSurface::cell, withTrack),
         length("disk.surface.track", "track", "um", "Length along the motion after which the surface repeats.", ours,
                &DiskSurface::track, withTrack),
-        length("disk.surface.track_width", "track width", "um", "Width across the motion after which the surface repeats.",
-               ours, &DiskSurface::trackWidth, withTrack),
+        length("disk.surface.track_width", "track width", "um",
+               "Width across the motion after which the surface repeats.", ours, &DiskSurface::trackWidth, withTrack),
     };
 }
 
 std::vector<Field> fileFields()
 {
     return {
-        plain(FieldKind::Text,
-              {.key = "disk.surface.file",
-               .label = "file",
-               .help = "File of a measured surface, from the folder of the case: columns of text with a profile or a map, a "
-                       "wave.def, or HDF5; empty = none.",
-               .source = none},
-              at(&Case::diskSurface, &DiskSurface::file), withFile),
+        plain(
+            FieldKind::Text,
+            {.key = "disk.surface.file",
+             .label = "file",
+             .help =
+                 "File of a measured surface, from the folder of the case: columns of text with a profile or a map, a "
+                 "wave.def, or HDF5; empty = none.",
+             .source = none},
+            at(&Case::diskSurface, &DiskSurface::file), withFile),
     };
 }
 
@@ -186,7 +192,8 @@ std::vector<Field> bumpFields()
                 "Full extent of each bump at its base along the motion, one to each height.", &DiskSurface::bumpLengths,
                 withBumps, true),
         lengths("disk.surface.bump_widths", "bump widths", "um", mostBumps,
-                "Full extent of each bump across; empty = as long as they are.", &DiskSurface::bumpWidths, withBumps, true),
+                "Full extent of each bump across; empty = as long as they are.", &DiskSurface::bumpWidths, withBumps,
+                true),
         lengths("disk.surface.bump_x", "bump x", "um", mostBumps, "Centre of each bump along the motion.",
                 &DiskSurface::bumpX, withBumps, false),
         lengths("disk.surface.bump_y", "bump y", "um", mostBumps, "Centre of each bump across the motion.",

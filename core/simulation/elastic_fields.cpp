@@ -47,8 +47,9 @@ std::vector<Field> bodyFields()
                 .minimum = 0,
                 .maximum = stiffest,
                 .minimumAllowed = false,
-                .help = "Young's modulus of the slider; the pair deforms as one half-space of 1/E* = (1 - nu_1^2)/E_1 + "
-                        "(1 - nu_2^2)/E_2.",
+                .help =
+                    "Young's modulus of the slider; the pair deforms as one half-space of 1/E* = (1 - nu_1^2)/E_1 + "
+                    "(1 - nu_2^2)/E_2.",
                 .source = overcoats},
                at(&Case::elastic, &ElasticCase::pair, &ElasticPair::sliderModulus), withBodies),
         number({.key = "elastic.slider_poisson_ratio",
@@ -59,17 +60,19 @@ std::vector<Field> bodyFields()
                 .help = "Poisson's ratio of the slider.",
                 .source = overcoats},
                at(&Case::elastic, &ElasticCase::pair, &ElasticPair::sliderPoissonRatio), withBodies),
-        number({.key = "elastic.hardness",
-                .label = "hardness",
-                .symbol = "H",
-                .unit = "Pa",
-                .displayUnit = "GPa",
-                .minimum = 0,
-                .maximum = stiffest,
-                .help = "Largest contact pressure, above which the softer body flows (elastic - perfectly plastic); 0 = the "
-                        "contact stays elastic.",
-                .source = "ours: elastic; Almqvist et al. 2007"},
-               at(&Case::elastic, &ElasticCase::hardness), withSurfaces),
+        number(
+            {.key = "elastic.hardness",
+             .label = "hardness",
+             .symbol = "H",
+             .unit = "Pa",
+             .displayUnit = "GPa",
+             .minimum = 0,
+             .maximum = stiffest,
+             .help =
+                 "Largest contact pressure, above which the softer body flows (elastic - perfectly plastic); 0 = the "
+                 "contact stays elastic.",
+             .source = "ours: elastic; Almqvist et al. 2007"},
+            at(&Case::elastic, &ElasticCase::hardness), withSurfaces),
         number({.key = "elastic.friction",
                 .label = "friction coefficient",
                 .symbol = "mu",
@@ -78,24 +81,27 @@ std::vector<Field> bodyFields()
                 .help = "Coulomb friction coefficient on the contact force.",
                 .source = "assumed: the paper's value is lost"},
                at(&Case::elastic, &ElasticCase::friction), withSurfaces),
-        number({.key = "elastic.cell",
-                .label = "cell",
-                .unit = "m",
-                .displayUnit = "um",
-                .minimum = 0,
-                .maximum = 1e-3,
-                .minimumAllowed = false,
-                .help = "Side of a cell of the contact patch, the same along and across; pad.length and pad.width are whole "
-                        "numbers of cells.",
-                .source = "ours"},
-               at(&Case::elastic, &ElasticCase::cell), withSurfaces),
-        number({.key = "elastic.tolerance",
-                .label = "tolerance",
-                .minimum = 1e-14,
-                .maximum = 1e-2,
-                .help = "Error allowed in the balance of forces and in the complementarity of pressure and gap, relative.",
-                .source = "ours"},
-               at(&Case::elastic, &ElasticCase::tolerance), withSurfaces),
+        number(
+            {.key = "elastic.cell",
+             .label = "cell",
+             .unit = "m",
+             .displayUnit = "um",
+             .minimum = 0,
+             .maximum = 1e-3,
+             .minimumAllowed = false,
+             .help =
+                 "Side of a cell of the contact patch, the same along and across; pad.length and pad.width are whole "
+                 "numbers of cells.",
+             .source = "ours"},
+            at(&Case::elastic, &ElasticCase::cell), withSurfaces),
+        number(
+            {.key = "elastic.tolerance",
+             .label = "tolerance",
+             .minimum = 1e-14,
+             .maximum = 1e-2,
+             .help = "Error allowed in the balance of forces and in the complementarity of pressure and gap, relative.",
+             .source = "ours"},
+            at(&Case::elastic, &ElasticCase::tolerance), withSurfaces),
         plain(FieldKind::Integer,
               {.key = "elastic.maximum_iterations",
                .label = "maximum iterations",
@@ -104,27 +110,32 @@ std::vector<Field> bodyFields()
                .help = "Iterations of one contact solution before it counts as failed.",
                .source = "ours"},
               at(&Case::elastic, &ElasticCase::maximumIterations), withSurfaces),
-        plain(FieldKind::Boolean,
-              {.key = "elastic.periodic",
-               .label = "periodic",
-               .help = "Whether the patch and its load repeat in both directions for ever, instead of standing alone on the "
-                       "half-space.",
-               .source = "Stanley & Kato 1997; ours: it stands alone"},
-              at(&Case::elastic, &ElasticCase::periodic), withSurfaces),
+        plain(
+            FieldKind::Boolean,
+            {.key = "elastic.periodic",
+             .label = "periodic",
+             .help =
+                 "Whether the patch and its load repeat in both directions for ever, instead of standing alone on the "
+                 "half-space.",
+             .source = "Stanley & Kato 1997; ours: it stands alone"},
+            at(&Case::elastic, &ElasticCase::periodic), withSurfaces),
     };
 }
 
 std::vector<Field> adhesionFields()
 {
     return {
-        choice({.key = "adhesion.kind",
-                .label = "adhesion",
-                .choices = {"none", "lennard-jones", "van-der-waals"},
-                .help = "Intermolecular forces between the surfaces: lennard-jones = shifted so that they vanish in contact, "
-                        "van-der-waals = the classical form with a repulsion of its own.",
-                .source = "paper, section 2: Lennard-Jones; the shifted form is a reading of the paper's reference [8], whose "
-                          "equations were not available"},
-               at(&Case::adhesion, &Adhesion::kind), withSurfaces),
+        choice(
+            {.key = "adhesion.kind",
+             .label = "adhesion",
+             .choices = {"none", "lennard-jones", "van-der-waals"},
+             .help =
+                 "Intermolecular forces between the surfaces: lennard-jones = shifted so that they vanish in contact, "
+                 "van-der-waals = the classical form with a repulsion of its own.",
+             .source =
+                 "paper, section 2: Lennard-Jones; the shifted form is a reading of the paper's reference [8], whose "
+                 "equations were not available"},
+            at(&Case::adhesion, &Adhesion::kind), withSurfaces),
         number({.key = "adhesion.surface_energy",
                 .label = "surface energy",
                 .symbol = "dgamma",
@@ -132,8 +143,9 @@ std::vector<Field> adhesionFields()
                 .displayUnit = "mN/m",
                 .minimum = 0,
                 .maximum = 100,
-                .help = "Work of adhesion: the energy for each area that parting the surfaces takes. The lubricant enters "
-                        "through it.",
+                .help =
+                    "Work of adhesion: the energy for each area that parting the surfaces takes. The lubricant enters "
+                    "through it.",
                 .source = "assumed: 50 mN/m; 50 to 106 mN/m are reported"},
                at(&Case::adhesion, &Adhesion::surfaceEnergy), withLennardJones),
         number({.key = "adhesion.equilibrium_distance",
@@ -175,8 +187,9 @@ std::vector<Field> adhesionFields()
                 .displayUnit = "V",
                 .minimum = -1000,
                 .maximum = 1000,
-                .help = "Voltage between slider and disk, whose attraction eps0 V^2/2 over the square of the distance is "
-                        "added.",
+                .help =
+                    "Voltage between slider and disk, whose attraction eps0 V^2/2 over the square of the distance is "
+                    "added.",
                 .source = "ours: none"},
                at(&Case::adhesion, &Adhesion::voltage), withSurfaces),
     };

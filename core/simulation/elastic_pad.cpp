@@ -50,8 +50,8 @@ SliderPatches patchesOf(const Case& c, const DiskTopography& surface)
         result.patches.push_back(spherePatch(c.pad.length, c.pad.width, c.elastic.cell, c.pad.radius));
         break;
     case PadShape::Slider:
-        result = sliderPatches(c.surface, c.slider.length, c.slider.width, c.initial.pitch, c.initial.roll, c.elastic.cell,
-                               reachOf(c, surface), mostPatchCells);
+        result = sliderPatches(c.surface, c.slider.length, c.slider.width, c.initial.pitch, c.initial.roll,
+                               c.elastic.cell, reachOf(c, surface), mostPatchCells);
         break;
     }
     return result;
@@ -170,12 +170,15 @@ std::vector<std::string> ElasticPad::remarks() const
         const AdhesionLaw law(case_.adhesion);
         const double zone = modulus_ * -law.energy(0.0) / (law.peakAttraction() * law.peakAttraction());
         if (zone < cellsOfZone * case_.elastic.cell)
-            list.push_back("elastic.cell is " + formatQuantity(case_.elastic.cell, "um") + ", but adhesion parts the surfaces over a zone of " +
-                           formatQuantity(std::round(zone * 1e10) / 1e10, "um") + " at the edges of a contact: where they are smooth, these hang on the cells and "
+            list.push_back("elastic.cell is " + formatQuantity(case_.elastic.cell, "um") +
+                           ", but adhesion parts the surfaces over a zone of " +
+                           formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
+                           " at the edges of a contact: where they are smooth, these hang on the cells and "
                            "jump from one to the next; cells of half that length follow them smoothly");
     }
     if (case_.adhesion.kind == AdhesionKind::VanDerWaals && case_.adhesion.hamakerB > 0.0)
-        list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the adhesion force, and bears no "
+        list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "
+                       "adhesion force, and bears no "
                        "friction");
     if (parts_.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
@@ -185,8 +188,9 @@ std::vector<std::string> ElasticPad::remarks() const
     // Boussinesq: F/(pi E* r).
     const double perNewton = 1.0 / (std::numbers::pi * modulus_ * nearest);
     list.push_back(std::to_string(parts_.size()) + " patches are solved as if each were alone; the nearest two are " +
-            formatQuantity(std::round(nearest * 1e7) / 1e7, "um") + " apart, so that a force of 1 mN on one would lower the disk under the other by " +
-            formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out");
+                   formatQuantity(std::round(nearest * 1e7) / 1e7, "um") +
+                   " apart, so that a force of 1 mN on one would lower the disk under the other by " +
+                   formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out");
     return list;
 }
 

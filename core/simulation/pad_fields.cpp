@@ -21,13 +21,15 @@ bool withSphere(const Case& c) { return withSurfaces(c) && c.pad.shape == PadSha
 std::vector<Field> padFields()
 {
     return {
-        choice({.key = "pad.shape",
-                .label = "shape",
-                .choices = {"flat", "sphere", "slider"},
-                .help = "Shape of the pad that meets the disk: flat = a flat rectangle, sphere = a paraboloid of pad.radius, "
-                        "slider = the pads of the slider's air bearing surface at initial.pitch and initial.roll.",
-                .source = "ours: flat"},
-               at(&Case::pad, &PadCase::shape), withSurfaces),
+        choice(
+            {.key = "pad.shape",
+             .label = "shape",
+             .choices = {"flat", "sphere", "slider"},
+             .help =
+                 "Shape of the pad that meets the disk: flat = a flat rectangle, sphere = a paraboloid of pad.radius, "
+                 "slider = the pads of the slider's air bearing surface at initial.pitch and initial.roll.",
+             .source = "ours: flat"},
+            at(&Case::pad, &PadCase::shape), withSurfaces),
         number({.key = "pad.length",
                 .label = "length",
                 .unit = "m",
@@ -59,24 +61,27 @@ std::vector<Field> padFields()
                 .help = "Radius of the sphere at its lowest point; the pad is the paraboloid r^2/(2 R).",
                 .source = "ours"},
                at(&Case::pad, &PadCase::radius), withSphere),
-        number({.key = "approach.start",
-                .label = "start",
-                .unit = "m",
-                .displayUnit = "nm",
-                .minimum = -1e-3,
-                .maximum = 1e-3,
-                .help = "Separation at which the pad starts and to which it returns, from the disk's mean plane to the pad's "
-                        "lowest point.",
-                .source = "ours"},
-               at(&Case::approach, &ApproachCase::start), withContactModel),
+        number(
+            {.key = "approach.start",
+             .label = "start",
+             .unit = "m",
+             .displayUnit = "nm",
+             .minimum = -1e-3,
+             .maximum = 1e-3,
+             .help =
+                 "Separation at which the pad starts and to which it returns, from the disk's mean plane to the pad's "
+                 "lowest point.",
+             .source = "ours"},
+            at(&Case::approach, &ApproachCase::start), withContactModel),
         number({.key = "approach.closest",
                 .label = "closest",
                 .unit = "m",
                 .displayUnit = "nm",
                 .minimum = -1e-3,
                 .maximum = 1e-3,
-                .help = "Separation at which the pad turns round, half way through run.duration; less than approach.start, "
-                        "negative where the undeformed pad would reach below the mean plane.",
+                .help =
+                    "Separation at which the pad turns round, half way through run.duration; less than approach.start, "
+                    "negative where the undeformed pad would reach below the mean plane.",
                 .source = "ours"},
                at(&Case::approach, &ApproachCase::closest), withContactModel),
     };

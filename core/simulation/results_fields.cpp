@@ -50,7 +50,8 @@ Hdf5Handle createScale(hid_t group, const std::string& name, const std::vector<d
     Hdf5Handle scale = writeHdf5Array(group, name, centres(lines));
     describeHdf5(scale, "m", longName);
     checkHdf5(H5DSset_scale(scale, name.c_str()));
-    describeHdf5(writeHdf5Array(group, name + "_lines", lines), "m", std::string(longName) + ", the lines between the cells");
+    describeHdf5(writeHdf5Array(group, name + "_lines", lines), "m",
+                 std::string(longName) + ", the lines between the cells");
     return scale;
 }
 
@@ -157,7 +158,8 @@ hsize_t storedFieldBytes(hid_t file, const RecordedFields& fields)
     if (fields.empty()) return 0;
     const Hdf5Handle group = openHdf5Group(file, groupName);
     hsize_t bytes = 0;
-    for (const Quantity& quantity : fields.quantities) bytes += H5Dget_storage_size(openHdf5Dataset(group, quantity.name));
+    for (const Quantity& quantity : fields.quantities)
+        bytes += H5Dget_storage_size(openHdf5Dataset(group, quantity.name));
     return bytes;
 }
 
@@ -168,7 +170,8 @@ StoredFields readFields(hid_t file)
     const Hdf5Handle group = openHdf5Group(file, groupName);
     const std::vector<double> times = readSeries(openHdf5Dataset(group, "time"));
     stored.fields.grid = {readSeries(openHdf5Dataset(group, "x_lines")), readSeries(openHdf5Dataset(group, "y_lines"))};
-    if (stored.fields.grid.x.size() < 2 || stored.fields.grid.y.size() < 2) throw Hdf5Error("the grid of the fields has no cells");
+    if (stored.fields.grid.x.size() < 2 || stored.fields.grid.y.size() < 2)
+        throw Hdf5Error("the grid of the fields has no cells");
     for (const double time : times) stored.snapshots.push_back({time, {}});
     for (const std::string& name : namesInHdf5Group(group)) {
         if (name == "time" || name == "x" || name == "y" || name.ends_with("_lines")) continue;

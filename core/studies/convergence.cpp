@@ -36,7 +36,8 @@ std::vector<Quantity> studied(const Case& c)
 {
     std::vector<Quantity> list = contactQuantities(c);
     std::erase_if(list, [](const Quantity& quantity) {
-        return quantity.name == "minimum_spacing" || quantity.name == "net_contact_force" || quantity.name == "friction_force";
+        return quantity.name == "minimum_spacing" || quantity.name == "net_contact_force" ||
+               quantity.name == "friction_force";
     });
     return list;
 }
@@ -61,7 +62,8 @@ ConvergenceLevel solveLevel(Case c, double cell, const std::function<bool()>& go
     const std::vector<Quantity> all = contactQuantities(c);
     std::vector<double> values(all.size());
     contactValues(c, forces, values.data());
-    for (const Quantity& quantity : studied(c)) level.values.push_back(values[static_cast<std::size_t>(findQuantity(all, quantity.name))]);
+    for (const Quantity& quantity : studied(c))
+        level.values.push_back(values[static_cast<std::size_t>(findQuantity(all, quantity.name))]);
     level.seconds = wallClock() - begin;
     return level;
 }
@@ -133,7 +135,8 @@ ObservedOrder observedOrder(double coarse, double middle, double fine)
     const double last = fine - middle;
     if (last == 0.0) return {{}, fine, 0.0};
     const double ratio = before / last;
-    if (!(ratio > 1.0) || ratio > std::exp2(highestOrder)) return {{}, fine, std::max(std::abs(before), std::abs(last))};
+    if (!(ratio > 1.0) || ratio > std::exp2(highestOrder))
+        return {{}, fine, std::max(std::abs(before), std::abs(last))};
     const double order = std::log2(ratio);
     const double correction = last / (ratio - 1.0);
     return {order, fine + correction, std::abs(correction)};
@@ -142,7 +145,8 @@ ObservedOrder observedOrder(double coarse, double middle, double fine)
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options)
 {
     if (c.model == ModelKind::Film)
-        return "model \"film\" is not studied so: `touchdown steady` tells the discretisation error of its own grid; a convergence "
+        return "model \"film\" is not studied so: `touchdown steady` tells the discretisation error of its own grid; a "
+               "convergence "
                "study takes a case of model \"contact\" with contact \"elastic\"";
     if (c.model == ModelKind::Springs)
         return "model \"springs\" has no grid; run.step_check compares a run with one of half its time step";
@@ -154,12 +158,15 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
         at.elastic.cell = cellOf(c, level, options.levels);
         std::vector<CaseProblem> problems;
         checkPatch(at, problems);
-        if (!problems.empty()) return problems.front().key + ": " + problems.front().message + "; take fewer levels or another elastic.cell";
+        if (!problems.empty())
+            return problems.front().key + ": " + problems.front().message +
+                   "; take fewer levels or another elastic.cell";
     }
     return {};
 }
 
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const std::function<bool(int)>& done)
+ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
+                                  const std::function<bool(int)>& done)
 {
     const double begin = wallClock();
     ConvergenceStudy study;
@@ -184,8 +191,8 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
     }
     const std::size_t last = study.levels.size() - 1;
     for (std::size_t i = 0; i < study.quantities.size(); ++i)
-        study.observed.push_back(
-            observedOrder(study.levels[last - 2].values[i], study.levels[last - 1].values[i], study.levels[last].values[i]));
+        study.observed.push_back(observedOrder(study.levels[last - 2].values[i], study.levels[last - 1].values[i],
+                                               study.levels[last].values[i]));
     return study;
 }
 

@@ -31,8 +31,8 @@ struct ConvergenceLevel {
     long long cells = 0;        // of all patches
     std::vector<double> values; // of ConvergenceStudy::quantities
     long long iterations = 0;
-    double seconds = 0.0;       // of wall time
-    std::string problem;        // a sentence, where it was not solved; "" where it was
+    double seconds = 0.0; // of wall time
+    std::string problem;  // a sentence, where it was not solved; "" where it was
 };
 
 struct ObservedOrder {
@@ -48,10 +48,10 @@ std::string_view name(StudyStatus status);
 struct ConvergenceStudy {
     StudyStatus status = StudyStatus::Completed;
     std::string message;
-    double separation = 0.0;               // of the state [m]
-    std::vector<Quantity> quantities;      // contact_force, contact_area, ...
-    std::vector<ConvergenceLevel> levels;  // from coarse to fine
-    std::vector<ObservedOrder> observed;   // one for each quantity, of the three finest levels
+    double separation = 0.0;              // of the state [m]
+    std::vector<Quantity> quantities;     // contact_force, contact_area, ...
+    std::vector<ConvergenceLevel> levels; // from coarse to fine
+    std::vector<ObservedOrder> observed;  // one for each quantity, of the three finest levels
     double wallSeconds = 0.0;
 };
 
@@ -59,6 +59,7 @@ struct ConvergenceStudy {
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
 
 /// `done` is told how many levels are solved, and stops the study by returning false. Called on the thread of the study.
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const std::function<bool(int)>& done = {});
+ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
+                                  const std::function<bool(int)>& done = {});
 
 } // namespace touchdown

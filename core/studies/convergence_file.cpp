@@ -27,7 +27,8 @@ void writeLevels(hid_t file, const ConvergenceStudy& study)
         describeHdf5(writeHdf5Array(group, name, values), unit.empty() ? "1" : unit, longName);
     };
     write("cell", column(study, [](const auto& level) { return level.cell; }), "m", "Side of a cell");
-    write("cells", column(study, [](const auto& level) { return static_cast<double>(level.cells); }), "", "Cells of all patches");
+    write("cells", column(study, [](const auto& level) { return static_cast<double>(level.cells); }), "",
+          "Cells of all patches");
     write("seconds", column(study, [](const auto& level) { return level.seconds; }), "s", "Wall time");
     for (std::size_t i = 0; i < study.quantities.size(); ++i)
         write(study.quantities[i].name, column(study, [i](const auto& level) { return level.values[i]; }),
@@ -47,8 +48,10 @@ void writeObserved(hid_t file, const ConvergenceStudy& study)
     }
     describeHdf5(writeHdf5Array(group, "quantity", names), "1", "Quantities");
     describeHdf5(writeHdf5Array(group, "order", orders), "1", "Observed order; 0 where there is none");
-    describeHdf5(writeHdf5Array(group, "limit", limits), "SI unit of the quantity", "Limit by Richardson's extrapolation");
-    describeHdf5(writeHdf5Array(group, "error", errors), "SI unit of the quantity", "Estimated error of the finest level");
+    describeHdf5(writeHdf5Array(group, "limit", limits), "SI unit of the quantity",
+                 "Limit by Richardson's extrapolation");
+    describeHdf5(writeHdf5Array(group, "error", errors), "SI unit of the quantity",
+                 "Estimated error of the finest level");
 }
 
 } // namespace

@@ -11,8 +11,8 @@ private slots:
 
     void convergence()
     {
-        const Outcome o = folder_->touchdown({"study", "convergence", "contact_hertz", "--json", "--levels", "3", "--jobs", "2",
-                                              "--out", "a.h5", "--csv", "a.csv"});
+        const Outcome o = folder_->touchdown({"study", "convergence", "contact_hertz", "--json", "--levels", "3",
+                                              "--jobs", "2", "--out", "a.h5", "--csv", "a.csv"});
         QCOMPARE(o.code, 0);
         QCOMPARE(o.err, QByteArray());
         const QJsonObject study = o.json();
@@ -29,7 +29,8 @@ private slots:
     {
         const Outcome o = folder_->touchdown({"study", "convergence", "contact_hertz", "--levels", "3"});
         QCOMPARE(o.code, 0);
-        for (const char* part : {"contact_force", "observed order", "limit", "error", "0.0625 um"}) QVERIFY2(o.out.contains(part), part);
+        for (const char* part : {"contact_force", "observed order", "limit", "error", "0.0625 um"})
+            QVERIFY2(o.out.contains(part), part);
     }
     void refuses_data()
     {
@@ -40,9 +41,12 @@ private slots:
         QTest::newRow("no case") << QStringList{"convergence"} << "CASE";
         QTest::newRow("springs") << QStringList{"convergence", "fig10a"} << "no grid";
         QTest::newRow("one level") << QStringList{"convergence", "contact_hertz", "--levels", "1"} << "levels";
-        QTest::newRow("a bad setting") << QStringList{"convergence", "contact_hertz", "--set", "pad.radius=0"} << "pad.radius";
-        QTest::newRow("a bad target") << QStringList{"convergence", "contact_hertz", "--out", "no/such.h5"} << "no/such.h5";
-        QTest::newRow("one file for two") << QStringList{"convergence", "contact_hertz", "--out", "a", "--csv", "a"} << "both name";
+        QTest::newRow("a bad setting") << QStringList{"convergence", "contact_hertz", "--set", "pad.radius=0"}
+                                       << "pad.radius";
+        QTest::newRow("a bad target") << QStringList{"convergence", "contact_hertz", "--out", "no/such.h5"}
+                                      << "no/such.h5";
+        QTest::newRow("one file for two")
+            << QStringList{"convergence", "contact_hertz", "--out", "a", "--csv", "a"} << "both name";
     }
     void refuses()
     {

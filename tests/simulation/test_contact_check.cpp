@@ -19,13 +19,15 @@ private slots:
         };
         row("the default", {}, "", "");
         row("no contact", {"contact=none"}, "contact", "must not be \"none\"");
-        row("nowhere to go", {"approach.closest=5 nm"}, "approach.closest", "5 nm must be less than approach.start (5 nm)");
+        row("nowhere to go", {"approach.closest=5 nm"}, "approach.closest",
+            "5 nm must be less than approach.start (5 nm)");
         row("take-off below touch-down", {"contact=ono-yamane", "ono_yamane.take_off=2 nm"}, "ono_yamane.take_off",
             "d_e = 2 nm must be at least");
         row("bridges shorter than the film", {"contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
             "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
         row("their like in another contact", {"meniscus.breaking_length=0.4 nm"}, "", "");
-        row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length", "is no whole number of cells; the nearest length is 20 um");
+        row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length",
+            "is no whole number of cells; the nearest length is 20 um");
         row("a pad of one cell", {"pad.width=0.25 um"}, "pad.width", "makes 1 cells; from 2 to 2048 are possible");
         row("a pad of too many cells", {"elastic.cell=0.005 um"}, "pad.length", "makes 4000 cells");
         row("cells of a statistical surface", {"contact=asperity", "pad.length=20.1 um"}, "", "");
@@ -47,11 +49,13 @@ private slots:
         row("no file", {"disk.surface.kind=file"}, "disk.surface.file", "must name");
         row("a combination of nothing", {"disk.surface.kind=combined", "disk.surface.rms=0"}, "disk.surface.kind",
             "no part of it is given");
-        row("too many snapshots", {"run.field_snapshots=10000", "pad.length=200 um", "pad.width=200 um"}, "run.field_snapshots",
-            "at most 4 GB are possible");
-        row("samples apart by more than the run", {"run.sample_interval=3 ms"}, "run.sample_interval", "must be at most run.duration");
+        row("too many snapshots", {"run.field_snapshots=10000", "pad.length=200 um", "pad.width=200 um"},
+            "run.field_snapshots", "at most 4 GB are possible");
+        row("samples apart by more than the run", {"run.sample_interval=3 ms"}, "run.sample_interval",
+            "must be at most run.duration");
         row("a spectrum that is not there", {"spectrum.start=2 ms"}, "", "");
-        row("springs in elastic contact", {"model=springs"}, "contact", "must be \"none\" or \"ono-yamane\" with model \"springs\"");
+        row("springs in elastic contact", {"model=springs"}, "contact",
+            "must be \"none\" or \"ono-yamane\" with model \"springs\"");
         row("a film in elastic contact", {"model=film"}, "contact", "must be \"none\" with model \"film\"");
     }
     void findsNonsense()
@@ -77,8 +81,9 @@ private slots:
     void refusesByRange_data()
     {
         QTest::addColumn<QString>("setting");
-        for (const char* setting : {"ono_yamane.contact_stiffness=-1", "elastic.modulus=0", "asperity.height_deviation=0",
-                                    "asperity.density=-1", "elastic.poisson_ratio=0.6", "meniscus.breaking_length=0"})
+        for (const char* setting :
+             {"ono_yamane.contact_stiffness=-1", "elastic.modulus=0", "asperity.height_deviation=0",
+              "asperity.density=-1", "elastic.poisson_ratio=0.6", "meniscus.breaking_length=0"})
             QTest::newRow(setting) << setting;
     }
     void refusesByRange()
@@ -100,7 +105,8 @@ private slots:
         const auto problems = checkCombinations(c);
         QCOMPARE(problems.size(), std::size_t{1});
         QCOMPARE(problems.front().key, std::string("initial.pitch"));
-        QVERIFY2(problems.front().message.find("1250 um by 1000 um can touch") != std::string::npos, problems.front().message.c_str());
+        QVERIFY2(problems.front().message.find("1250 um by 1000 um can touch") != std::string::npos,
+                 problems.front().message.c_str());
     }
     void everyProblemIsReported()
     {

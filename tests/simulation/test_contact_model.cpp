@@ -51,7 +51,9 @@ private slots:
         forces.friction = 4.0;
         std::vector<double> values(quantities.size() + 1, NAN);
         contactValues(c, forces, values.data());
-        const auto at = [&](const char* name) { return values[static_cast<std::size_t>(findQuantity(quantities, name))]; };
+        const auto at = [&](const char* name) {
+            return values[static_cast<std::size_t>(findQuantity(quantities, name))];
+        };
         QCOMPARE(at("minimum_spacing"), 1.0);
         QCOMPARE(at("contact_force"), 2.0);
         QCOMPARE(at("net_contact_force"), 1.5);

@@ -98,7 +98,9 @@ private slots:
         const double depth = 10e-9, radius = c.pad.radius;
         const double force = 4.0 / 3.0 * modulus * std::sqrt(radius * depth) * depth;
         QVERIFY(std::abs(trace.column("contact_force")[200] / force - 1.0) < 1e-3);
-        QVERIFY(std::abs(trace.column("peak_contact_pressure")[200] / (1.5 * force / (std::numbers::pi * radius * depth)) - 1.0) < 2e-3);
+        QVERIFY(
+            std::abs(trace.column("peak_contact_pressure")[200] / (1.5 * force / (std::numbers::pi * radius * depth)) -
+                     1.0) < 2e-3);
         QVERIFY(std::abs(trace.column("contact_area")[200] / (std::numbers::pi * radius * depth) - 1.0) < 0.02);
         QVERIFY(std::abs(trace.column("friction_force")[200] - 0.3 * trace.column("contact_force")[200]) < 1e-15);
         QCOMPARE(findQuantity(trace.quantities, "adhesion_force"), -1);
@@ -157,7 +159,8 @@ private slots:
         const Summary held = run(c);
         QCOMPARE(held.status, RunStatus::Completed);
         QCOMPARE(held.warnings.size(), std::size_t{1});
-        QVERIFY2(held.warnings[0].starts_with("the surfaces still touch back at approach.start"), held.warnings[0].c_str());
+        QVERIFY2(held.warnings[0].starts_with("the surfaces still touch back at approach.start"),
+                 held.warnings[0].c_str());
     }
     void nothingTouches()
     {
@@ -195,7 +198,8 @@ private slots:
         QCOMPARE(trace.events.size(), std::size_t{2});
         double worst = 0.0, largest = 0.0;
         for (std::size_t i = 0; i < trace.samples.size(); ++i) {
-            worst = std::max(worst, std::abs(trace.column("contact_force")[i] - trace.column("fitted_contact_force")[i]));
+            worst =
+                std::max(worst, std::abs(trace.column("contact_force")[i] - trace.column("fitted_contact_force")[i]));
             largest = std::max(largest, trace.column("contact_force")[i]);
         }
         QVERIFY(worst <= (trace.summary.fit->contact.worst + 1e-3) * largest);

@@ -79,7 +79,8 @@ private slots:
         put("measured/track.txt", file);
         const CaseDocument document = readCaseFile(path("case.toml"));
         QCOMPARE(document.problems.size(), std::size_t{1});
-        QVERIFY2(QString::fromStdString(document.problems.front().text()).contains(says), document.problems.front().text().c_str());
+        QVERIFY2(QString::fromStdString(document.problems.front().text()).contains(says),
+                 document.problems.front().text().c_str());
     }
     void missing()
     {

@@ -83,7 +83,8 @@ private slots:
         c.adhesion.kind = AdhesionKind::VanDerWaals;
         c.elastic.cell = 0.03125e-6;
         const std::vector<std::string> remarks = ElasticPad(c).remarks();
-        QVERIFY(std::ranges::any_of(remarks, [](const std::string& r) { return r.starts_with("van-der-waals repels by itself"); }));
+        QVERIFY(std::ranges::any_of(
+            remarks, [](const std::string& r) { return r.starts_with("van-der-waals repels by itself"); }));
     }
 
     void nothingTouches()

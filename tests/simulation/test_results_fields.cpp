@@ -67,8 +67,9 @@ private slots:
         const RecordedFields fields = someFields();
         ResultsExchange exchange(path(), {sampleCase(), sampleCaseText, dateNow(), sampleQuantities, fields});
         for (int i = 0; i < flushes; ++i)
-            exchange.publish(sampleBatch(static_cast<std::size_t>(i) * 10, 10),
-                             snapshots(static_cast<std::size_t>(i * eachTime), static_cast<std::size_t>(eachTime), fields));
+            exchange.publish(
+                sampleBatch(static_cast<std::size_t>(i) * 10, 10),
+                snapshots(static_cast<std::size_t>(i * eachTime), static_cast<std::size_t>(eachTime), fields));
         const StoredRun run = readResults(path());
         QCOMPARE(run.problem, std::string());
         QCOMPARE(run.recorded.grid.x, fields.grid.x);
@@ -120,7 +121,8 @@ private slots:
     {
         ResultsWriter writer;
         QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities, someFields()), std::string());
-        QVERIFY(writer.append(sampleBatch(0, 1), {{0.0, {{1.0, 2.0}}}}).find("do not fit the grid") != std::string::npos);
+        QVERIFY(writer.append(sampleBatch(0, 1), {{0.0, {{1.0, 2.0}}}}).find("do not fit the grid") !=
+                std::string::npos);
         QCOMPARE(writer.append(sampleBatch(0, 3)), std::string());
         QCOMPARE(writer.finish(sampleSummary()), std::string());
         QCOMPARE(readResults(path()).samples.size(), std::size_t{3});

@@ -48,8 +48,8 @@ private slots:
         QVERIFY(!wavering.order);
         QCOMPARE(wavering.limit, 2.0);
         QCOMPARE(wavering.error, 2.0);
-        QVERIFY(!observedOrder(1.0, 2.0, 4.0).order);          // growing
-        QVERIFY(!observedOrder(0.0, 1.0, 1.0 + 1e-3).order);   // by chance
+        QVERIFY(!observedOrder(1.0, 2.0, 4.0).order);        // growing
+        QVERIFY(!observedOrder(0.0, 1.0, 1.0 + 1e-3).order); // by chance
         const ObservedOrder exact = observedOrder(1.0, 2.0, 2.0);
         QVERIFY(!exact.order);
         QCOMPARE(exact.error, 0.0);
@@ -80,7 +80,8 @@ private slots:
     }
     void stops()
     {
-        const ConvergenceStudy study = studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1}, [](int) { return false; });
+        const ConvergenceStudy study =
+            studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1}, [](int) { return false; });
         QCOMPARE(study.status, StudyStatus::Cancelled);
         QVERIFY(study.observed.empty());
         QVERIFY(!study.message.empty());
@@ -98,11 +99,16 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("says");
-        QTest::newRow("springs") << "fig10a" << "no grid";
-        QTest::newRow("a film") << "film_plane" << "touchdown steady";
-        QTest::newRow("a characteristic") << "contact_ono_yamane" << "without a grid";
-        QTest::newRow("a statistical surface") << "contact_greenwood_williamson" << "without a grid";
-        QTest::newRow("an elastic contact") << "contact_hertz" << "";
+        QTest::newRow("springs") << "fig10a"
+                                 << "no grid";
+        QTest::newRow("a film") << "film_plane"
+                                << "touchdown steady";
+        QTest::newRow("a characteristic") << "contact_ono_yamane"
+                                          << "without a grid";
+        QTest::newRow("a statistical surface") << "contact_greenwood_williamson"
+                                               << "without a grid";
+        QTest::newRow("an elastic contact") << "contact_hertz"
+                                            << "";
     }
     void refuses()
     {
