@@ -29,8 +29,9 @@ public:
     /// Waits for the surface under way.
     ~DiskSurfaceController() override;
 
-    /// Begins when no other case was asked for in the last quarter of a second.
+    /// Begins when no other case was asked for in the last quarter of a second, or in that time.
     void request(const Case& c);
+    void setPause(int milliseconds) { pause_.setInterval(milliseconds); }
     /// What was asked for is no longer wanted.
     void cancel();
     bool busy() const { return busy_; }

@@ -79,6 +79,7 @@ void TestDiskSurfaceView::init()
 {
     applyTheme(Theme::Light);
     view_ = std::make_unique<DiskSurfaceView>();
+    view_->controller().setPause(0);
     view_->resize(800, 800);
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
