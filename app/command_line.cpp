@@ -88,7 +88,7 @@ int commandLine(int argc, char** argv)
 
     StudyArguments studyArguments;
     CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
-    study.require_subcommand(1);
+    study.require_subcommand(0, 1); // as above
     CLI::App& convergence =
         *study.add_subcommand("convergence", "How the closest approach of a contact case depends on the cells of its patch");
     addCase(convergence, studyArguments.caseArguments);
@@ -125,6 +125,7 @@ int commandLine(int argc, char** argv)
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
+        if (study.parsed() && !convergence.parsed()) throw CLI::RequiredError("study: convergence");
         if (convergence.parsed()) findCase(convergence, studyArguments.caseArguments);
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ParseError& error) {

@@ -83,6 +83,18 @@ double AdhesionLaw::energy(double gap) const
     return phi;
 }
 
+double AdhesionLaw::leastEnergy() const
+{
+    // f falls up to the peak gap: it is zero there once, or attracts from gap 0 on.
+    if (!(pressure(0.0) > 0.0)) return energy(0.0);
+    double lower = 0.0, upper = peakGap_;
+    for (int i = 0; i < 100 && upper - lower > 1e-15 * upper; ++i) {
+        const double middle = 0.5 * (lower + upper);
+        (pressure(middle) > 0.0 ? lower : upper) = middle;
+    }
+    return energy(upper);
+}
+
 double AdhesionLaw::softeningGap() const
 {
     // df/dg changes its sign once, from below zero to above, not beyond the peak of the law without voltage.

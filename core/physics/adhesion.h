@@ -43,6 +43,9 @@ public:
     /// phi(g) [J/m^2], zero far away: f = -dphi/dg.
     double energy(double gap) const;
 
+    /// The least of phi, at the gap where f = 0 or at zero [J/m^2].
+    double leastEnergy() const;
+
     struct Sample {
         double pressure;   // [Pa]
         double derivative; // [Pa/m]

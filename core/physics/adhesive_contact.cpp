@@ -90,6 +90,7 @@ AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation
     }
     before_ = now_;
     iterations_ = 0;
+    stopped_ = false;
     std::copy(separation.begin(), separation.end(), now_.separation.begin());
     if (solveFar(separation)) summary.converged = true;
     else descendToMinimum(summary);
@@ -102,7 +103,8 @@ AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation
         return summary;
     }
     finish(before_, summary);
-    if (!summary.converged)
+    if (stopped_ && !summary.converged) summary.message = "The adhesive contact was stopped before it converged.";
+    else if (!summary.converged)
         summary.message = sentence("The adhesive contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_,
                                    summary.error, options_.tolerance);
     return summary;
@@ -160,7 +162,7 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
             summary.error = std::max(summary.error, imbalance());
             summary.converged = summary.error <= options_.tolerance;
         }
-        if (summary.converged || iterations_ >= options_.maximumIterations || !std::isfinite(summary.error)) return;
+        if (summary.converged || spent() || !std::isfinite(summary.error)) return;
         const bool elsewhere = setTangents(summary.descents == 0 && before_.exists && before_.displaced);
         const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;

@@ -93,6 +93,7 @@ private:
 
     void displace();
     void countIteration();
+    bool spent() const { return stopped_ || iterations_ >= options_.maximumIterations; }
     double gapAt(std::size_t i) const { return now_.separation[i] + now_.displacement[i]; }
     double energy() const;
     double linearise();
@@ -118,6 +119,7 @@ private:
     std::vector<double> offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_, displacementBefore_, displacementEarlier_;
     double ahead_ = 0.0; // how far ahead of the gaps, in their last changes [-]
     int iterations_ = 0;
+    bool stopped_ = false; // by goOn
 };
 
 } // namespace touchdown

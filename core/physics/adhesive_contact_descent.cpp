@@ -43,7 +43,7 @@ void AdhesiveContact::displace()
 void AdhesiveContact::countIteration()
 {
     ++iterations_;
-    if (options_.goOn && !options_.goOn()) iterations_ = options_.maximumIterations;
+    stopped_ = stopped_ || (options_.goOn && !options_.goOn());
 }
 
 // The tangents of the law that is set by the offsets, and the largest deviation from it.
@@ -142,7 +142,7 @@ void AdhesiveContact::minimiseConvex(double error)
         double now = linearise();
         if (now > 0.5 * last && cutStep()) now = linearise();
         last = now;
-        if (!(last > errorShare * error) || iterations_ >= options_.maximumIterations) break;
+        if (!(last > errorShare * error) || spent()) break;
     }
 }
 
@@ -154,7 +154,7 @@ void AdhesiveContact::solveTangents()
     precondition(residual_, direction_);
     double square = product(residual_, direction_);
     const double enough = residualShare * residualShare * square;
-    for (int k = 0; k < mostGradientSteps && square > enough && iterations_ < options_.maximumIterations; ++k) {
+    for (int k = 0; k < mostGradientSteps && square > enough && !spent(); ++k) {
         space_->displace(direction_, image_);
         countIteration();
         for (std::size_t i = 0; i < n; ++i) {

@@ -17,7 +17,7 @@ namespace touchdown {
 struct CoulombFriction {
     double coefficient = 0.3;        // mu [-]
     double arm = 0.15e-3;            // b/2 [m]
-    double regularisingSpeed = 1e-3; // v_r [m/s]
+    double regularisingSpeed = 1e-5; // v_r [m/s]
 
     double force(double contactForce, double slidingVelocity) const // [N]
     {

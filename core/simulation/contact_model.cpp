@@ -19,7 +19,6 @@ public:
         : law_(c.onoYamane),
           touchDown_(c.onoYamane.touchDown),
           takeOff_(c.onoYamane.takeOff),
-          friction_(c.onoYamane.friction),
           separation_(c.approach.start),
           branch_(law_.nextBranch(c.initial.branch, c.approach.start))
     {}
@@ -32,7 +31,6 @@ public:
         forces_.separation = separation;
         forces_.contact = law_.contactForce(region, separation);
         forces_.adhesion = law_.adhesionForce(region, separation);
-        forces_.friction = friction_ * forces_.contact;
         return forces_;
     }
     std::vector<ContactSwitch> switchesUntil(double separation) const override
@@ -46,7 +44,7 @@ public:
 
 private:
     OnoYamaneLaw law_;
-    double touchDown_, takeOff_, friction_, separation_;
+    double touchDown_, takeOff_, separation_;
     ContactBranch branch_;
     ContactForces forces_;
 };
@@ -55,7 +53,7 @@ private:
 class AsperityPad final : public ContactModel {
 public:
     explicit AsperityPad(const Case& c)
-        : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width), friction_(c.asperity.friction)
+        : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width)
     {}
 
     const ContactForces& move(double separation, double) override
@@ -63,13 +61,12 @@ public:
         forces_.separation = separation;
         forces_.contact = padArea_ * contact_.pressure(separation);
         forces_.area = padArea_ * contact_.contactArea(separation);
-        forces_.friction = friction_ * forces_.contact;
         return forces_;
     }
 
 private:
     AsperityContact contact_;
-    double padArea_, friction_; // [m^2], [-]
+    double padArea_; // [m^2]
     ContactForces forces_;
 };
 
@@ -78,7 +75,6 @@ class MultiAsperityPad final : public ContactModel {
 public:
     explicit MultiAsperityPad(const Case& c)
         : model_(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width),
-          friction_(c.asperity.friction),
           separation_(c.approach.start),
           state_(model_.start(c.approach.start)),
           fit_(fitCharacteristic(model_, c.approach.start, c.approach.closest, {.friction = c.asperity.friction})),
@@ -95,7 +91,6 @@ public:
         forces_.contact = full.contact;
         forces_.adhesion = full.adhesion;
         forces_.area = full.contactArea;
-        forces_.friction = friction_ * full.contact;
         fittedBranch_ = fitted_.nextBranch(fittedBranch_, separation);
         const ContactRegion region = fitted_.region(fittedBranch_, separation);
         forces_.fittedContact = fitted_.contactForce(region, separation);
@@ -119,7 +114,7 @@ public:
 
 private:
     MultiAsperity model_;
-    double friction_, separation_;
+    double separation_;
     MultiAsperityState state_;
     CharacteristicFit fit_;
     OnoYamaneLaw fitted_;
@@ -161,7 +156,8 @@ std::vector<Quantity> contactQuantities(const Case& c)
     };
     if (adheres(c)) list.push_back({"adhesion_force", "N", "mN", "Adhesion force"});
     list.push_back({"net_contact_force", "N", "mN", "Net contact force"});
-    list.push_back({"friction_force", "N", "mN", "Friction force"});
+    list.push_back({"friction_force", "N", "mN", "Friction force, in the disk's direction"});
+    list.push_back({"friction_torque", "N m", "uN m", "Pitch torque of the friction about the mass centre, nose up"});
     if (surfaces || summits) list.push_back({"contact_area", "m^2", "um^2", "Real area of contact"});
     if (surfaces) {
         list.push_back({"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"});
@@ -174,6 +170,14 @@ std::vector<Quantity> contactQuantities(const Case& c)
     return list;
 }
 
+CoulombFriction frictionOf(const Case& c)
+{
+    CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
+    if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
+    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity) friction.coefficient = c.asperity.friction;
+    return friction;
+}
+
 void contactValues(const Case& c, const ContactForces& forces, double* values)
 {
     double* const first = values;
@@ -181,7 +185,12 @@ void contactValues(const Case& c, const ContactForces& forces, double* values)
     *values++ = forces.contact;
     if (adheres(c)) *values++ = forces.adhesion;
     *values++ = forces.net();
-    *values++ = forces.friction;
+    const CoulombFriction friction = frictionOf(c);
+    const Velocity disk = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    const double sliding = std::hypot(disk.x, disk.y);
+    *values++ = friction.force(forces.contact, sliding);
+    // The moment is that of the part along the slider.
+    *values++ = sliding > 0.0 ? friction.pitchMoment(forces.contact, sliding) * disk.x / sliding : 0.0;
     if (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity ||
         c.contact == ContactKind::MultiAsperity)
         *values++ = forces.area;

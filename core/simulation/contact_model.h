@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/physics/characteristic_fit.h"
+#include "core/physics/coulomb_friction.h"
 #include "core/physics/surface_statistics.h"
 #include "core/simulation/case.h"
 #include "core/simulation/field_snapshot.h"
@@ -24,7 +25,6 @@ struct ContactForces {
     double separation = 0.0;                          // d [m]
     double contact = 0.0;                             // >= 0, away from the disk [N]
     double adhesion = 0.0;                            // <= 0 [N]
-    double friction = 0.0;                            // mu times contact [N]
     double area = 0.0;                                // real area of contact [m^2]
     double peakPressure = 0.0;                        // of contact [Pa]
     double minimumGap = 0.0;                          // of the deformed surfaces [m]
@@ -68,6 +68,8 @@ public:
 /// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
+/// The friction of the contact that the case names.
+CoulombFriction frictionOf(const Case& c);
 /// What a run of the case records, and one state as those values.
 std::vector<Quantity> contactQuantities(const Case& c);
 void contactValues(const Case& c, const ContactForces& forces, double* values);

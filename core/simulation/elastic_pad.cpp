@@ -97,7 +97,6 @@ const ContactForces& ElasticPad::move(double separation, double time)
     forces_.minimumGap = std::numeric_limits<double>::infinity();
     jumped_ = false;
     for (Part& part : parts_) solve(part, separation, time);
-    forces_.friction = case_.elastic.friction * forces_.contact;
     return forces_;
 }
 
@@ -121,7 +120,9 @@ void ElasticPad::solve(Part& part, double separation, double time)
             forces_.area += cell;
             forces_.peakPressure = std::max(forces_.peakPressure, p);
         }
-        forces_.minimumGap = std::min(forces_.minimumGap, *std::ranges::min_element(gap));
+        const double least = *std::ranges::min_element(gap);
+        // Where nothing flows, a gap below zero is what the solver's tolerance left.
+        forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
     };
     if (auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
         const ElasticContactSummary summary = elastic->solve(part.separation);
@@ -166,9 +167,9 @@ std::vector<std::string> ElasticPad::remarks() const
 {
     std::vector<std::string> list;
     if (case_.adhesion.acts()) {
-        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the energy at gap 0 (Maugis 1992).
+        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy (Maugis 1992).
         const AdhesionLaw law(case_.adhesion);
-        const double zone = modulus_ * -law.energy(0.0) / (law.peakAttraction() * law.peakAttraction());
+        const double zone = modulus_ * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
         if (zone < cellsOfZone * case_.elastic.cell)
             list.push_back("elastic.cell is " + formatQuantity(case_.elastic.cell, "um") +
                            ", but adhesion parts the surfaces over a zone of " +

@@ -36,8 +36,8 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
-        QTest::newRow("no study") << QStringList{} << "subcommand";
-        QTest::newRow("a study that is not there") << QStringList{"sweep", "contact_hertz"} << "subcommand";
+        QTest::newRow("no study") << QStringList{} << "study: convergence is required";
+        QTest::newRow("a study that is not there") << QStringList{"sweep", "contact_hertz"} << "sweep";
         QTest::newRow("no case") << QStringList{"convergence"} << "CASE";
         QTest::newRow("springs") << QStringList{"convergence", "fig10a"} << "no grid";
         QTest::newRow("one level") << QStringList{"convergence", "contact_hertz", "--levels", "1"} << "levels";

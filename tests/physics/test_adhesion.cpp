@@ -43,6 +43,15 @@ private slots:
         }
     }
 
+    /// Lennard-Jones: -dgamma at gap 0. Van der Waals: f = 0 where g^6 = 2B/(15A), and there phi = -A/(12 pi g^2) (1 - 1/4).
+    void depth()
+    {
+        const Adhesion adhesion{.kind = AdhesionKind::VanDerWaals};
+        const double g2 = std::cbrt(2.0 * adhesion.hamakerB / (15.0 * adhesion.hamakerA));
+        QVERIFY(close(AdhesionLaw(adhesion).leastEnergy(), -0.75 * adhesion.hamakerA / (12.0 * std::numbers::pi * g2), 1e-12));
+        QVERIFY(close(AdhesionLaw({.kind = AdhesionKind::LennardJones}).leastEnergy(), -0.05, 1e-12));
+    }
+
     /// Finite at every gap; below zero as at zero; towards the peak the attraction grows, beyond it falls.
     void finite()
     {
