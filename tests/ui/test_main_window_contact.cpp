@@ -179,7 +179,7 @@ void TestMainWindowContact::groupsTheParameters()
     QStringList titles;
     for (const QToolButton* header : f.window.casePanel().findChildren<QToolButton*>())
         if (header->isVisibleTo(&f.window) && header->accessibleName().startsWith(QStringLiteral("Group "))) titles << header->text();
-    QCOMPARE(titles, (QStringList{"Model", "Contact pad", "Approach and retraction", "Elastic contact", "Intermolecular adhesion",
+    QCOMPARE(titles, (QStringList{"Model", "Slider", "Contact pad", "Approach and retraction", "Elastic contact", "Intermolecular adhesion",
                                   "Disk surface", "Run and numerics"}));
     const auto shown = [&](const char* key) { return f.window.casePanel().editor(key)->isVisibleTo(&f.window); };
     QVERIFY(shown("pad.radius") && !shown("disk.surface.rms") && !shown("springs.cutoff") && !shown("run.tolerance"));
