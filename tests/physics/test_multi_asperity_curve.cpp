@@ -7,32 +7,16 @@
 
 #include <QTest>
 
+#include "tests/support/asperity_pad.h"
+
 using namespace touchdown;
 
 namespace {
 
 const double pi = std::numbers::pi;
 
-struct Setting {
-    Asperities asperities{.radius = 1e-6, .density = 8.5e12, .heightDeviation = 0.2e-9, .planeHeight = 2e-9};
-    Meniscus meniscus{.surfaceTension = 0.025, .contactAngle = 0.0, .filmThickness = 0.5e-9, .breakingLength = 1.5e-9};
-    ElasticPair pair;
-    double area = 3.6e-9;
-
-    MultiAsperity model() const { return {asperities, meniscus, pair, area}; }
-    double adhesion() const
-    {
-        return asperities.density * area * 4.0 * pi * asperities.radius * meniscus.surfaceTension;
-    }
-};
-
-/// A pad so small against its summits' stiffness that the bulk does not give way: k_b grows with sqrt(A), the forces with A.
-Setting stiffBulk()
-{
-    Setting s;
-    s.area = 1e-24;
-    return s;
-}
+using Setting = test::AsperityPad;
+using test::stiffBulk;
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
