@@ -62,6 +62,12 @@ bool FilmStepper::accept()
     return true;
 }
 
+void FilmStepper::follow(const Attitude& attitude, std::span<const double> change)
+{
+    film_.setAttitude(attitude);
+    addBounded(p_, change);
+}
+
 void FilmStepper::remember()
 {
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
@@ -114,6 +120,7 @@ void FilmStepper::linearise(FilmStepResult& result)
     solver_ = Solver::Factors;
     contraction_ = 0.0;
     ++result.linearisations;
+    ++linearisations_;
 }
 
 /// From what the first change adds to the guess; where that is no parabola, cautiously.

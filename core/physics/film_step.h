@@ -59,11 +59,16 @@ public:
     void start(std::span<const double> p);
     /// Solves for the pressures `dt` [s] after the last accepted ones, the slider at `attitude`.
     FilmStepResult step(double dt, const Attitude& attitude);
+    /// Moves the solution of the last step along to a nearby attitude, where the film's own equations change it by `change`
+    /// (padded) [Pa].
+    void follow(const Attitude& attitude, std::span<const double> change);
     /// Makes the last step's pressures the ones to go on from; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
 
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }
+    /// Times that the film was linearised: when it grows, linear() has changed.
+    long long linearisations() const { return linearisations_; }
     /// Of the film at the last step's attitude and length, with what its cells store.
     FilmLinearSolver& linear() { return linear_; }
 
@@ -107,6 +112,7 @@ private:
     Solver solver_ = Solver::Factors;
     double contraction_ = 0.0;       // of its corrections, as far as known [-]
     bool converged_ = false;         // the last step, and p_ solves it
+    long long linearisations_ = 0;
 };
 
 } // namespace touchdown

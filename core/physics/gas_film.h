@@ -83,6 +83,9 @@ public:
     /// Of the air under the slider [m^3].
     double totalVolume() const { return totalVolume_; }
 
+    /// The disk's surface under each cell: mean height above the mean plane, less what contact presses it down [m]; padded, read
+    /// by setAttitude, and must last. Empty: flat.
+    void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 
     /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime zero,
@@ -210,6 +213,7 @@ private:
     double flowScale_ = 0.0, totalVolume_ = 0.0;
     double storagePerTime_ = 0.0;       // [1/s]
     std::span<const double> history_;   // [Pa m^3/s]
+    std::span<const double> surface_;   // [m]
     std::array<double, 2> motionShare_{}; // square of the disk's direction along x, y under the centre [-]
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;

@@ -32,6 +32,9 @@ enum class PadShape : std::uint8_t { Flat, Sphere, Slider };
 enum class AirSource : std::uint8_t { Given, Atmosphere, EstablishedStandard };
 enum class FilmSolver : std::uint8_t { Newton, LineMultigrid };
 enum class GridKind : std::uint8_t { Uniform, Graded, Adapted };
+enum class FilmCoupling : std::uint8_t { Monolithic, Staggered };
+enum class StepControl : std::uint8_t { Adaptive, Fixed };
+enum class InitialState : std::uint8_t { Given, Static };
 enum class IntegratorKind : std::uint8_t { Rk4, Rk4Events, Newmark, Dopri5, Cvode };
 
 /// What a sample case says about itself.
@@ -99,6 +102,7 @@ struct FilmCase {
     FilmSolver solver = FilmSolver::Newton;
     double tolerance = 1e-7;   // residual: net mass flow of the cells, summed, against the flow through the film [-]
     int maximumIterations = 60;
+    FilmCoupling coupling = FilmCoupling::Monolithic; // of film and slider in a step of time
 };
 
 /// What `steady` computes and with which conventions.
@@ -125,6 +129,8 @@ struct ElasticCase {
     double tolerance = 1e-8;   // of force balance and complementarity [-]
     int maximumIterations = 50000;
     bool periodic = false;     // the patch repeats in both directions
+    double patchPitch = 100e-6; // film: at which the parts of the surface are sought that can touch [rad]
+    double patchReach = 5e-9;   // film: how high above the lowest point they may lie there [m]
 };
 
 /// The pad of model "contact".
@@ -149,12 +155,19 @@ struct InitialCase {
     ContactBranch branch = ContactBranch::TouchDown; // used between d_s and d_e
     double nominalTrailingEdgeHeight = 20e-9; // film: of the trailing edge's centre, recess 0 [m]; may be negative
     double roll = 0.0;             // film [rad]
+    InitialState state = InitialState::Given; // film: static: the static attitude moved by the offsets; the velocities count in both
+    double heightOffset = 0.0;     // film, static: of the mass centre [m]
+    double pitchOffset = 0.0;      // [rad]
+    double rollOffset = 0.0;       // [rad]
+    double rollVelocity = 0.0;     // film [rad/s]
 };
 
 struct RunCase {
     double duration = 2e-3;        // [s]
     IntegratorKind integrator = IntegratorKind::Dopri5;
     double step = 10e-9;           // fixed-step methods [s]
+    StepControl steps = StepControl::Adaptive; // film; fixed: `step`
+    double stepError = 1e-12;      // film, adaptive: by which one step's discretisation may displace the slider [m]
     double tolerance = 1e-8;       // adaptive methods, local error against the static state's scale [-]
     double newmarkBeta = 0.25;     // [-]
     double newmarkGamma = 0.5;     // [-]

@@ -28,7 +28,7 @@ std::vector<FieldSnapshot> snapshots(std::size_t first, std::size_t count, const
 {
     std::vector<FieldSnapshot> list;
     for (std::size_t k = first; k < first + count; ++k) {
-        FieldSnapshot snapshot{static_cast<double>(k) * 1e-5, {}};
+        FieldSnapshot snapshot{static_cast<double>(k) * 1e-5, 0, {}};
         for (std::size_t f = 0; f < fields.quantities.size(); ++f) {
             std::vector<double> values;
             for (std::size_t i = 0; i < fields.grid.cells(); ++i) values.push_back(value(k, f, i));

@@ -48,7 +48,7 @@ inline RecordedFields sampleContactFields()
 inline FieldSnapshot sampleSnapshot(double time)
 {
     const double d = sampleSeparation(time);
-    FieldSnapshot snapshot{time, {std::vector<double>(32), std::vector<double>(32)}};
+    FieldSnapshot snapshot{time, 0, {std::vector<double>(32), std::vector<double>(32)}};
     for (std::size_t k = 0; k < 32; ++k) {
         snapshot.values[0][k] = std::max(d, 0.0) + 1e-11 * static_cast<double>(k);
         snapshot.values[1][k] = std::max(-d, 0.0) * 1e15 * static_cast<double>(k);

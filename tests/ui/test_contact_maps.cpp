@@ -187,7 +187,7 @@ void TestContactMaps::thinsWhatMemoryCannotHold()
     // 2 fields of 2^20 cells: 16 snapshots fill the 2^25 values; the 17th makes 9 of them, every second one.
     RecordedFields fields = sampleContactFields();
     auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities(), fields);
-    FieldSnapshot snapshot{0.0, {std::vector<double>(1U << 20U), std::vector<double>(1U << 20U)}};
+    FieldSnapshot snapshot{0.0, 0, {std::vector<double>(1U << 20U), std::vector<double>(1U << 20U)}};
     for (int i = 0; i < 20; ++i) {
         snapshot.time = i;
         snapshot.values[0][0] = i;

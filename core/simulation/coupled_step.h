@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One step of film, contact and slider together. The slider by the trapezoidal rule (Newmark 1959, beta 1/4, gamma 1/2: second order,
+// no damping of its own), the film by BDF2 (film_step.h: second order, L-stable):
+//
+//   q = q1 + dt (v1 + v)/2,  v = v1 + dt (a1 + a)/2
+//   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
+//
+// monolithic   one Newton on pressure and attitude: with X = J^-1 dR/dq kept as long as the film's Jacobian is good,
+//              (4 M/dt^2 + 2 C/dt + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
+// staggered    the film is solved at the attitude, the slider moved by the forces, (4 M/dt^2 + 2 C/dt + K) dq = G, and so on until
+//              neither changes: the established program's way. It converges where the film's and contact's stiffness k satisfies
+//              k dt^2/4 < M, and says so where it does not.
+// Both solve the same equations.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/physics/film_step.h"
+#include "core/simulation/disk_under_film.h"
+#include "core/simulation/slider_body.h"
+#include "core/simulation/slider_contact.h"
+
+namespace touchdown {
+
+struct CoupledStepOptions {
+    FilmCoupling coupling = FilmCoupling::Monolithic;
+    FilmStepOptions film;
+    double tolerance = 1e-13;    // of the slider's position, at its corners [m]
+    int maximumIterations = 40;  // attitudes tried
+};
+
+enum class CoupledFailure : std::uint8_t { None, Film, Contact, Iteration, NotFinite };
+
+struct CoupledStepResult {
+    CoupledFailure failure = CoupledFailure::None;
+    int iterations = 0;          // attitudes at which the film was solved
+    int filmIterations = 0;
+    int linearisations = 0;      // of the film
+    int solves = 0;              // preconditioned iterations
+    double positionLeft = 0.0;   // estimated distance of the corners from the step's solution [m]
+    double forceBalance = 0.0;   // |G| against the load: force, and torques over the slider's length [-]
+    double filmError = 0.0;      // FilmStepResult::error [-]
+    double timeError = 0.0;      // of the step's discretisation, as a displacement of the corners [m]
+    bool converged() const { return failure == CoupledFailure::None; }
+};
+
+/// Film, body, contact and disk must last; contact and disk may be null. Allocates at construction alone.
+class CoupledStepper {
+public:
+    CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
+                   const CoupledStepOptions& options);
+
+    /// Begins with these pressures (padded) at the motion's q and v; its acceleration is that of the forces.
+    void start(std::span<const double> p, const SliderMotion& motion, double time);
+    /// Tries a step of `dt` [s] from the last accepted state.
+    CoupledStepResult step(double dt);
+    /// Makes the last tried step the state to go on from. Its step must have converged.
+    void accept();
+    /// The contact's law has changed at the accepted state: the acceleration follows the forces that now act.
+    void restartAcceleration();
+
+    double time() const { return time_; }
+    const SliderMotion& motion() const { return motion_; }        // accepted
+    const SliderMotion& tried() const { return tried_; }          // of the last step
+    std::span<const double> pressure() const { return stepper_.pressure(); }
+    /// Of film with shear, and of contact, of the last step.
+    const Vector3& filmForce() const { return filmForce_; }
+    const std::array<double, 2>& shear() const { return shear_; }
+    const SliderContactForces& contactForces() const { return contactForces_; }
+
+private:
+    Vector3 filmForceAt(std::span<const double> p);
+    void setColumns(CoupledStepResult& result);
+    void setDisk(double time, bool deformed);
+    Vector3 stepTo(const Vector3& right, const Matrix3& contactStiffness) const;
+
+    GasFilm& film_;
+    const SliderBody& body_;
+    SliderContact* contact_;
+    DiskUnderFilm* disk_;
+    CoupledStepOptions options_;
+    FilmStepper stepper_;
+    SliderMotion motion_, tried_, before_; // accepted, tried, accepted before
+    double time_ = 0.0, dt_ = 0.0, lastDt_ = 0.0; // [s]; of the tried step, of the accepted one
+    std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
+    GasFilm::ForceDerivatives slopes_;
+    Matrix3 filmSlopes_{};      // -d(film force)/dq with the film following
+    double slopesPerTime_ = 0.0;
+    long long linearised_ = -1; // FilmStepper::linearisations() that the columns belong to
+    std::vector<double> right_, change_, surface_;
+    Vector3 filmForce_{};
+    std::array<double, 2> shear_{};
+    SliderContactForces contactForces_;
+    double contraction_ = 0.0;  // of the iteration, as last measured [-]
+};
+
+} // namespace touchdown
