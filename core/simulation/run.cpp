@@ -185,7 +185,13 @@ std::vector<Quantity> recordedQuantities(const Case& c)
     return {};
 }
 
-RecordedFields recordedFields(const Case& c) { return c.model == ModelKind::Contact ? contactMaps(c) : RecordedFields{}; }
+std::vector<RecordedFields> recordedFields(const Case& c)
+{
+    std::vector<RecordedFields> sets;
+    if (c.model == ModelKind::Contact) sets.push_back(contactMaps(c));
+    std::erase_if(sets, [](const RecordedFields& set) { return set.empty(); });
+    return sets;
+}
 
 Summary run(const Case& c, const RunCallback& callback)
 {

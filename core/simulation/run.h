@@ -89,8 +89,8 @@ std::string reasonNotToRun(const Case& c);
 /// The quantities that a run of this case records, in the order of its columns; none where it cannot be run.
 std::vector<Quantity> recordedQuantities(const Case& c);
 
-/// The fields of which this case's run records snapshots; empty where there are none.
-RecordedFields recordedFields(const Case& c);
+/// The sets of fields of which this case's run records snapshots, none of them empty.
+std::vector<RecordedFields> recordedFields(const Case& c);
 
 /// Runs a valid case to its end. Never throws for numerics: see Summary::status.
 Summary run(const Case& c, const RunCallback& callback = {});
