@@ -39,11 +39,24 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 {
     Place best{std::numeric_limits<double>::infinity(), {}};
     for (const Candidate& c : candidates_) {
-        const double spacing = c.recess + attitude.height + attitude.pitch * (length_ - c.x) -
-                               attitude.roll * (c.y - 0.5 * width_);
+        const double spacing = above(c, attitude);
         if (spacing < best.spacing) best = {spacing, {c.x, c.y}};
     }
     return best;
+}
+
+MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
+{
+    const double least = at(attitude).spacing;
+    double weights = 0.0, x = 0.0, y = 0.0;
+    for (const Candidate& c : candidates_) {
+        const double weight = 1.0 - (above(c, attitude) - least) / depth;
+        if (weight <= 0.0) continue;
+        weights += weight;
+        x += weight * c.x;
+        y += weight * c.y;
+    }
+    return {least, {x / weights, y / weights}};
 }
 
 } // namespace touchdown
