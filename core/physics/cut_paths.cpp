@@ -61,13 +61,13 @@ struct PieceLanes {
 };
 
 /// Gaps, and their products with the mean pressure; any number where they are closed.
-TOUCHDOWN_VECTOR_CLONES void setGaps(const FilmGaps& gaps, const Attitude& attitude, std::size_t rows, const double* recess,
+TOUCHDOWN_VECTOR_CLONES void setGaps(const Attitude& attitude, std::size_t rows, const double* lift, const double* recess,
                                      const double* x, const double* y, const double* mean, double* gap, double* product)
 {
-    const double base = gaps.lift(attitude, 0.0, 0.0), pitch = attitude.pitch, roll = attitude.roll;
+    const double pitch = attitude.pitch, roll = attitude.roll;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const double h = recess[k] + (base - pitch * x[k] - roll * y[k]);
+        const double h = recess[k] + (lift[k] - pitch * x[k] - roll * y[k]);
         gap[k] = h;
         product[k] = mean[k] * (h > closedGap ? h : 1e-6);
     }
@@ -133,7 +133,7 @@ std::size_t mostPieces(const FilmGaps& gaps)
 CutPaths::Work::Work(const FilmGaps& gaps)
 {
     for (auto* column : {&gap_, &product_, &mobility_, &mobilityBy_}) column->resize(mostPieces(gaps));
-    for (auto* column : {&mean_, &open_}) column->resize(pieces);
+    for (auto* column : {&mean_, &open_, &lift_}) column->resize(pieces);
     path_.resize(5 * Lanes<Dual<3>>::parts * pieces);
 }
 
@@ -178,9 +178,10 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
 }
 
 template <typename Number>
-void CutPaths::flows(std::span<const double> p, const Attitude& attitude, const FlowTable& table, double viscosity, Work& work,
-                     std::vector<PathFlow<Number>>& out) const
+void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface, const FlowTable& table,
+                     double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const
 {
+    const double base = gaps_->lift(attitude, 0.0, 0.0);
     constexpr std::size_t parts = Lanes<Number>::parts;
     const std::vector<CutPlace>& cut = gaps_->faces[axis_].cut;
     const std::size_t step = gaps_->pad.step(static_cast<int>(axis_));
@@ -188,13 +189,14 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, const 
     for (const Group& group : groups_) {
         const std::size_t rows = group.rows;
         for (std::size_t k = 0; k < rows; ++k) {
-            const std::size_t at = cut[face_[group.row + k]].at;
+            const std::size_t face = face_[group.row + k], at = cut[face].at;
             work.mean_[k] = 0.5 * (p[at - step] + p[at]);
+            work.lift_[k] = base - surface[face];
             work.open_[k] = 1.0;
         }
         for (std::size_t n = 0; n < group.depth; ++n) {
             const std::size_t in = n * rows, from = group.piece + in;
-            setGaps(*gaps_, attitude, rows, &recess_[from], &x_[from], &y_[from], work.mean_.data(), &work.gap_[in],
+            setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(), &work.gap_[in],
                     &work.product_[in]);
         }
         const std::size_t count = rows * group.depth;
@@ -229,11 +231,11 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, const 
     }
 }
 
-template void CutPaths::flows(std::span<const double>, const Attitude&, const FlowTable&, double, Work&,
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
                               std::vector<PathFlow<double>>&) const;
-template void CutPaths::flows(std::span<const double>, const Attitude&, const FlowTable&, double, Work&,
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
                               std::vector<PathFlow<Dual<1>>>&) const;
-template void CutPaths::flows(std::span<const double>, const Attitude&, const FlowTable&, double, Work&,
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
                               std::vector<PathFlow<Dual<3>>>&) const;
 
 } // namespace touchdown

@@ -24,11 +24,12 @@ public:
     /// `speed`: that of the disk along the axis by face, halved [m/s]; the gaps must last.
     CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed);
 
-    /// What each cut face passes at these pressures (padded), in the order of FilmGaps: as numbers, with the derivative by the
-    /// mean pressure along the path (Dual<1>), or with those by height, pitch and roll (Dual<3>).
+    /// What each cut face passes at these pressures (padded) above a disk of these heights under the faces, in the order of
+    /// FilmGaps: as numbers, with the derivative by the mean pressure along the path (Dual<1>), or with those by height, pitch and
+    /// roll (Dual<3>).
     template <typename Number>
-    void flows(std::span<const double> p, const Attitude& attitude, const FlowTable& table, double viscosity, Work& work,
-               std::vector<PathFlow<Number>>& out) const;
+    void flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface, const FlowTable& table,
+               double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const;
 
 private:
     struct Group {
@@ -53,7 +54,7 @@ public:
 private:
     friend class CutPaths;
     std::vector<double> gap_, product_, mobility_, mobilityBy_; // by piece
-    std::vector<double> mean_, open_;                                   // by row
+    std::vector<double> mean_, open_, lift_;                            // by row
     std::vector<double> path_;                                          // sums along the rows, by number and row
 };
 

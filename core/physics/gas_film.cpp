@@ -89,11 +89,15 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     flows_.resize(pad.size());
-    for (std::size_t axis = 0; axis < 2; ++axis) cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
+        axes_[axis].cutSurface.assign(gaps_.faces[axis].cut.size(), 0.0);
+    }
     const std::size_t mostCut = std::max(gaps_.faces[0].cut.size(), gaps_.faces[1].cut.size());
     cutFlows_.resize(mostCut);
     cutFlowsByPressure_.resize(mostCut);
-    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_}) row->assign(pad.stride(), 0.0);
+    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_, &rowRise_})
+        row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
@@ -117,6 +121,36 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     setAttitude({});
 }
 
+void GasFilm::setRowOverSurface(std::size_t axis, int j)
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx), step = pad.step(static_cast<int>(axis));
+    const auto set = [&](std::size_t k, double below, double above) {
+        rowRecess_[k] = faces.recess[first + k] - 0.5 * (below + above);
+        rowRise_[k] = faces.rise[first + k] - (above - below);
+    };
+    const bool lowest = axis == 1 && j == 0, highest = axis == 1 && j == pad.ny;
+    const double *above = surface_.data() + (highest ? first - step : first), *below = lowest ? above : surface_.data() + first - step;
+    for (std::size_t k = 0; k < nx; ++k) set(k, below[k], above[k]);
+    if (axis == 1) return;
+    set(0, surface_[first], surface_[first]);
+    set(nx, surface_[first + nx - 1], surface_[first + nx - 1]);
+}
+
+void GasFilm::setCutSurface(std::size_t axis)
+{
+    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
+    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    std::vector<double>& heights = axes_[axis].cutSurface;
+    std::fill(heights.begin(), heights.end(), 0.0);
+    for (std::size_t n = 0; !surface_.empty() && n < cut.size(); ++n) {
+        // The rings' cells have no area.
+        const std::size_t above = cut[n].at, below = above - step;
+        heights[n] = 0.5 * (surface_[area_[below] > 0.0 ? below : above] + surface_[area_[above] > 0.0 ? above : below]);
+    }
+}
+
 void GasFilm::setAttitude(const Attitude& attitude)
 {
     attitude_ = attitude;
@@ -131,29 +165,38 @@ void GasFilm::setAttitude(const Attitude& attitude)
             const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
             const double y = axis == 0 ? grid.centreY(j) : faces.pathMid[line];
             if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
+            if (!surface_.empty()) setRowOverSurface(axis, j);
             setGaps(base - attitude.roll * y, attitude.pitch, nx + (axis == 0), axis == 0 ? faces.pathMid.data() : centreX_.data(),
-                    &faces.recess[at], &a.gap[at]);
+                    surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
             setTilts(axis == 0 ? attitude.pitch : attitude.roll, nx + (axis == 0),
-                     axis == 0 ? faces.pathLength.data() : rowLength_.data(), &faces.rise[at], &a.gap[at], &a.tilt[at]);
+                     axis == 0 ? faces.pathLength.data() : rowLength_.data(),
+                     surface_.empty() ? &faces.rise[at] : rowRise_.data(), &a.gap[at], &a.tilt[at]);
         }
         for (const CutPlace& place : faces.cut) a.gap[place.at] = 0.0;
+        setCutSurface(axis);
     }
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        setGaps(base - attitude.roll * grid.centreY(j), attitude.pitch, nx, centreX_.data(), &gaps_.meanRecess[at], &volume_[at]);
+        const double* recess = &gaps_.meanRecess[at];
+        if (!surface_.empty()) {
+            for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
+            recess = rowRecess_.data();
+        }
+        setGaps(base - attitude.roll * grid.centreY(j), attitude.pitch, nx, centreX_.data(), recess, &volume_[at]);
         for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
     }
     // Where part of a cut cell is closed, the rest holds the air.
     for (std::size_t n = 0; n < cutCells_.size(); ++n) {
         const CutCell& cell = cutCells_[n];
         const CutPlace& place = gaps_.cutCells[n];
-        double volume = cell.recess + base * cell.area - attitude.pitch * cell.x - attitude.roll * cell.y;
-        const double lowest = cell.lowest + base - std::max(attitude.pitch * cell.x0, attitude.pitch * cell.x1) -
+        const double surface = surfaceAt(place.at), lift = base - surface;
+        double volume = cell.recess + lift * cell.area - attitude.pitch * cell.x - attitude.roll * cell.y;
+        const double lowest = cell.lowest + lift - std::max(attitude.pitch * cell.x0, attitude.pitch * cell.x1) -
                               std::max(attitude.roll * cell.y0, attitude.roll * cell.y1);
         if (!(lowest > 0.0)) {
             volume = 0.0;
             for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
-                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k]));
+                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k], surface));
         }
         volume_[place.at] = volume;
     }
@@ -172,7 +215,8 @@ void GasFilm::setStorage(double perTime, std::span<const double> history)
 
 double GasFilm::meanGap(int i, int j) const
 {
-    return gaps_.meanRecess[gaps_.pad.at(i, j)] + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+    const std::size_t at = gaps_.pad.at(i, j);
+    return gaps_.meanRecess[at] - surfaceAt(at) + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
 }
 
 template <bool derived>

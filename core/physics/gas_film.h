@@ -83,8 +83,10 @@ public:
     /// Of the air under the slider [m^3].
     double totalVolume() const { return totalVolume_; }
 
-    /// The disk's surface under each cell: mean height above the mean plane, less what contact presses it down [m]; padded, read
-    /// by setAttitude, and must last. Empty: flat.
+    /// The disk's surface under each cell: mean height above the mean plane, less what contact presses it down [m]; padded, its
+    /// rings are not read. Empty: flat. Taken by setAttitude, and must last unchanged until the next one. A smooth face has the mean
+    /// of its two cells' heights, and their difference in the tilt of its gap; all pieces of a cut place have that of their face, or
+    /// of their cell.
     void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 
@@ -145,6 +147,7 @@ private:
         std::vector<double> speed; // of the disk along the axis, halved [m/s]
         std::vector<double> width; // of the face by cross index [m]
         std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
+        std::vector<double> cutSurface; // height of the disk under the cut faces, in their order [m]
     };
     /// Sums over a cut cell's pieces, and what they lie within.
     struct CutCell {
@@ -160,18 +163,24 @@ private:
     {
         return {1.0, gaps_.length - x, 0.5 * gaps_.width - y};
     }
-    /// The gap of a piece as a constant, or with its derivatives by the attitude.
+    /// Height of the disk under a cell [m].
+    double surfaceAt(std::size_t at) const { return surface_.empty() ? 0.0 : surface_[at]; }
+    /// Takes the disk's height off the recess of a row of faces, and its rise along their paths off that of the recess. On the
+    /// outline, the height of the cell inside.
+    void setRowOverSurface(std::size_t axis, int j);
+    void setCutSurface(std::size_t axis);
+    /// The gap of a piece above this height of the disk as a constant, or with its derivatives by the attitude.
     template <typename Number>
-    Number gapOf(const GapPiece& piece) const;
+    Number gapOf(const GapPiece& piece, double surface) const;
     template <typename Number>
     Number mobility(const Number& pm, const Number& h) const;
     /// Resistance and Peclet number of a piece; false where it is closed.
     template <typename Number>
-    bool pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const;
+    bool pieceOf(const GapPiece& piece, double surface, double speed, const Number& pm, Number& r, Number& q) const;
     template <typename Number>
-    Number cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const;
+    Number cutPoiseuille(const CutPlace& place, double surface, const Number& p1, const Number& p2) const;
     template <typename Number>
-    Number layerExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const;
+    Number layerExcess(std::size_t axis, const CutPlace& place, double surface, const Number& p1, const Number& p2) const;
     template <typename Number, typename Visit>
     void forLayers(std::span<const double> p, Visit&& visit) const;
     template <typename Visit>
@@ -223,6 +232,7 @@ private:
     std::vector<double> mobility_, mobilityByProduct_; // of a row of faces [Pa m], [-]
     std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
     std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
+    std::vector<double> rowRecess_, rowRise_; // of a row over a disk that is not flat [m]
     std::array<CutPaths, 2> cutPaths_;
     CutPaths::Work cutWork_;
     std::vector<PathFlow<double>> cutFlows_;
@@ -231,9 +241,9 @@ private:
 };
 
 template <typename Number>
-Number GasFilm::gapOf(const GapPiece& piece) const
+Number GasFilm::gapOf(const GapPiece& piece, double surface) const
 {
-    Number gap(piece.recess + gaps_.lift(attitude_, piece.x, piece.y));
+    Number gap(piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y));
     if constexpr (std::is_same_v<Number, ByAttitude>) gap.by = liftDirections(piece.x, piece.y);
     if constexpr (std::is_same_v<Number, ByAll>) {
         const std::array<double, 3> lift = liftDirections(piece.x, piece.y);
@@ -252,9 +262,9 @@ Number GasFilm::mobility(const Number& pm, const Number& h) const
 }
 
 template <typename Number>
-bool GasFilm::pieceOf(const GapPiece& piece, double speed, const Number& pm, Number& r, Number& q) const
+bool GasFilm::pieceOf(const GapPiece& piece, double surface, double speed, const Number& pm, Number& r, Number& q) const
 {
-    const Number h = gapOf<Number>(piece);
+    const Number h = gapOf<Number>(piece, surface);
     if (!(valueOf(h) > closedGap)) return false;
     r = Number(12.0 * setting_.air.viscosity * piece.extent) / (h * h * mobility(pm, h));
     q = Number(speed) * h * r;

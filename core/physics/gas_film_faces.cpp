@@ -105,7 +105,7 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
         setSmoothFaces<scheme, Number>(faces_[axis], row);
     }
     const auto setCut = [&](auto& flows) {
-        cutPaths_[axis].flows(p, attitude_, table_, setting_.air.viscosity, cutWork_, flows);
+        cutPaths_[axis].flows(p, attitude_, a.cutSurface, table_, setting_.air.viscosity, cutWork_, flows);
         for (std::size_t n = 0; n < flows.size(); ++n) {
             const std::size_t at = paths.cut[n].at;
             setFace(faces_[axis], at, flows[n], a.speed[at] < 0.0, p[at - step], p[at]);
@@ -168,7 +168,7 @@ void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std:
         }
     CutPaths::Work work(gaps_);
     std::vector<PathFlow<ByAttitude>> cutFlows;
-    cutPaths_[axis].flows(p, attitude_, table_, setting_.air.viscosity, work, cutFlows);
+    cutPaths_[axis].flows(p, attitude_, a.cutSurface, table_, setting_.air.viscosity, work, cutFlows);
     for (std::size_t n = 0; n < cutFlows.size(); ++n) {
         const std::size_t at = paths.cut[n].at;
         set(at, cutFlows[n], p[at - step], p[at], [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
@@ -191,7 +191,7 @@ void GasFilm::setAttitudeStorage(std::span<const double> p, double perTime, std:
         for (FaceFlows<double>& f : flows) f.stored[cell.at] = 0.0;
         for (std::uint32_t k = gaps_.rows[cell.rows].pieces; k < gaps_.rows[cell.rows].pieceEnd; ++k) {
             const GapPiece& piece = gaps_.pieces[k];
-            if (gapOf<double>(piece) > 0.0) add(cell.at, piece.extent, piece.x, piece.y);
+            if (gapOf<double>(piece, surfaceAt(cell.at)) > 0.0) add(cell.at, piece.extent, piece.x, piece.y);
         }
     }
 }

@@ -8,7 +8,7 @@ namespace touchdown {
 
 /// Shear of the pressure gradient on a face that pieces cross: -(h/2)(p2 - p1) times the width, h weighted by resistance.
 template <typename Number>
-Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Number& p2) const
+Number GasFilm::cutPoiseuille(const CutPlace& place, double surface, const Number& p1, const Number& p2) const
 {
     const Number pm = Number(0.5) * (p1 + p2);
     Number sum(0.0);
@@ -18,7 +18,7 @@ Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Num
         bool open = true;
         for (std::uint32_t k = row.pieces; open && k < row.pieceEnd; ++k) {
             Number resistance, peclet;
-            open = pieceOf(gaps_.pieces[k], 1.0, pm, resistance, peclet);
+            open = pieceOf(gaps_.pieces[k], surface, 1.0, pm, resistance, peclet);
             if (!open) break;
             R = R + resistance;
             weighted = weighted + peclet; // at unit speed: gap times resistance
@@ -33,7 +33,7 @@ Number GasFilm::cutPoiseuille(const CutPlace& place, const Number& p1, const Num
 /// the motion counts. Profile of a constant flow (path_flow.h), from the downstream end: over a piece of length l the mean of the
 /// pressure is end phi + flow r chi.
 template <typename Number>
-Number GasFilm::layerExcess(std::size_t axis, const CutPlace& place, const Number& p1, const Number& p2) const
+Number GasFilm::layerExcess(std::size_t axis, const CutPlace& place, double surface, const Number& p1, const Number& p2) const
 {
     const double speed = axes_[axis].speed[place.at];
     const bool against = speed < 0.0;
@@ -48,7 +48,7 @@ Number GasFilm::layerExcess(std::size_t axis, const CutPlace& place, const Numbe
         Number integral(0.0), decay(1.0), resistance, peclet; // from the upstream end
         bool open = true;
         for (std::uint32_t k = 0; open && k < count; ++k) {
-            open = pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
+            open = pieceOf(piece(k), surface, std::abs(speed), pm, resistance, peclet);
             if (!open) break;
             const PathFunctions<Number> f(peclet);
             integral = integral + decay * resistance * f.phi;
@@ -58,7 +58,7 @@ Number GasFilm::layerExcess(std::size_t axis, const CutPlace& place, const Numbe
         const Number flow = (upstream - downstream * decay) / integral;
         Number end = downstream, excess(0.0);
         for (std::uint32_t k = count; k-- > 0;) {
-            pieceOf(piece(k), std::abs(speed), pm, resistance, peclet);
+            pieceOf(piece(k), surface, std::abs(speed), pm, resistance, peclet);
             const PathFunctions<Number> f(peclet);
             const Number mean = end * f.phi + flow * resistance * f.chi;
             excess = excess + Number(piece(k).extent) * (mean - (piece(k).start < 0.0 ? p1 : p2));
@@ -77,13 +77,14 @@ void GasFilm::forLayers(std::span<const double> p, Visit&& visit) const
         if (!(motionShare_[axis] > 0.0)) continue;
         const FilmGaps::Faces& faces = gaps_.faces[axis];
         const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-        for (const CutPlace& place : faces.cut) {
+        for (std::size_t n = 0; n < faces.cut.size(); ++n) {
+            const CutPlace& place = faces.cut[n];
             const int i = gaps_.pad.column(place.at), j = gaps_.pad.row(place.at);
             Number p1(p[place.at - step]), p2(p[place.at]);
             if constexpr (!std::is_same_v<Number, double>) p1.by[0] = p2.by[1] = 1.0;
             const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
             const double x = axis == 0 ? middle : gaps_.grid.centreX(i), y = axis == 0 ? gaps_.grid.centreY(j) : middle;
-            visit(place.at - step, place.at, layerExcess(axis, place, p1, p2),
+            visit(place.at - step, place.at, layerExcess(axis, place, axes_[axis].cutSurface[n], p1, p2),
                   std::array<double, 3>{1.0, 0.5 * gaps_.length - x, 0.5 * gaps_.width - y});
         }
     }
@@ -146,7 +147,7 @@ void GasFilm::addUpShear(std::span<const double> p, Add&& add) const
     for (const CutPlace& place : gaps_.cutCells) {
         Number perSpeed(0.0);
         for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
-            const Number gap = gapOf<Number>(gaps_.pieces[k]);
+            const Number gap = gapOf<Number>(gaps_.pieces[k], surfaceAt(place.at));
             if (valueOf(gap) > closedGap) perSpeed = perSpeed + couette(pressure(place.at, 0), gap, gaps_.pieces[k].extent);
         }
         cell(place.at, pad.column(place.at), pad.row(place.at), perSpeed);
@@ -167,9 +168,10 @@ void GasFilm::addUpShear(std::span<const double> p, Add&& add) const
                 const Number h = gapAt(gap, axis == 0 ? middle : grid.centreX(i), axis == 0 ? grid.centreY(j) : middle);
                 face(at, Number(-0.5 * width) * h * (pressure(at, 1) - pressure(at - step, 0)));
             }
-        for (const CutPlace& place : faces.cut) {
+        for (std::size_t n = 0; n < faces.cut.size(); ++n) {
+            const CutPlace& place = faces.cut[n];
             const Number p1 = pressure(place.at - step, 0), p2 = pressure(place.at, 1);
-            face(place.at, cutPoiseuille(place, p1, p2));
+            face(place.at, cutPoiseuille(place, axes_[axis].cutSurface[n], p1, p2));
         }
     }
 }

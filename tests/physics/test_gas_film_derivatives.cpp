@@ -74,28 +74,46 @@ double inner(const std::vector<double>& a, const std::vector<double>& b)
 }
 double norm(const std::vector<double>& a) { return std::sqrt(inner(a, a)); }
 
+/// Over a disk whose heights differ from cell to cell by up to this [m].
+struct OverDisk : FilmProblem {
+    std::vector<double> disk;
+
+    OverDisk(const FilmSetting& setting, double waves) : FilmProblem(surface(), L, W, cells(), setting, attitude)
+    {
+        if (waves == 0.0) return;
+        for (std::size_t at = 0; at < p.size(); ++at) disk.push_back(waves * std::sin(1.9 * static_cast<double>(at * at % 97)));
+        film.setSurface(disk);
+        film.setAttitude(attitude);
+    }
+};
+
 /// All schemes with the slider's own slip model, all slip models with the default scheme, and air flowing every way.
 void addSettings()
 {
     QTest::addColumn<FilmSetting>("setting");
+    QTest::addColumn<double>("waves");
     FilmSetting setting;
     setting.disk = {.speed = 600.0, .radius = 22e-3, .skew = 0.2};
     using enum ConvectionScheme;
     for (const auto& [name, scheme] : {std::pair{"upwind", Upwind}, {"hybrid", Hybrid}, {"power law", PowerLaw},
                                        {"exponential", Exponential}, {"complete flux", CompleteFlux}}) {
         setting.scheme = scheme;
-        QTest::addRow("%s", name) << setting;
+        QTest::addRow("%s", name) << setting << 0.0;
         setting.disk.skew = -2.5; // backwards along x
-        QTest::addRow("%s, backwards", name) << setting;
+        QTest::addRow("%s, backwards", name) << setting << 0.0;
         setting.disk.skew = 0.2;
     }
     for (std::size_t model = 0; model < slipModelNames().size(); ++model) {
         setting.slip = {.model = static_cast<SlipModel>(model), .switchGap = 40e-9, .blendWidth = 30e-9};
-        QTest::addRow("complete flux, %s", slipModelNames()[model].data()) << setting;
+        QTest::addRow("complete flux, %s", slipModelNames()[model].data()) << setting << 0.0;
     }
     setting.slip = {};
+    setting.scheme = Exponential;
+    QTest::newRow("exponential, wavy disk") << setting << 3e-9;
+    setting.scheme = CompleteFlux;
+    QTest::newRow("complete flux, wavy disk") << setting << 3e-9;
     setting.disk.speed = 0.0;
-    QTest::newRow("disk at rest") << setting;
+    QTest::newRow("disk at rest") << setting << 0.0;
 }
 
 } // namespace
@@ -110,7 +128,8 @@ private slots:
     void jacobian()
     {
         QFETCH(FilmSetting, setting);
-        FilmProblem problem(surface(), L, W, cells(), setting, attitude);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
         const PaddedGrid& pad = problem.gaps.pad;
         problem.p = roughPressure(pad, problem.film.ambient());
         std::vector<double> out(pad.size()), v(pad.size(), 0.0), image(pad.size()), p = problem.p;
@@ -159,7 +178,8 @@ private slots:
     void residualOfBoth()
     {
         QFETCH(FilmSetting, setting);
-        FilmProblem problem(surface(), L, W, cells(), setting, attitude);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
         const std::size_t size = problem.gaps.pad.size();
         problem.p = roughPressure(problem.gaps.pad, problem.film.ambient());
         std::vector<double> a(size), b(size);
@@ -173,7 +193,8 @@ private slots:
     void transposeAndComplex()
     {
         QFETCH(FilmSetting, setting);
-        FilmProblem problem(surface(), L, W, cells(), setting, attitude);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
         const PaddedGrid& pad = problem.gaps.pad;
         problem.p = roughPressure(pad, problem.film.ambient());
         const std::vector<double> u = randomCells(pad, 3), v = randomCells(pad, 4);
@@ -203,7 +224,8 @@ private slots:
     void attitudeColumns()
     {
         QFETCH(FilmSetting, setting);
-        FilmProblem problem(surface(), L, W, cells(), setting, attitude);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
         const PaddedGrid& pad = problem.gaps.pad;
         problem.p = roughPressure(pad, problem.film.ambient());
         std::vector<double> out(pad.size());
@@ -237,7 +259,8 @@ private slots:
     void whatLeavesOneCellEntersTheNext()
     {
         QFETCH(FilmSetting, setting);
-        FilmProblem problem(surface(), L, W, cells(), setting, attitude);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
         const PaddedGrid& pad = problem.gaps.pad;
         problem.p = roughPressure(pad, problem.film.ambient());
         std::vector<double> out(pad.size()), ones(pad.size(), 0.0), sums(pad.size());

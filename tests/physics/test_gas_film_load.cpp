@@ -175,9 +175,16 @@ private slots:
         }
     }
 
+    void derivatives_data()
+    {
+        QTest::addColumn<double>("waves");
+        QTest::newRow("flat disk") << 0.0;
+        QTest::newRow("wavy disk") << 4e-9;
+    }
     /// Derivatives of load and shear by pressures and attitude against central differences.
     void derivatives()
     {
+        QFETCH(double, waves);
         const double L = 1e-3, W = 0.8e-3;
         AirBearingSurface surface;
         surface.baseRecess = 0.7e-6;
@@ -190,6 +197,10 @@ private slots:
         const PaddedGrid& pad = problem.gaps.pad;
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) problem.p[pad.at(i, j)] *= 1.6 + std::sin(1.1 * i + 0.8 * j);
+        std::vector<double> disk(pad.size());
+        for (std::size_t at = 0; at < disk.size(); ++at) disk[at] = waves * std::sin(2.1 * static_cast<double>(at));
+        if (waves > 0.0) problem.film.setSurface(disk);
+        problem.film.setAttitude(attitude);
         GasFilm::ForceDerivatives exact;
         problem.film.forceDerivatives(problem.p, exact);
         const auto values = [&] {

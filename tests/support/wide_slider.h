@@ -3,7 +3,7 @@
 // The infinitely wide plane slider, solved without any code of the film's: a reference for its models and schemes.
 //
 // In units of the outlet's gap h0, the ambient pressure p0 and the length L, with X = 0 at the inlet, H = 2 - X (inlet gap
-// twice the outlet's) and Lambda = 6 mu U L/(p0 h0^2), the mass flow through each section is the same:
+// twice the outlet's) or any other, and Lambda = 6 mu U L/(p0 h0^2), the mass flow through each section is the same:
 //
 //   H^2 G(P H) dP/dX - Lambda P H = C,   P(0) = P(1) = 1,   G(w) = w Q(Kn0/w).
 //
@@ -21,13 +21,13 @@ struct WideSlider {
     double mismatch = 0.0; // P(0) - 1
 };
 
-/// `mobility(w)` is G in units of p0 h0.
-template <typename MobilityLaw>
-WideSlider wideSlider(double bearingNumber, const MobilityLaw& mobility, int steps)
+/// `mobility(w)` is G in units of p0 h0; `gap(X)` is H.
+template <typename MobilityLaw, typename Gap>
+WideSlider wideSlider(double bearingNumber, const MobilityLaw& mobility, int steps, const Gap& gap)
 {
     const auto shoot = [&](double flow) {
         const auto slope = [&](double x, double p) {
-            const double h = 2.0 - x;
+            const double h = gap(x);
             return (bearingNumber * p * h + flow) / (h * h * mobility(p * h));
         };
         const double dx = -1.0 / steps;
@@ -51,6 +51,11 @@ WideSlider wideSlider(double bearingNumber, const MobilityLaw& mobility, int ste
         b = next;
     }
     return b;
+}
+template <typename MobilityLaw>
+WideSlider wideSlider(double bearingNumber, const MobilityLaw& mobility, int steps)
+{
+    return wideSlider(bearingNumber, mobility, steps, [](double x) { return 2.0 - x; });
 }
 
 } // namespace touchdown::test
