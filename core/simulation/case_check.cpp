@@ -66,7 +66,8 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
     if (run.duration / run.sampleInterval > mostSamples)
         problems.push_back(
             {"run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval"});
-    if (findField("spectrum.start")->used(c) && c.spectrum.start >= run.duration) problems.push_back({"spectrum.start", "must be less than " + duration});
+    if (findField("spectrum.start")->used(c) && c.spectrum.start >= run.duration)
+        problems.push_back({"spectrum.start", "must be less than " + duration});
 }
 
 void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
@@ -76,8 +77,9 @@ void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
             {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch alone"});
     if (c.contact == ContactKind::OnoYamane) checkCharacteristic(c.onoYamane, problems);
     if (c.contact != ContactKind::OnoYamane && c.contact != ContactKind::None)
-        problems.push_back({"contact", "must be \"none\" or \"ono-yamane\" with model \"springs\"; elastic, asperity and "
-                                       "multi-asperity belong to model \"contact\""});
+        problems.push_back({"contact",
+                            "must be \"none\" or \"ono-yamane\" with model \"springs\"; elastic belongs to models "
+                            "\"film\" and \"contact\", asperity and multi-asperity to model \"contact\""});
     checkSpacing(c,
                  {"front", "springs.front_stiffness", "springs.front_distance", c.springs.frontStiffness,
                   c.springs.frontDistance},
@@ -122,13 +124,16 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
 
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
-    if (c.contact != ContactKind::None)
-        problems.push_back({"contact", "must be \"none\" with model \"film\", which cannot yet touch the disk"});
     if (!knowsAccommodation(c.air.slip.model) && c.air.slip.accommodation != 1.0)
         problems.push_back({"air.accommodation", "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) +
                                                      "), which knows diffuse walls alone"});
+    if (c.initial.state == InitialState::Static && c.steady.fixedAttitude)
+        problems.push_back(
+            {"initial.state", "must be \"given\" with steady.fixed_attitude, which looks for no static attitude"});
     checkSliderSurface(c, problems);
     checkSeries(c.steady, problems);
+    checkTimes(c, problems);
+    checkFilmContact(c, problems);
 }
 
 } // namespace

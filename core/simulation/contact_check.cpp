@@ -20,6 +20,7 @@ std::string inNanometres(double length) { return decimalText(length, 9, 4) + " n
 std::string inMicrometres(double length) { return decimalText(length, 6, 4) + " um"; }
 
 constexpr double mostSnapshotBytes = 4e9;
+constexpr double filmFields = 2.0; // gap and pressure
 
 /// A whole number of cells to within rounding of both, and not too many.
 void checkSide(const char* key, double side, double cell, Problems& problems)
@@ -73,36 +74,62 @@ void checkPeriodic(const Case& c, Problems& problems)
 }
 
 /// Snapshots wait in memory for the window.
-void checkMemory(const Case& c, Problems& problems)
+void checkMemory(const Case& c, double values, const std::string& what, Problems& problems)
 {
-    const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
-    const double fields =
-        2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
-    const double bytes = cells * fields * (c.run.fieldSnapshots + 1.0) * sizeof(double);
-    if (c.pad.shape != PadShape::Slider && c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
-        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " +
-                                                       decimalText(cells, -6, 3) + " million cells take " +
+    const double bytes = values * (c.run.fieldSnapshots + 1.0) * sizeof(double);
+    if (c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
+        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " + what + " take " +
                                                        decimalText(bytes, -9, 3) + " GB; at most " +
                                                        decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
 }
 
-void checkElastic(const Case& c, Problems& problems)
+std::string inMillions(double cells) { return decimalText(cells, -6, 3) + " million cells"; }
+
+/// Fields of a contact patch: its gap, its contact pressure, and where there are some adhesion and the disk's surface.
+double patchFields(const Case& c)
+{
+    return 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
+}
+
+void checkDiskSurface(const DiskSurface& surface, Problems& problems)
+{
+    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(surface))
+        problems.push_back({"disk.surface." + problem.key, problem.sentence});
+    if (surface.kind == DiskSurfaceKind::Combined && !hasWaves(surface) && !hasRoughness(surface) &&
+        !hasFile(surface) && !hasBumps(surface))
+        problems.push_back(
+            {"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+}
+
+void checkElasticPad(const Case& c, Problems& problems)
 {
     const std::size_t before = problems.size();
     checkPad(c, problems);
-    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(c.diskSurface))
-        problems.push_back({"disk.surface." + problem.key, problem.sentence});
-    if (c.diskSurface.kind == DiskSurfaceKind::Combined && !hasWaves(c.diskSurface) && !hasRoughness(c.diskSurface) &&
-        !hasFile(c.diskSurface) && !hasBumps(c.diskSurface))
-        problems.push_back(
-            {"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+    checkDiskSurface(c.diskSurface, problems);
     if (problems.size() == before) checkSampling(c, problems);
     // Without the surface's own heights, which take time to make: the run looks again with them.
     if (c.pad.shape == PadShape::Slider && problems.empty())
         if (const std::string problem = patchesOf(c, DiskTopography()).problem; !problem.empty())
             problems.push_back({"initial.pitch", problem + "; tilt the slider more, or take a larger elastic.cell"});
     checkPeriodic(c, problems);
-    checkMemory(c, problems);
+    if (c.pad.shape == PadShape::Slider) return;
+    const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
+    checkMemory(c, cells * patchFields(c), inMillions(cells), problems);
+}
+
+/// Where a slider on its film can touch; false where that is too much.
+bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
+{
+    const SliderPatches found = sliderPatches(c.surface, c.slider.length, c.slider.width, c.elastic.patchPitch, 0.0,
+                                              c.elastic.cell, c.elastic.patchReach, mostPatchCells);
+    if (!found.problem.empty()) {
+        problems.push_back({"elastic.patch_reach", found.problem +
+                                                       "; take a smaller reach, another elastic.patch_pitch or a "
+                                                       "larger elastic.cell"});
+        return false;
+    }
+    cells = static_cast<double>(found.patches.front().grid.cells());
+    return true;
 }
 
 } // namespace
@@ -135,7 +162,7 @@ void checkContact(const Case& c, Problems& problems)
                             "ono-yamane, elastic, asperity, multi-asperity"});
         break;
     case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
-    case ContactKind::Elastic: checkElastic(c, problems); break;
+    case ContactKind::Elastic: checkElasticPad(c, problems); break;
     case ContactKind::Asperity: break;
     case ContactKind::MultiAsperity:
         if (c.meniscus.breakingLength < c.meniscus.filmThickness)
@@ -144,6 +171,35 @@ void checkContact(const Case& c, Problems& problems)
                                                                 inNanometres(c.meniscus.filmThickness) + ")"});
         break;
     }
+}
+
+void checkFilmContact(const Case& c, Problems& problems)
+{
+    const std::size_t before = problems.size();
+    checkDiskSurface(c.diskSurface, problems);
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Moving &&
+        c.disk.speed == 0.0)
+        problems.push_back({"disk.surface.motion", "is \"moving\", but disk.speed is 0; allowed is \"still\" then"});
+    const double filmCells = (c.film.nodes[0] - 1.0) * (c.film.nodes[1] - 1.0);
+    double patchCells = 0.0;
+    switch (c.contact) {
+    case ContactKind::None: break;
+    case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
+    case ContactKind::Elastic:
+        if (problems.size() == before) checkSampling(c, problems);
+        // The search takes a surface that makes sense.
+        if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
+        break;
+    case ContactKind::Asperity:
+    case ContactKind::MultiAsperity:
+        problems.push_back({"contact",
+                            "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
+                            "multi-asperity belong to model \"contact\""});
+        break;
+    }
+    const double values = filmFields * filmCells + patchFields(c) * patchCells;
+    const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";
+    checkMemory(c, values, "the film's " + inMillions(filmCells) + patch, problems);
 }
 
 } // namespace touchdown

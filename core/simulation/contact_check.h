@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Combinations that make no sense in a case of the model "contact".
+// Combinations that make no sense in a case of the model "contact", and of the contact under a film.
 #pragma once
 
 #include "core/simulation/fields.h"
@@ -17,6 +17,9 @@ inline constexpr int mostPatchCells = 2048;
 void checkPatch(const Case& c, std::vector<CaseProblem>& problems);
 
 void checkContact(const Case& c, std::vector<CaseProblem>& problems);
+
+/// Contact and disk of a slider that flies.
+void checkFilmContact(const Case& c, std::vector<CaseProblem>& problems);
 
 /// d_e >= d_s, wherever the simplified characteristic is used.
 void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);

@@ -24,8 +24,8 @@ std::vector<Field> descriptionFields()
                 .label = "contact",
                 .choices = {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
                 .help = "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
-                        "and, with the model contact, elastic = of surfaces given point by point, with intermolecular "
-                        "adhesion; asperity = of a statistical surface; multi-asperity = the same with menisci on a pad that "
+                        "with the models film and contact, elastic = of surfaces given point by point, with intermolecular "
+                        "adhesion; and, with the model contact, asperity = of a statistical surface; multi-asperity = the same with menisci on a pad that "
                         "yields, the full model of Ono & Yamane. A film case has none where it does not say otherwise, a "
                         "contact case elastic.",
                 .source = "paper, section 2 and Fig. 3"},

@@ -14,9 +14,9 @@ constexpr double longestTrack = 1.0; // [m]
 constexpr const char* ours = "ours";
 constexpr const char* none = "ours: none";
 
-bool withKind(const Case& c, DiskSurfaceKind kind) { return withSurfaces(c) && c.diskSurface.kind == kind; }
+bool withKind(const Case& c, DiskSurfaceKind kind) { return withDiskSurface(c) && c.diskSurface.kind == kind; }
 bool combined(const Case& c) { return withKind(c, DiskSurfaceKind::Combined); }
-bool notFlat(const Case& c) { return withSurfaces(c) && c.diskSurface.kind != DiskSurfaceKind::Flat; }
+bool notFlat(const Case& c) { return withDiskSurface(c) && c.diskSurface.kind != DiskSurfaceKind::Flat; }
 bool withWaves(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Waves); }
 bool withRough(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Rough); }
 bool withFile(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::File); }
@@ -83,7 +83,7 @@ std::vector<Field> kindFields()
                  "= "
                  "a measured profile or map, bumps = single bumps and pits, combined = the sum of all that is given.",
              .source = "paper, section 3: rough, and flat for comparison"},
-            at(&Case::diskSurface, &DiskSurface::kind), withSurfaces),
+            at(&Case::diskSurface, &DiskSurface::kind), withDiskSurface),
         choice({.key = "disk.surface.motion",
                 .label = "motion",
                 .choices = {"moving", "still"},

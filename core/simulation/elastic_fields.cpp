@@ -15,6 +15,8 @@ constexpr double stiffest = 1e14; // [Pa]
 bool withBodies(const Case& c) { return withSurfaces(c) || withAsperities(c); }
 bool withLennardJones(const Case& c) { return withSurfaces(c) && c.adhesion.kind == AdhesionKind::LennardJones; }
 bool withVanDerWaals(const Case& c) { return withSurfaces(c) && c.adhesion.kind == AdhesionKind::VanDerWaals; }
+/// The slider finds out by itself where it can touch.
+bool withPatchSearch(const Case& c) { return withFilm(c) && withSurfaces(c); }
 bool withShift(const Case& c) { return withLennardJones(c) || (withSurfaces(c) && c.adhesion.voltage != 0.0); }
 
 std::vector<Field> bodyFields()
@@ -81,19 +83,18 @@ std::vector<Field> bodyFields()
                 .help = "Coulomb friction coefficient on the contact force.",
                 .source = "assumed: the paper's value is lost"},
                at(&Case::elastic, &ElasticCase::friction), withSurfaces),
-        number(
-            {.key = "elastic.cell",
-             .label = "cell",
-             .unit = "m",
-             .displayUnit = "um",
-             .minimum = 0,
-             .maximum = 1e-3,
-             .minimumAllowed = false,
-             .help =
-                 "Side of a cell of the contact patch, the same along and across; pad.length and pad.width are whole "
-                 "numbers of cells.",
-             .source = "ours"},
-            at(&Case::elastic, &ElasticCase::cell), withSurfaces),
+        number({.key = "elastic.cell",
+                .label = "cell",
+                .unit = "m",
+                .displayUnit = "um",
+                .minimum = 0,
+                .maximum = 1e-3,
+                .minimumAllowed = false,
+                .help = "Side of a cell of the contact patch, the same along and across; pad.length and pad.width, "
+                        "where they are "
+                        "used, are whole numbers of cells.",
+                .source = "ours"},
+               at(&Case::elastic, &ElasticCase::cell), withSurfaces),
         number(
             {.key = "elastic.tolerance",
              .label = "tolerance",
@@ -118,7 +119,32 @@ std::vector<Field> bodyFields()
                  "Whether the patch and its load repeat in both directions for ever, instead of standing alone on the "
                  "half-space.",
              .source = "Stanley & Kato 1997; ours: it stands alone"},
-            at(&Case::elastic, &ElasticCase::periodic), withSurfaces),
+            at(&Case::elastic, &ElasticCase::periodic), withPadSurfaces),
+        number({.key = "elastic.patch_pitch",
+                .label = "patch pitch",
+                .unit = "rad",
+                .displayUnit = "urad",
+                .minimum = -0.1,
+                .maximum = 0.1,
+                .help = "Pitch at which the parts of the slider's surface are sought that can touch the disk; a usual "
+                        "pitch of "
+                        "the slider in contact.",
+                .source = "ours: a typical pitch of a flying slider"},
+               at(&Case::elastic, &ElasticCase::patchPitch), withPatchSearch),
+        number(
+            {.key = "elastic.patch_reach",
+             .label = "patch reach",
+             .unit = "m",
+             .displayUnit = "nm",
+             .minimum = 0,
+             .maximum = 1e-6,
+             .minimumAllowed = false,
+             .help =
+                 "How high above the lowest point of the slider, at elastic.patch_pitch, its surface can still touch: "
+                 "what lies higher has no part in the contact. It must cover the disk's roughness and how far the "
+                 "slider tilts and is pressed in.",
+             .source = "ours"},
+            at(&Case::elastic, &ElasticCase::patchReach), withPatchSearch),
     };
 }
 

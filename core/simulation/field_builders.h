@@ -35,28 +35,35 @@ namespace field_builders {
 inline bool always(const Case&) { return true; }
 inline bool withContactModel(const Case& c) { return c.model == ModelKind::Contact; }
 inline bool withOnoYamane(const Case& c) { return c.contact == ContactKind::OnoYamane; }
-/// Surfaces that are given point by point: pad, disk, and what acts between them.
-inline bool withSurfaces(const Case& c) { return withContactModel(c) && c.contact == ContactKind::Elastic; }
+inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
+inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
+/// Surfaces that are given point by point, and what acts between them: of a pad, or of a slider that flies.
+inline bool withSurfaces(const Case& c) { return !withSprings(c) && c.contact == ContactKind::Elastic; }
+inline bool withPadSurfaces(const Case& c) { return withContactModel(c) && withSurfaces(c); }
+/// A film flies over a surface that is not flat whatever touches it.
+inline bool withDiskSurface(const Case& c) { return withFilm(c) || withSurfaces(c); }
 inline bool withAsperities(const Case& c)
 {
     return withContactModel(c) && (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity);
 }
 /// The whole air bearing surface stands against the disk.
-inline bool withSliderPad(const Case& c) { return withSurfaces(c) && c.pad.shape == PadShape::Slider; }
-inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
-inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
+inline bool withSliderPad(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Slider; }
+/// The slider moves as forces tell it; a pad alone moves as it is told.
 inline bool withBearing(const Case& c) { return withSprings(c) || withFilm(c); }
+inline bool withRoll(const Case& c) { return withFilm(c) && c.degreesOfFreedom == 3; }
 inline bool withSliderSurface(const Case& c) { return withFilm(c) || withSliderPad(c); }
-/// The film's motion in time has no integrator, and a pad alone moves as it is told.
-inline bool withTime(const Case& c) { return withSprings(c); }
-inline bool withRun(const Case& c) { return withSprings(c) || withContactModel(c); }
-inline bool withFixedStep(const Case& c)
+/// The springs have a choice of integrators, the film one of its own.
+inline bool withFixedSpringStep(const Case& c)
 {
     using enum IntegratorKind;
-    return withTime(c) && (c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark);
+    return withSprings(c) && (c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark);
 }
-inline bool withAdaptiveStep(const Case& c) { return withTime(c) && !withFixedStep(c); }
-inline bool withNewmark(const Case& c) { return withTime(c) && c.run.integrator == IntegratorKind::Newmark; }
+inline bool withAdaptiveSpringStep(const Case& c) { return withSprings(c) && !withFixedSpringStep(c); }
+inline bool withNewmark(const Case& c) { return withSprings(c) && c.run.integrator == IntegratorKind::Newmark; }
+inline bool withFixedStep(const Case& c)
+{
+    return withFixedSpringStep(c) || (withFilm(c) && c.run.steps == StepControl::Fixed);
+}
 
 /// Access to `case.group.member`, or to `case.member`.
 template <typename Group, typename Value>

@@ -37,6 +37,7 @@ Case defaultsOf(ModelKind model)
     if (model == ModelKind::Film) {
         c.contact = ContactKind::None;
         c.degreesOfFreedom = 3;
+        c.run.duration = 0.5e-3;
     }
     if (model == ModelKind::Contact) {
         c.contact = ContactKind::Elastic;

@@ -47,8 +47,8 @@ struct Field {
     std::string group() const;
 };
 
-/// What a case has where nobody says otherwise: as in core/simulation/case.h, but a film case is without contact and
-/// free to roll, and a contact case is elastic and takes 400 samples.
+/// What a case has where nobody says otherwise: as in core/simulation/case.h, but a film case is without contact, free
+/// to roll and runs for 0.5 ms, and a contact case is elastic and takes 400 samples.
 Case defaultsOf(ModelKind model);
 
 /// Whether the air bearing surface takes part.

@@ -42,10 +42,10 @@ std::vector<Field> filmFields()
         choice({.key = "film.scheme",
                 .label = "convection scheme",
                 .choices = {"upwind", "hybrid", "power-law", "exponential", "complete-flux"},
-                .help =
-                    "How the air that the disk drags along is weighted on cell faces: upwind, hybrid and power-law "
-                    "(Patankar 1980), "
-                    "exponential = exact for a plane flow between two nodes, complete-flux = second order at any Peclet number.",
+                .help = "How the air that the disk drags along is weighted on cell faces: upwind, hybrid and power-law "
+                        "(Patankar 1980), "
+                        "exponential = exact for a plane flow between two nodes, complete-flux = second order at any "
+                        "Peclet number.",
                 .source = "paper, section 2: power law; complete flux: ten Thije Boonkkamp & Anthonissen 2011"},
                at(&Case::film, &FilmCase::scheme), withFilm),
         choice({.key = "film.solver",
@@ -73,6 +73,16 @@ std::vector<Field> filmFields()
                .help = "Iterations on one grid after which the film counts as not converged.",
                .source = "ours"},
               at(&Case::film, &FilmCase::maximumIterations), withFilm),
+        choice(
+            {.key = "film.coupling",
+             .label = "coupling",
+             .choices = {"monolithic", "staggered"},
+             .help =
+                 "How film and slider are solved together in a step of time: monolithic = one Newton's method on "
+                 "pressure and attitude, staggered = in turns, until neither changes. Both solve the same equations; "
+                 "staggered wants short steps.",
+             .source = "paper, section 2: staggered; ours: monolithic"},
+            at(&Case::film, &FilmCase::coupling), withFilm),
     };
 }
 
@@ -125,8 +135,9 @@ std::vector<Field> steadyFields()
                 .label = "sign of the shear torque",
                 .minimum = -1,
                 .maximum = 1,
-                .help = "Factor on the torques of the air's shear: 1 = its pitch torque presses the nose down, -1 = up, "
-                        "0 = they are left out.",
+                .help =
+                    "Factor on the torques of the air's shear: 1 = its pitch torque presses the nose down, -1 = up, "
+                    "0 = they are left out.",
                 .source = "geometry"},
                at(&Case::steady, &SteadyCase::torqueSign), withFilm),
         list({.key = "steady.radii",

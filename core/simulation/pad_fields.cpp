@@ -11,10 +11,10 @@ namespace {
 
 constexpr double longestPatch = 1e-2; // [m]
 
-bool withPatch(const Case& c) { return withSurfaces(c) && c.pad.shape != PadShape::Slider; }
+bool withPatch(const Case& c) { return withPadSurfaces(c) && c.pad.shape != PadShape::Slider; }
 /// The statistical laws know the size of the pad alone.
 bool withSize(const Case& c) { return withPatch(c) || withAsperities(c); }
-bool withSphere(const Case& c) { return withSurfaces(c) && c.pad.shape == PadShape::Sphere; }
+bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Sphere; }
 
 } // namespace
 
@@ -29,7 +29,7 @@ std::vector<Field> padFields()
                  "Shape of the pad that meets the disk: flat = a flat rectangle, sphere = a paraboloid of pad.radius, "
                  "slider = the pads of the slider's air bearing surface at initial.pitch and initial.roll.",
              .source = "ours: flat"},
-            at(&Case::pad, &PadCase::shape), withSurfaces),
+            at(&Case::pad, &PadCase::shape), withPadSurfaces),
         number({.key = "pad.length",
                 .label = "length",
                 .unit = "m",

@@ -11,8 +11,14 @@ namespace {
 
 constexpr double longestRun = 100.0; // [s]
 constexpr int mostSnapshots = 10000;
+constexpr const char* none = "ours: none";
 
 bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
+bool withOffsets(const Case& c) { return withFilm(c) && c.initial.state == InitialState::Static; }
+bool withRollOffset(const Case& c) { return withOffsets(c) && withRoll(c); }
+bool withStepError(const Case& c) { return withFilm(c) && c.run.steps == StepControl::Adaptive; }
+/// The gap and the pressure of the film, and those of a contact patch.
+bool withSnapshots(const Case& c) { return withFilm(c) || withSurfaces(c); }
 
 std::vector<Field> initialFields()
 {
@@ -27,14 +33,51 @@ std::vector<Field> initialFields()
                 .help = "Flying height at the contact pad at the start.",
                 .source = "paper, text on Fig. 10: 250 nm"},
                at(&Case::initial, &InitialCase::flyingHeight), withSprings),
+        choice({.key = "initial.state",
+                .label = "initial state",
+                .choices = {"given", "static"},
+                .help = "Where a run starts: given = at the initial attitude, static = at the static attitude, which "
+                        "is computed "
+                        "first, moved by the offsets.",
+                .source = "ours: the initial attitude"},
+               at(&Case::initial, &InitialCase::state), withFilm),
+        number({.key = "initial.height_offset",
+                .label = "height offset",
+                .unit = "m",
+                .displayUnit = "nm",
+                .minimum = -1e-3,
+                .maximum = 1e-3,
+                .help = "How far the mass centre starts above the static state.",
+                .source = none},
+               at(&Case::initial, &InitialCase::heightOffset), withOffsets),
+        number(
+            {.key = "initial.pitch_offset",
+             .label = "pitch offset",
+             .unit = "rad",
+             .displayUnit = "urad",
+             .minimum = -1,
+             .maximum = 1,
+             .help = "By how much the slider starts with more pitch than in the static state; about the mass centre.",
+             .source = none},
+            at(&Case::initial, &InitialCase::pitchOffset), withOffsets),
+        number({.key = "initial.roll_offset",
+                .label = "roll offset",
+                .unit = "rad",
+                .displayUnit = "urad",
+                .minimum = -1,
+                .maximum = 1,
+                .help = "By how much the slider starts with more roll than in the static state; about the mass centre.",
+                .source = none},
+               at(&Case::initial, &InitialCase::rollOffset), withRollOffset),
         number({.key = "initial.nominal_trailing_edge_height",
                 .label = "initial trailing edge height",
                 .unit = "m",
                 .displayUnit = "nm",
                 .minimum = -1e-3,
                 .maximum = 1e-3,
-                .help = "Height of the middle of the trailing edge, at recess 0, at the start; may be negative where the edge is "
-                        "recessed.",
+                .help = "Height of the middle of the trailing edge, at recess 0, at the start; may be negative where "
+                        "the edge is "
+                        "recessed. The search for the static attitude begins there, too.",
                 .source = "ours"},
                at(&Case::initial, &InitialCase::nominalTrailingEdgeHeight), withFilm),
         number({.key = "initial.pitch",
@@ -62,14 +105,21 @@ std::vector<Field> initialFields()
                 .displayUnit = "mm/s",
                 .help = "Velocity of the mass centre at the start, positive away from the disk.",
                 .source = "assumed: at rest; the paper does not say"},
-               at(&Case::initial, &InitialCase::verticalVelocity), withTime),
+               at(&Case::initial, &InitialCase::verticalVelocity), withBearing),
         number({.key = "initial.pitch_velocity",
                 .label = "initial pitch velocity",
                 .unit = "rad/s",
                 .displayUnit = "rad/s",
                 .help = "Pitch velocity at the start, positive when the leading edge rises.",
                 .source = "assumed: at rest; the paper does not say"},
-               at(&Case::initial, &InitialCase::pitchVelocity), withTime),
+               at(&Case::initial, &InitialCase::pitchVelocity), withBearing),
+        number({.key = "initial.roll_velocity",
+                .label = "initial roll velocity",
+                .unit = "rad/s",
+                .displayUnit = "rad/s",
+                .help = "Roll velocity at the start, positive when the inner edge rises.",
+                .source = "assumed: at rest; the paper does not say"},
+               at(&Case::initial, &InitialCase::rollVelocity), withRoll),
         choice({.key = "initial.branch",
                 .label = "initial branch",
                 .choices = {"touch-down", "take-off"},
@@ -91,7 +141,7 @@ std::vector<Field> integrationFields()
                 .minimumAllowed = false,
                 .help = "Simulated time.",
                 .source = "paper, Figs. 10-14: 2 ms"},
-               at(&Case::run, &RunCase::duration), withRun),
+               at(&Case::run, &RunCase::duration)),
         choice(
             {.key = "run.integrator",
              .label = "integrator",
@@ -101,7 +151,15 @@ std::vector<Field> integrationFields()
                  "located; newmark = implicit, fixed step; dopri5 = adaptive, switches located; cvode = SUNDIALS, for "
                  "comparison.",
              .source = "paper: 4th-order Runge-Kutta for this model; dopri5: Dormand & Prince 1980"},
-            at(&Case::run, &RunCase::integrator), withTime),
+            at(&Case::run, &RunCase::integrator), withSprings),
+        choice(
+            {.key = "run.steps",
+             .label = "time steps",
+             .choices = {"adaptive", "fixed"},
+             .help =
+                 "How long a time step of film and slider is: adaptive = as run.step_error allows, fixed = run.step.",
+             .source = "ours: adaptive"},
+            at(&Case::run, &RunCase::steps), withFilm),
         number({.key = "run.step",
                 .label = "time step",
                 .unit = "s",
@@ -109,9 +167,20 @@ std::vector<Field> integrationFields()
                 .minimum = 0,
                 .maximum = longestRun,
                 .minimumAllowed = false,
-                .help = "Time step of the fixed-step integrators.",
+                .help = "Time step where it is fixed.",
                 .source = "paper, text on Table III: 1e-8 and 1e-9 s"},
                at(&Case::run, &RunCase::step), withFixedStep),
+        number(
+            {.key = "run.step_error",
+             .label = "step error",
+             .unit = "m",
+             .displayUnit = "nm",
+             .minimum = 1e-18,
+             .maximum = 1e-6,
+             .help =
+                 "By which one time step's discretisation may displace the slider; sets how long adaptive steps are.",
+             .source = "ours"},
+            at(&Case::run, &RunCase::stepError), withStepError),
         number(
             {.key = "run.tolerance",
              .label = "tolerance",
@@ -120,7 +189,7 @@ std::vector<Field> integrationFields()
              .help =
                  "Local error allowed per step of the adaptive integrators, relative to the scale of the static state.",
              .source = "ours"},
-            at(&Case::run, &RunCase::tolerance), withAdaptiveStep),
+            at(&Case::run, &RunCase::tolerance), withAdaptiveSpringStep),
         number({.key = "run.newmark_beta",
                 .label = "Newmark beta",
                 .symbol = "beta",
@@ -149,22 +218,23 @@ std::vector<Field> integrationFields()
                 .minimumAllowed = false,
                 .help = "Time between recorded samples.",
                 .source = "ours"},
-               at(&Case::run, &RunCase::sampleInterval), withRun),
+               at(&Case::run, &RunCase::sampleInterval)),
         plain(FieldKind::Boolean,
               {.key = "run.step_check",
                .label = "step check",
                .help = "Whether a fixed-step run is repeated with half the step, to report a different end state.",
                .source = "paper, text on Table III: convergence between two steps"},
-              at(&Case::run, &RunCase::stepCheck), withFixedStep),
+              at(&Case::run, &RunCase::stepCheck), withFixedSpringStep),
         plain(FieldKind::Integer,
               {.key = "run.field_snapshots",
                .label = "field snapshots",
                .minimum = 0,
                .maximum = mostSnapshots,
-               .help = "How often the fields over the contact patch are recorded, evenly over the run; that of the closest "
-                       "approach is recorded in any case, unless this is 0.",
+               .help = "How often the fields of the film and over the contact patch are recorded, evenly over the run; "
+                       "a pad's at the "
+                       "closest approach are recorded in any case, unless this is 0.",
                .source = "ours"},
-              at(&Case::run, &RunCase::fieldSnapshots), withSurfaces),
+              at(&Case::run, &RunCase::fieldSnapshots), withSnapshots),
     };
 }
 
@@ -176,14 +246,14 @@ std::vector<Field> spectrumFields()
                 .choices = {"rectangular", "hann", "hamming", "blackman", "flat-top"},
                 .help = "Window on each segment of the signal.",
                 .source = "Welch 1967; Harris 1978"},
-               at(&Case::spectrum, &SpectrumCase::window), withTime),
+               at(&Case::spectrum, &SpectrumCase::window), withBearing),
         choice({.key = "spectrum.scaling",
                 .label = "scaling",
                 .choices = {"density", "amplitude"},
                 .help = "density = the integral over frequency is the mean square; amplitude = a sine of amplitude A "
                         "shows A^2/2.",
                 .source = "Welch 1967"},
-               at(&Case::spectrum, &SpectrumCase::scaling), withTime),
+               at(&Case::spectrum, &SpectrumCase::scaling), withBearing),
         number({.key = "spectrum.segment",
                 .label = "segment",
                 .unit = "s",
@@ -193,14 +263,14 @@ std::vector<Field> spectrumFields()
                 .minimumAllowed = false,
                 .help = "Length of one segment; longer resolves finer, shorter averages more.",
                 .source = "ours"},
-               at(&Case::spectrum, &SpectrumCase::segment), withTime),
+               at(&Case::spectrum, &SpectrumCase::segment), withBearing),
         number({.key = "spectrum.overlap",
                 .label = "overlap",
                 .minimum = 0,
                 .maximum = 0.95,
                 .help = "Part that neighbouring segments share.",
                 .source = "Welch 1967: one half"},
-               at(&Case::spectrum, &SpectrumCase::overlap), withTime),
+               at(&Case::spectrum, &SpectrumCase::overlap), withBearing),
         number({.key = "spectrum.start",
                 .label = "start",
                 .unit = "s",
@@ -209,7 +279,7 @@ std::vector<Field> spectrumFields()
                 .maximum = longestRun,
                 .help = "Time before which the spectrum takes nothing.",
                 .source = "ours"},
-               at(&Case::spectrum, &SpectrumCase::start), withTime),
+               at(&Case::spectrum, &SpectrumCase::start), withBearing),
     };
 }
 

@@ -14,7 +14,6 @@ constexpr const char* lostTable =
 constexpr const char* typical = "a typical suspension of a small slider";
 constexpr const char* centred = "ours: over the slider's centre";
 
-bool withRoll(const Case& c) { return withFilm(c) && c.degreesOfFreedom == 3; }
 bool withTorques(const Case& c) { return withFilm(c) && !c.suspension.holdsAttitude; }
 bool withStaticAttitude(const Case& c) { return withFilm(c) && c.suspension.holdsAttitude; }
 bool withRollTorque(const Case& c) { return withRoll(c) && withTorques(c); }
@@ -78,7 +77,7 @@ std::vector<Field> suspensionFields()
                 .displayUnit = "N s/m",
                 .minimum = 0,
                 .maximum = 1000000000000.0,
-                .help = "Vertical damping of the suspension; the modes use it.",
+                .help = "Vertical damping of the suspension.",
                 .source = typical},
                at(&Case::suspension, &SuspensionCase::damping), withFilm),
         number({.key = "suspension.pitch_damping",
@@ -88,7 +87,7 @@ std::vector<Field> suspensionFields()
                 .displayUnit = "N m s/rad",
                 .minimum = 0,
                 .maximum = 1000000000000.0,
-                .help = "Angular damping of the suspension in pitch; the modes use it.",
+                .help = "Angular damping of the suspension in pitch.",
                 .source = typical},
                at(&Case::suspension, &SuspensionCase::pitchDamping), withFilm),
         number({.key = "suspension.roll_damping",
@@ -98,7 +97,7 @@ std::vector<Field> suspensionFields()
                 .displayUnit = "N m s/rad",
                 .minimum = 0,
                 .maximum = 1000000000000.0,
-                .help = "Angular damping of the suspension in roll; the modes use it.",
+                .help = "Angular damping of the suspension in roll.",
                 .source = typical},
                at(&Case::suspension, &SuspensionCase::rollDamping), withRoll),
         number({.key = "suspension.preload",

@@ -53,10 +53,23 @@ private slots:
             "must be less than run.duration (2 ms)");
         row("springs that roll", {"degrees_of_freedom=3"}, "degrees_of_freedom", "must be 2 with model \"springs\"");
         const QStringList film{"model=film", "contact=none", "degrees_of_freedom=3"};
-        row("a film that touches", {"model=film"}, "contact", "must be \"none\" with model \"film\"");
+        row("a film that touches", {"model=film"}, "", "");
+        row("a film with a statistical surface", {"model=film", "contact=asperity"}, "contact",
+            "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"");
         row("a film with roll held", {"model=film", "contact=none"}, "", "");
-        row("springs that a film does not have", film + QStringList{"springs.cutoff=9.26 nm", "spectrum.start=2 ms"}, "",
-            "");
+        row("springs that a film does not have", film + QStringList{"springs.cutoff=9.26 nm", "run.integrator=rk4", "run.step=3 ms"},
+            "", "");
+        row("a spectrum of a film from the end on", film + QStringList{"spectrum.start=2 ms"}, "spectrum.start",
+            "must be less than run.duration (2 ms)");
+        row("a fixed step of a film longer than the run", film + QStringList{"run.steps=fixed", "run.step=3 ms"},
+            "run.step", "must be at most run.duration (2 ms)");
+        row("samples of a film apart by more than the run", film + QStringList{"run.sample_interval=3 ms"},
+            "run.sample_interval", "must be at most run.duration (2 ms)");
+        row("a start at a static attitude that nobody looks for",
+            film + QStringList{"initial.state=static", "steady.fixed_attitude=true"}, "initial.state",
+            "must be \"given\" with steady.fixed_attitude");
+        row("a start at the static attitude with roll held",
+            {"model=film", "contact=none", "initial.state=static", "initial.height_offset=2 nm"}, "", "");
         const QStringList specular = film + QStringList{"air.accommodation=0.9"};
         row("kinetic values of specular walls", specular, "air.accommodation",
             "must be 1 with this air.slip (fukui-kaneko)");

@@ -133,8 +133,9 @@ private slots:
         row("a table for a value", "[slider.mass]\nx = 1", "a.toml:1: slider.mass: is a value, not a table");
         row("a model of a later version", "model = 'foil'",
             "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film, contact");
-        row("a film that touches", "model = 'film'\ncontact = 'ono-yamane'",
-            "a.toml:2: contact: must be \"none\" with model \"film\", which cannot yet touch the disk");
+        row("a film over summits", "model = 'film'\ncontact = 'asperity'",
+            "a.toml:2: contact: must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
+            "multi-asperity belong to model \"contact\"");
         row("springs that roll", "degrees_of_freedom = 3",
             "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch alone");
         row("a number for a list", "[film]\nnodes = 97",

@@ -208,7 +208,7 @@ private slots:
             QVERIFY(document.valid());
             for (const Field& field : fields()) {
                 const bool isText = field.kind == FieldKind::Text && field.key != "title"; // empty ones
-                const std::string name = '\n' + field.key.substr(field.key.find('.') + 1) + " = ";
+                const std::string name = '\n' + field.key.substr(field.key.rfind('.') + 1) + " = ";
                 if (field.used(c) && !isText)
                     QVERIFY2(('\n' + text).find(name) != std::string::npos, field.key.c_str());
             }

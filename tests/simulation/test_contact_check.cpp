@@ -56,7 +56,41 @@ private slots:
         row("a spectrum that is not there", {"spectrum.start=2 ms"}, "", "");
         row("springs in elastic contact", {"model=springs"}, "contact",
             "must be \"none\" or \"ono-yamane\" with model \"springs\"");
-        row("a film in elastic contact", {"model=film"}, "contact", "must be \"none\" with model \"film\"");
+        const QStringList film{"model=film", "degrees_of_freedom=3"};
+        row("a film in elastic contact", film + QStringList{"elastic.cell=0.5 um"}, "", "");
+        row("a pad that a film does not have",
+            film + QStringList{"elastic.cell=0.5 um", "pad.length=20.1 um", "approach.closest=5 nm"}, "", "");
+        row("a film over a characteristic without hysteresis",
+            film + QStringList{"contact=ono-yamane", "ono_yamane.take_off=2 nm"}, "ono_yamane.take_off",
+            "d_e = 2 nm must be at least");
+        row("a film in contact with summits", film + QStringList{"contact=multi-asperity"}, "contact",
+            "asperity and multi-asperity belong to model \"contact\"");
+        row("a film over no roughness",
+            film + QStringList{"contact=none", "disk.surface.kind=rough", "disk.surface.rms=0"}, "disk.surface.rms",
+            "must be above 0");
+        row("a film over roughness, without contact", film + QStringList{"contact=none", "disk.surface.kind=rough"}, "",
+            "");
+        row("a patch of a film coarser than the roughness",
+            film + QStringList{"disk.surface.kind=rough", "elastic.cell=0.5 um"}, "elastic.cell",
+            "0.5 um must be at most disk.surface.cell (0.25 um)");
+        row("its like without contact",
+            film + QStringList{"contact=none", "disk.surface.kind=rough", "elastic.cell=0.5 um"}, "", "");
+        row("a surface that moves with a disk that does not",
+            film + QStringList{"disk.surface.kind=rough", "disk.speed=0"}, "disk.surface.motion",
+            "allowed is \"still\" then");
+        row("a surface that is still on a disk that is, too",
+            film + QStringList{"contact=none", "disk.surface.kind=rough", "disk.surface.motion=still", "disk.speed=0"},
+            "", "");
+        // 5 nm/100 urad = 50 um of a flat slider, and its whole width: 4000 cells of 0.25 um.
+        row("a trailing edge in too many cells", film, "elastic.patch_reach",
+            "can touch, which is more than 2048 cells");
+        row("its leading edge", film + QStringList{"elastic.patch_pitch=-100 urad"}, "elastic.patch_reach",
+            "take a smaller reach");
+        // 2 fields of 192 x 192 cells, 8 bytes each: 0.59 MB a snapshot, 5.9 GB of 10000.
+        row("too many snapshots of a film", film + QStringList{"contact=none", "run.field_snapshots=10000"},
+            "run.field_snapshots", "at most 4 GB are possible");
+        row("many snapshots of a small film",
+            film + QStringList{"contact=none", "run.field_snapshots=10000", "film.nodes=97, 97"}, "", "");
     }
     void findsNonsense()
     {

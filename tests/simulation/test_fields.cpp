@@ -172,6 +172,12 @@ private slots:
         }
         findField("film.solver")->set(c, std::string("line-multigrid"));
         QCOMPARE(c.film.solver, FilmSolver::LineMultigrid);
+        findField("film.coupling")->set(c, std::string("staggered"));
+        QCOMPARE(c.film.coupling, FilmCoupling::Staggered);
+        findField("run.steps")->set(c, std::string("fixed"));
+        QCOMPARE(c.run.steps, StepControl::Fixed);
+        findField("initial.state")->set(c, std::string("static"));
+        QCOMPARE(c.initial.state, InitialState::Static);
     }
     /// What a case has where nobody says otherwise.
     void defaultsOfTheModels()
@@ -183,7 +189,8 @@ private slots:
         QVERIFY(checkCombinations(defaultsOf(ModelKind::Film)).empty());
         for (const Field& field : fields()) {
             const bool differs = field.get(defaultsOf(ModelKind::Film)) != field.get(Case{});
-            QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "degrees_of_freedom");
+            QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "degrees_of_freedom" ||
+                                  field.key == "run.duration");
         }
         QCOMPARE(defaultsOf(ModelKind::Contact).contact, ContactKind::Elastic);
         QVERIFY(checkCombinations(defaultsOf(ModelKind::Contact)).empty());
@@ -244,9 +251,42 @@ private slots:
         ofFilm("damping ratio of a film case", "suspension.damping_ratio", "", false);
         ofFilm("flying height of a film case", "initial.flying_height", "", false);
         ofFilm("pad distance of a film case", "ono_yamane.pad_distance", "", false);
-        ofFilm("step of a film case", "run.step", "run.integrator=rk4", false);
-        ofFilm("duration of a film case", "run.duration", "", false);
-        ofFilm("spectrum of a film case", "spectrum.window", "", false);
+        ofFilm("integrator of a film case", "run.integrator", "", false);
+        ofFilm("step of adaptive steps", "run.step", "run.integrator=rk4", false);
+        ofFilm("step of fixed steps", "run.step", "run.steps=fixed", true);
+        ofFilm("error of adaptive steps", "run.step_error", "", true);
+        ofFilm("error of fixed steps", "run.step_error", "run.steps=fixed", false);
+        ofFilm("tolerance of a film case", "run.tolerance", "", false);
+        ofFilm("step check of a film case", "run.step_check", "run.integrator=rk4 run.steps=fixed", false);
+        ofFilm("coupling of a film case", "film.coupling", "", true);
+        ofFilm("duration of a film case", "run.duration", "", true);
+        ofFilm("samples of a film case", "run.sample_interval", "", true);
+        ofFilm("snapshots of a film case", "run.field_snapshots", "", true);
+        ofFilm("spectrum of a film case", "spectrum.window", "", true);
+        ofFilm("vertical velocity of a film case", "initial.vertical_velocity", "", true);
+        ofFilm("roll velocity of a film case", "initial.roll_velocity", "", true);
+        ofFilm("roll velocity with roll held", "initial.roll_velocity", "degrees_of_freedom=2", false);
+        ofFilm("initial state of a film case", "initial.state", "", true);
+        ofFilm("offset from a given attitude", "initial.height_offset", "", false);
+        ofFilm("offset from the static attitude", "initial.pitch_offset", "initial.state=static", true);
+        ofFilm("roll offset from the static attitude", "initial.roll_offset", "initial.state=static", true);
+        ofFilm("roll offset with roll held", "initial.roll_offset", "initial.state=static degrees_of_freedom=2", false);
+        ofFilm("attitude from which the static one is sought", "initial.nominal_trailing_edge_height",
+               "initial.state=static", true);
+        ofFilm("branch without contact", "initial.branch", "", false);
+        ofFilm("branch of a characteristic", "initial.branch", "contact=ono-yamane", true);
+        ofFilm("characteristic", "ono_yamane.meniscus_force", "contact=ono-yamane", true);
+        ofFilm("pad distance of a characteristic", "ono_yamane.pad_distance", "contact=ono-yamane", false);
+        ofFilm("elasticity", "elastic.modulus", "contact=elastic", true);
+        ofFilm("adhesion", "adhesion.hamaker_a", "contact=elastic adhesion.kind=van-der-waals", true);
+        ofFilm("search of patches", "elastic.patch_reach", "contact=elastic", true);
+        ofFilm("search of patches without surfaces", "elastic.patch_pitch", "contact=ono-yamane", false);
+        ofFilm("patches of a slider, which do not repeat", "elastic.periodic", "contact=elastic", false);
+        ofFilm("pad of a slider", "pad.shape", "contact=elastic", false);
+        ofFilm("way of a slider", "approach.start", "contact=elastic", false);
+        ofFilm("roughness of a disk that nothing touches", "disk.surface.rms", "disk.surface.kind=rough", true);
+        ofFilm("motion of a flat disk", "disk.surface.motion", "", false);
+        ofFilm("motion of a wavy disk", "disk.surface.motion", "disk.surface.kind=waves contact=elastic", true);
         ofFilm("pitch of a film case", "initial.pitch", "", true);
         ofFilm("thickness of a film case", "slider.thickness", "", true);
         ofFilm("stiffness of a film case", "suspension.stiffness", "", true);
@@ -331,10 +371,12 @@ private slots:
         ofContact("disk.surface.track", "disk.surface.kind=file", false);
         ofContact("disk.surface.bump_heights", "disk.surface.kind=bumps", true);
         ofContact("disk.surface.kind", "contact=asperity", false);
-        ofFilm("disk surface of a film case", "disk.surface.kind", "", false);
+        ofContact("elastic.patch_reach", "pad.shape=slider", false);
+        ofFilm("disk surface of a film case", "disk.surface.kind", "", true);
         ofFilm("elasticity of a film case", "elastic.modulus", "", false);
         for (const char* key : {"pad.shape", "approach.start", "elastic.modulus", "adhesion.kind", "asperity.radius",
-                                "meniscus.surface_tension", "disk.surface.kind", "run.field_snapshots"})
+                                "meniscus.surface_tension", "disk.surface.kind", "run.field_snapshots", "film.coupling",
+                                "run.steps", "run.step_error", "initial.state", "initial.roll_velocity"})
             QTest::addRow("%s of springs", key) << key << "model=springs" << false;
         for (const char* key : {"abs.crown", "air.slip", "disk.speed", "film.nodes", "steady.radii", "slider.length",
                                 "suspension.preload", "initial.roll", "initial.nominal_trailing_edge_height"})
