@@ -71,12 +71,24 @@ public:
     const Vector3& filmForce() const { return filmForce_; }
     const std::array<double, 2>& shear() const { return shear_; }
     const SliderContactForces& contactForces() const { return contactForces_; }
+    bool contactInReach() const { return inReach_; }
 
 private:
+    struct PastForce {
+        Vector3 force{}; // of the film
+        double time = 0.0; // [s]
+    };
+
+    void askContact(const Attitude& attitude, double time);
+    void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
+    void setAcceleration();
     void setColumns(CoupledStepResult& result);
-    void setDisk(double time, bool deformed);
-    Vector3 stepTo(const Vector3& right, const Matrix3& contactStiffness) const;
+    Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
+    double stiffShare(double perSquare) const;
+    void follow(const Vector3& change);
+    void setVelocity(double dt);
+    void setTimeError(double dt, CoupledStepResult& result);
 
     GasFilm& film_;
     const SliderBody& body_;
@@ -84,18 +96,22 @@ private:
     DiskUnderFilm* disk_;
     CoupledStepOptions options_;
     FilmStepper stepper_;
-    SliderMotion motion_, tried_, before_; // accepted, tried, accepted before
-    double time_ = 0.0, dt_ = 0.0, lastDt_ = 0.0; // [s]; of the tried step, of the accepted one
+    SliderMotion motion_, tried_;              // accepted, tried
+    Vector3 jerk_{};                           // of the last step, zero where the forces have jumped
+    double time_ = 0.0, dt_ = 0.0;             // accepted; of the tried step [s]
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     GasFilm::ForceDerivatives slopes_;
-    Matrix3 filmSlopes_{};      // -d(film force)/dq with the film following
-    double slopesPerTime_ = 0.0;
-    long long linearised_ = -1; // FilmStepper::linearisations() that the columns belong to
-    std::vector<double> right_, change_, surface_;
+    Matrix3 filmSlopes_{};                     // -d(film force)/dq with the film following
+    long long linearised_ = -1;                // FilmStepper::linearisations() that the columns belong to
+    std::vector<double> change_, surface_;
+    double surfaceTime_ = -1.0;                // of surface_ [s]
+    bool inReach_ = false, deformed_ = false;  // contact, at the last attitude; surface_ by it
     Vector3 filmForce_{};
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
-    double contraction_ = 0.0;  // of the iteration, as last measured [-]
+    std::array<PastForce, 3> past_;            // accepted, the last one first
+    std::size_t pastForces_ = 0;
+    double contraction_ = 0.0;                 // of the iteration, as last measured [-]
 };
 
 } // namespace touchdown

@@ -10,7 +10,9 @@
 #include "core/simulation/disk_setup.h"
 #include "core/simulation/elastic_pad.h"
 #include "core/simulation/fields.h"
+#include "core/simulation/film_run.h"
 #include "core/simulation/run_statistics.h"
+#include "core/simulation/slider_contact.h"
 #include "core/simulation/spring_run.h"
 #include "core/simulation/units.h"
 
@@ -167,8 +169,10 @@ std::string reasonNotToRun(const Case& c)
         if (usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
         return {};
     }
-    case ModelKind::Film:
-        return "model \"film\" has a static state and modes, but no motion in time yet: `touchdown steady` and `touchdown modes` compute them";
+    case ModelKind::Film: {
+        const std::vector<InputProblem> problems = diskFileProblems(c);
+        return problems.empty() ? std::string() : problems.front().text();
+    }
     }
     if (c.run.integrator == IntegratorKind::Cvode && !haveCvode)
         return "this program was built without SUNDIALS, so the integrator cvode is missing";
@@ -180,7 +184,7 @@ std::vector<Quantity> recordedQuantities(const Case& c)
     switch (c.model) {
     case ModelKind::Springs: return SpringModel::quantities(c);
     case ModelKind::Contact: return contactQuantities(c);
-    case ModelKind::Film: break;
+    case ModelKind::Film: return filmQuantities(c);
     }
     return {};
 }
@@ -189,6 +193,7 @@ std::vector<RecordedFields> recordedFields(const Case& c)
 {
     std::vector<RecordedFields> sets;
     if (c.model == ModelKind::Contact) sets.push_back(contactMaps(c));
+    if (c.model == ModelKind::Film) sets = {filmMaps(c), sliderContactFields(c)};
     std::erase_if(sets, [](const RecordedFields& set) { return set.empty(); });
     return sets;
 }
@@ -206,6 +211,12 @@ Summary run(const Case& c, const RunCallback& callback)
         Summary summary = runContact(c, callback);
         summary.model = toText(c, *findField("model"));
         summary.integrator = "quasi-static";
+        return summary;
+    }
+    if (c.model == ModelKind::Film) {
+        Summary summary = runFilm(c, callback);
+        summary.model = toText(c, *findField("model"));
+        summary.integrator = toText(c, *findField("film.coupling"));
         return summary;
     }
     Summary summary = runOnce(c, c.run.step, callback);

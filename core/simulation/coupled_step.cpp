@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/coupled_step.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchdown {
+
+namespace {
+
+constexpr double columnTolerance = 1e-2;    // of the responses X, which lead the iteration and have no part in its result [-]
+constexpr double slopeError = 0.1;          // of the stiffness of film and contact, as long as none is measured [-]
+constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
+constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
+constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
+
+/// In lengths of the slider, so that an elimination weighs like with like.
+Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, double width)
+{
+    const std::array<double, 3> scale{1.0, 1.0 / length, 1.0 / width};
+    Eigen::Matrix3d m;
+    Eigen::Vector3d b;
+    for (int i = 0; i < 3; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        for (int k = 0; k < 3; ++k) {
+            const auto column = static_cast<std::size_t>(k);
+            m(i, k) = matrix[row][column] * scale[row] * scale[column];
+        }
+        b[i] = right[row] * scale[row];
+    }
+    const Eigen::Vector3d x = m.partialPivLu().solve(b);
+    return {x[0] * scale[0], x[1] * scale[1], x[2] * scale[2]};
+}
+
+} // namespace
+
+CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
+                               const CoupledStepOptions& options)
+    : film_(film), body_(body), contact_(contact), disk_(disk), options_(options), stepper_(film, options.film)
+{
+    for (auto* fields : {&columns_, &responses_})
+        for (auto& field : *fields) field.assign(film.pad().size(), 0.0);
+    for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
+    for (auto& field : slopes_.byPressure) field.assign(film.pad().size(), 0.0);
+}
+
+void CoupledStepper::setSurface(double time)
+{
+    const bool rough = disk_ && !disk_->flat();
+    if (rough) {
+        if (!(surfaceTime_ == time) || deformed_) disk_->at(time, surface_);
+    } else if (deformed_) {
+        std::fill(surface_.begin(), surface_.end(), 0.0);
+    }
+    surfaceTime_ = time;
+    deformed_ = inReach_ && contact_->deform(surface_);
+    film_.setSurface(rough || deformed_ ? std::span<const double>(surface_) : std::span<const double>());
+}
+
+void CoupledStepper::askContact(const Attitude& attitude, double time)
+{
+    inReach_ = contact_ && !contact_->outOfReach(attitude);
+    if (inReach_) contactForces_ = contact_->at(attitude, time);
+    else contactForces_ = {};
+}
+
+Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
+{
+    const std::array<double, 3> load = film_.load(p);
+    shear_ = film_.shear(p);
+    return {load[0], load[1] - body_.shearArm() * shear_[0], load[2] - body_.shearArm() * shear_[1]};
+}
+
+void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion, double time)
+{
+    motion_ = motion;
+    time_ = time;
+    const Attitude attitude = body_.attitude(motion_.q);
+    askContact(attitude, time);
+    setSurface(time);
+    film_.setAttitude(attitude);
+    stepper_.start(p);
+    filmForce_ = filmForceAt(stepper_.pressure());
+    past_ = {};
+    past_[0] = {filmForce_, time};
+    pastForces_ = 1;
+    linearised_ = -1;
+    contraction_ = 0.0;
+    setAcceleration();
+}
+
+void CoupledStepper::setAcceleration()
+{
+    const Vector3 contact = contactForces_.load(), suspension = body_.suspension(motion_.q, motion_.v);
+    for (std::size_t k = 0; k < 3; ++k)
+        motion_.a[k] = (filmForce_[k] + contact[k] + suspension[k]) / body_.inertia()[k];
+    if (body_.holdsRoll()) motion_.a[2] = 0.0;
+    jerk_ = {};
+}
+
+void CoupledStepper::restartAcceleration()
+{
+    askContact(body_.attitude(motion_.q), time_);
+    setAcceleration();
+}
+
+/// Of the film at the pressure of the last step, which the film's linearisation is near to.
+void CoupledStepper::setColumns(CoupledStepResult& result)
+{
+    const std::span<const double> p = stepper_.pressure();
+    film_.attitudeColumns(p, columns_);
+    // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
+    for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= 0.5 * film_.gaps().length * columns_[0][at];
+    film_.forceDerivatives(p, slopes_);
+    const std::size_t count = body_.holdsRoll() ? 2 : 3;
+    for (std::size_t m = 0; m < count; ++m)
+        result.solves +=
+            stepper_.linear().solve(columns_[m], responses_[m], {.tolerance = columnTolerance, .maximumIterations = 40}).iterations;
+    filmSlopes_ = {};
+    for (std::size_t m = 0; m < count; ++m) {
+        std::array<double, 5> slope{}; // d(load, shear)/dq
+        for (std::size_t k = 0; k < 5; ++k) {
+            double byPressure = 0.0;
+            for (std::size_t at = 0; at < responses_[m].size(); ++at) byPressure += slopes_.byPressure[k][at] * responses_[m][at];
+            slope[k] = slopes_.byAttitude[k][m] - byPressure;
+            if (m == 1) slope[k] -= 0.5 * film_.gaps().length * slopes_.byAttitude[k][0];
+        }
+        filmSlopes_[0][m] = -slope[0];
+        filmSlopes_[1][m] = -slope[1] + body_.shearArm() * slope[3];
+        filmSlopes_[2][m] = -slope[2] + body_.shearArm() * slope[4];
+    }
+    linearised_ = stepper_.linearisations();
+}
+
+/// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
+Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const
+{
+    Matrix3 matrix{};
+    if (stiff) {
+        matrix = filmSlopes_;
+        if (inReach_) {
+            const Matrix3 contact = contact_->stiffness();
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t m = 0; m < 3; ++m) matrix[k][m] += contact[k][m];
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+        matrix[k][k] += body_.inertia()[k] * perSquare + body_.dampers()[k] * perTime + body_.springs()[k];
+    Vector3 b = right;
+    if (body_.holdsRoll()) {
+        for (std::size_t k = 0; k < 3; ++k) matrix[2][k] = matrix[k][2] = 0.0;
+        matrix[2][2] = body_.inertia()[2] * perSquare;
+        b[2] = 0.0;
+    }
+    return solveScaled(matrix, b, film_.gaps().length, film_.gaps().width);
+}
+
+/// Of film and contact in what a change of the attitude meets [-].
+double CoupledStepper::stiffShare(double perSquare) const
+{
+    double share = 0.0;
+    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double stiffness = std::abs(filmSlopes_[k][k]) + std::abs(contact[k][k]);
+        share = std::max(share, stiffness / (stiffness + body_.inertia()[k] * perSquare));
+    }
+    return share;
+}
+
+void CoupledStepper::follow(const Vector3& change)
+{
+    for (std::size_t at = 0; at < change_.size(); ++at)
+        change_[at] = -(responses_[0][at] * change[0] + responses_[1][at] * change[1] + responses_[2][at] * change[2]);
+    stepper_.follow(body_.attitude(tried_.q), change_);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= filmSlopes_[k][m] * change[m];
+}
+
+CoupledStepResult CoupledStepper::step(double dt)
+{
+    CoupledStepResult result;
+    dt_ = dt;
+    const SliderMotion& from = motion_;
+    const double time = time_ + dt, perSquare = 4.0 / (dt * dt), perTime = 2.0 / dt;
+    const bool monolithic = options_.coupling == FilmCoupling::Monolithic;
+    for (std::size_t k = 0; k < 3; ++k)
+        tried_.q[k] = from.q[k] + dt * (from.v[k] + dt * (0.5 * from.a[k] + 0.25 * dt * jerk_[k]));
+    contraction_ *= forgetting;
+    double before = 0.0; // size of the last change
+    const auto fail = [&](CoupledFailure failure) {
+        result.failure = failure;
+        return result;
+    };
+    while (result.iterations < options_.maximumIterations) {
+        ++result.iterations;
+        const Attitude attitude = body_.attitude(tried_.q);
+        askContact(attitude, time);
+        if (!contactForces_.problem.empty()) return fail(CoupledFailure::Contact);
+        setSurface(time);
+        const FilmStepResult film = stepper_.step(dt, attitude);
+        result.filmIterations += film.iterations;
+        result.linearisations += film.linearisations;
+        result.solves += film.solves;
+        result.filmError = film.error;
+        if (!film.converged) return fail(CoupledFailure::Film);
+        if (monolithic && linearised_ != stepper_.linearisations()) setColumns(result);
+        filmForce_ = filmForceAt(stepper_.pressure());
+
+        const Vector3 contact = contactForces_.load();
+        Vector3 balance{};
+        setVelocity(dt);
+        const Vector3 suspension = body_.suspension(tried_.q, tried_.v);
+        for (std::size_t k = 0; k < 3; ++k)
+            balance[k] = filmForce_[k] + contact[k] + suspension[k] - body_.inertia()[k] * tried_.a[k];
+        if (body_.holdsRoll()) balance[2] = 0.0;
+        const Vector3 change = solveBody(balance, perSquare, perTime, monolithic);
+        contraction_ = std::max(contraction_, slopeError * stiffShare(perSquare));
+        const double size = body_.displacement(change);
+        if (!std::isfinite(size)) return fail(CoupledFailure::NotFinite);
+        if (result.iterations > 1) {
+            // What is as small as rounding contracts no more.
+            if (size > options_.tolerance) contraction_ = size / before;
+            if (contraction_ > 1.0 && size > 10.0 * options_.tolerance && result.iterations > 3) return fail(CoupledFailure::Iteration);
+        }
+        before = size;
+        const double left = contraction_ < 1.0 ? contraction_ / (1.0 - contraction_) * size : size;
+        const double load = std::abs(body_.load()[0]);
+        result.forceBalance = (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
+        if (monolithic) {
+            for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
+            follow(change);
+            result.positionLeft = left;
+            result.forceBalance *= contraction_;
+            if (left > options_.tolerance) continue;
+        } else if (size > options_.tolerance) {
+            for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
+            continue;
+        } else {
+            result.positionLeft = size;
+        }
+        setVelocity(dt);
+        setTimeError(dt, result);
+        return result;
+    }
+    return fail(CoupledFailure::Iteration);
+}
+
+/// Those that the trapezoidal rule has at the tried position.
+void CoupledStepper::setVelocity(double dt)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double way = tried_.q[k] - motion_.q[k];
+        tried_.v[k] = 2.0 / dt * way - motion_.v[k];
+        tried_.a[k] = 4.0 / (dt * dt) * (way - dt * motion_.v[k]) - motion_.a[k];
+    }
+}
+
+/// Of the trapezoidal rule -dt^3/12 q''' (Hairer, Norsett & Wanner 1993, II.7); of the film, what a parabola through its last three
+/// forces did not foresee, as the displacement that would balance it.
+void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
+{
+    Vector3 change{};
+    for (std::size_t k = 0; k < 3; ++k) change[k] = (tried_.a[k] - motion_.a[k]) * dt * dt / 12.0;
+    result.timeError = body_.displacement(change);
+    if (pastForces_ < past_.size()) return;
+    const double t = time_ + dt;
+    Vector3 unforeseen = filmForce_;
+    for (std::size_t n = 0; n < past_.size(); ++n) {
+        double weight = 1.0; // Lagrange's
+        for (std::size_t m = 0; m < past_.size(); ++m)
+            if (m != n) weight *= (t - past_[m].time) / (past_[n].time - past_[m].time);
+        for (std::size_t k = 0; k < 3; ++k) unforeseen[k] -= weight * past_[n].force[k];
+    }
+    for (double& force : unforeseen) force *= errorPerChange;
+    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, linearised_ >= 0));
+}
+
+void CoupledStepper::accept()
+{
+    if (!stepper_.accept()) return;
+    for (std::size_t k = 0; k < 3; ++k) jerk_[k] = (tried_.a[k] - motion_.a[k]) / dt_;
+    motion_ = tried_;
+    time_ += dt_;
+    std::rotate(past_.begin(), past_.end() - 1, past_.end());
+    past_[0] = {filmForce_, time_};
+    pastForces_ = std::min(pastForces_ + 1, past_.size());
+    if (inReach_) contact_->accept();
+}
+
+} // namespace touchdown

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/film_recorder.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "core/simulation/film_run.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double longestSilence = 0.015; // between updates [s]
+constexpr std::size_t samplesInBatch = 1024;
+constexpr std::size_t mostEvents = 100'000;
+
+double wallClock()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool touches(const Case& c) { return c.contact != ContactKind::None; }
+bool hasSurfaces(const Case& c) { return c.contact == ContactKind::Elastic; }
+
+} // namespace
+
+std::vector<Quantity> filmQuantities(const Case& c)
+{
+    std::vector<Quantity> list{
+        {"flying_height", "m", "nm", c.surface.pointsOfInterest.empty() ? "Flying height of the trailing edge's centre"
+                                                                        : "Flying height at the first point of interest"},
+        {"minimum_spacing", "m", "nm", "Minimum spacing of slider and mean disk plane"},
+        {"pitch", "rad", "urad", "Pitch"},
+        {"roll", "rad", "urad", "Roll"},
+        {"height", "m", "nm", "Height of the mass centre"},
+        {"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"},
+        {"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"},
+        {"roll_velocity", "rad/s", "rad/s", "Roll velocity"},
+        {"air_bearing_force", "N", "mN", "Air bearing force"},
+        {"kinetic_energy", "J", "pJ", "Kinetic energy"},
+        {"suspension_energy", "J", "pJ", "Energy of suspension and preload"},
+        {"film_energy", "J", "pJ", "Energy stored by the air"},
+        {"energy", "J", "pJ", "Energy of slider, suspension, air and contact"},
+        {"time_step", "s", "ns", "Time step"},
+    };
+    if (touches(c))
+        list.insert(list.end(), {
+            {"contact_force", "N", "mN", "Real contact force"},
+            {"adhesion_force", "N", "mN", "Adhesion force"},
+            {"net_contact_force", "N", "mN", "Net contact force"},
+            {"friction_force", "N", "mN", "Friction force"},
+            {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
+        });
+    if (hasSurfaces(c))
+        list.insert(list.end(), {
+            {"contact_area", "m^2", "um^2", "Real area of contact"},
+            {"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"},
+        });
+    return list;
+}
+
+SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share)
+{
+    const double h = to.time - from.time, s = share, s2 = s * s, s3 = s2 * s;
+    SliderMotion at;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double v0 = h * from.motion.v[k], a0 = h * h * from.motion.a[k];
+        // What is left for the upper three powers.
+        const double q = to.motion.q[k] - from.motion.q[k] - v0 - 0.5 * a0;
+        const double v = h * to.motion.v[k] - v0 - a0, a = h * h * to.motion.a[k] - a0;
+        const double c3 = 10.0 * q - 4.0 * v + 0.5 * a, c4 = -15.0 * q + 7.0 * v - a, c5 = 6.0 * q - 3.0 * v + 0.5 * a;
+        at.q[k] = from.motion.q[k] + s * v0 + 0.5 * s2 * a0 + s3 * (c3 + s * (c4 + s * c5));
+        at.v[k] = h > 0.0 ? (v0 + s * a0 + s2 * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5))) / h : from.motion.v[k];
+    }
+    return at;
+}
+
+FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
+                           const RunCallback& callback)
+    : case_(c), body_(body), spacing_(spacing), callback_(callback), quantities_(filmQuantities(c)), statistics_(c, quantities_),
+      values_(quantities_.size()), lastUpdate_(wallClock())
+{
+    headAt_ = {c.slider.length, 0.5 * c.slider.width};
+    if (!c.surface.pointsOfInterest.empty()) {
+        headAt_ = c.surface.pointsOfInterest.front();
+        headRecess_ = recess.at(headAt_.x, headAt_.y);
+    }
+    batch_.columns.resize(quantities_.size());
+}
+
+void FilmRecorder::begin(const FilmPoint& start)
+{
+    last_ = start;
+    record(start, start, start.time);
+}
+
+void FilmRecorder::add(const FilmPoint& point)
+{
+    const double interval = case_.run.sampleInterval;
+    const double end = std::min(point.time, case_.run.duration) + 1e-9 * interval;
+    for (double time; (time = static_cast<double>(samples_) * interval) <= end;) record(last_, point, time);
+    last_ = point;
+}
+
+void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double time)
+{
+    ++samples_;
+    const double h = to.time - from.time, share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
+    const SliderMotion motion = between(from, to, share);
+    const Attitude attitude = body_.attitude(motion.q);
+    const auto linear = [&](double a, double b) { return a + share * (b - a); };
+    const auto ofContact = [&](double SliderContactForces::*part) { return linear(from.contact.*part, to.contact.*part); };
+    const double kinetic = body_.kineticEnergy(motion.v), suspension = body_.suspensionEnergy(motion.q);
+    const double film = linear(from.filmEnergy, to.filmEnergy), stored = ofContact(&SliderContactForces::storedEnergy);
+
+    double* out = values_.data();
+    *out++ = attitude.height + attitude.pitch * (case_.slider.length - headAt_.x) -
+             attitude.roll * (headAt_.y - 0.5 * case_.slider.width) + headRecess_;
+    *out++ = spacing_.at(attitude).spacing;
+    *out++ = attitude.pitch;
+    *out++ = attitude.roll;
+    *out++ = motion.q[0];
+    for (const double v : motion.v) *out++ = v;
+    *out++ = linear(from.filmForce[0], to.filmForce[0]);
+    *out++ = kinetic;
+    *out++ = suspension;
+    *out++ = film;
+    *out++ = kinetic + suspension + film + stored;
+    *out++ = to.dt;
+    if (touches(case_)) {
+        *out++ = ofContact(&SliderContactForces::contact);
+        *out++ = ofContact(&SliderContactForces::adhesion);
+        *out++ = ofContact(&SliderContactForces::contact) + ofContact(&SliderContactForces::adhesion);
+        *out++ = ofContact(&SliderContactForces::friction);
+        *out++ = stored;
+    }
+    if (hasSurfaces(case_)) {
+        *out++ = ofContact(&SliderContactForces::area);
+        *out++ = ofContact(&SliderContactForces::peakPressure);
+    }
+    batch_.time.push_back(time);
+    for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
+    if (batch_.size() >= samplesInBatch) flush();
+}
+
+void FilmRecorder::addEvent(double time, std::string name)
+{
+    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, std::move(name)});
+}
+
+bool FilmRecorder::lookAtClock()
+{
+    if (wallClock() - lastUpdate_ > longestSilence) flush();
+    return !stopped_;
+}
+
+void FilmRecorder::flush()
+{
+    const double begin = wallClock();
+    statistics_.add(batch_);
+    const double reached = std::min(last_.time, case_.run.duration);
+    if (callback_ && !callback_({reached, case_.run.duration, batch_, newEvents_, fields_})) stopped_ = true;
+    events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
+    newEvents_.clear();
+    fields_.clear();
+    batch_.time.clear();
+    for (std::vector<double>& column : batch_.columns) column.clear();
+    lastUpdate_ = wallClock();
+    secondsOutside_ += lastUpdate_ - begin;
+}
+
+void FilmRecorder::finish(Summary& summary) const
+{
+    summary.endTime = std::min(last_.time, case_.run.duration);
+    summary.events = events_;
+    if (samples_ > 0)
+        for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
+    statistics_.finish(summary);
+}
+
+} // namespace touchdown

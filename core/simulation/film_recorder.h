@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Turns the steps of a run of the film into samples at equal intervals, and tells of them. Within a step the slider moves along the
+// polynomial of fifth degree through position, velocity and acceleration at its ends; forces are linear in time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/simulation/coupled_step.h"
+#include "core/simulation/run_statistics.h"
+
+namespace touchdown {
+
+/// A state of the run, at one end of a step.
+struct FilmPoint {
+    double time = 0.0; // [s]
+    SliderMotion motion;
+    Vector3 filmForce{};
+    SliderContactForces contact;
+    double filmEnergy = 0.0; // stored by the gas [J]
+    double dt = 0.0;         // of the step that led there [s]
+};
+
+/// Position and velocity at a share of the way from one point to the next.
+SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share);
+
+class FilmRecorder {
+public:
+    /// All must last.
+    FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing, const RunCallback& callback);
+
+    void begin(const FilmPoint& start);
+    /// A step from the last point to this one.
+    void add(const FilmPoint& point);
+    /// The forces at the last point have jumped to these.
+    void jump(const FilmPoint& point) { last_ = point; }
+    void addEvent(double time, std::string name);
+    void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
+
+    /// Tells where it is time to. False when somebody stopped the run.
+    bool lookAtClock();
+    void flush();
+    bool stopped() const { return stopped_; }
+    double secondsOutside() const { return secondsOutside_; }
+
+    /// Sets final values, tail, peaks, events.
+    void finish(Summary& summary) const;
+
+private:
+    void record(const FilmPoint& point, const FilmPoint& to, double time);
+
+    const Case& case_;
+    const SliderBody& body_;
+    const MinimumSpacing& spacing_;
+    const RunCallback& callback_;
+    std::vector<Quantity> quantities_;
+    RunStatistics statistics_;
+    SurfacePoint headAt_;   // where the flying height is taken [m]
+    double headRecess_ = 0.0;
+    FilmPoint last_;
+    long long samples_ = 0;
+    std::vector<double> values_;
+    SampleBatch batch_;
+    std::vector<RunEvent> events_, newEvents_;
+    std::vector<FieldSnapshot> fields_;
+    bool stopped_ = false;
+    double lastUpdate_ = 0.0, secondsOutside_ = 0.0; // wall clock [s]
+};
+
+} // namespace touchdown
