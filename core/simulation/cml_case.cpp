@@ -12,6 +12,7 @@
 #include "core/simulation/cml_kept_values.h"
 #include "core/simulation/cml_rail_file.h"
 #include "core/simulation/cml_run_file.h"
+#include "core/simulation/disk_setup.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/quotation.h"
 #include "core/simulation/surface_text.h"
@@ -190,6 +191,30 @@ private:
     CaseDocument& document_;
 };
 
+/// The wave.def that lies with the other files, by its whole path, so that the case may stand elsewhere.
+void findTrackProfile(const fs::path& path, CmlFields& fields)
+{
+    const Case& c = fields.value();
+    if (c.diskSurface.file.empty()) return;
+    const int line = fields.lineOf("disk.surface.file");
+    std::error_code error;
+    const fs::path folder = fs::is_directory(path, error) ? path
+                            : path.parent_path().empty()  ? fs::path(".")
+                                                          : path.parent_path();
+    const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
+    if (file) {
+        fields.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
+        const auto problems = diskFileProblems(c);
+        fields.problems.insert(fields.problems.end(), problems.begin(), problems.end());
+        return;
+    }
+    if (c.diskSurface.kind == DiskSurfaceKind::File) fields.choose("disk.surface.kind", "flat", line);
+    fields.choose("disk.surface.file", "", line);
+    fields.addWarning(line, isArchive(path)
+                                ? "Disk Track Profile: not modelled: a wave.def in an archive; unpack it"
+                                : "Disk Track Profile: not modelled: there is no wave.def beside this file");
+}
+
 /// "tfc3" for tfc3, tfc3/ , tfc3/rail.dat and tfc3.cml.
 std::string titleOf(const fs::path& path)
 {
@@ -232,6 +257,7 @@ CaseDocument readCmlCase(const fs::path& path)
     if (!files) return document;
     CmlFields fields(document.value);
     readCmlFiles(*files, fields);
+    if (!files->dynamics.name.empty()) findTrackProfile(path, fields);
     if (document.value.title == Case{}.title) fields.choose("title", titleOf(path), 0);
     document.problems = std::move(fields.problems);
     document.warnings.insert(document.warnings.end(), fields.warnings.begin(), fields.warnings.end());

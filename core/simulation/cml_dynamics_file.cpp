@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/simulation/cml_disk_file.h"
+
 namespace touchdown {
 
 namespace {
@@ -35,7 +37,7 @@ void readProblem(CmlPart& part)
     fields.set("slider.pitch_inertia", n[10]);
     fields.set("slider.roll_inertia", n[11]);
     fields.set("disk.speed", n[12], "rpm");
-    fields.choose("run.integrator", "newmark", n[13].line); // an implicit method with fixed steps, as theirs
+    fields.choose("run.steps", "fixed", n[13].line); // as theirs
     fields.set("run.step", n[13]);
     fields.set("run.duration", n[14]);
     fields.set("disk.radius", n[15]);
@@ -66,7 +68,7 @@ void readInitial(CmlPart& part)
     fields.set("initial.roll", n[2]);
     fields.set("initial.vertical_velocity", n[3]);
     fields.set("initial.pitch_velocity", n[4]);
-    if (n[5].value != 0.0) part.leaveOut("a roll velocity at the start");
+    fields.set("initial.roll_velocity", n[5]);
 }
 
 void readSolution(CmlPart& part)
@@ -112,22 +114,26 @@ void readAir(CmlPart& part)
     }
 }
 
-/// What is not modelled begins with the switches or the counts that switch it on: three for a surface, one elsewhere.
+/// What is not modelled begins with the switches or the counts that switch it on: two for a surface, one elsewhere.
 void readSwitches(CmlPart& part)
 {
     const auto numbers = part.list(0);
-    const std::size_t switches = part.name().find("surface") != std::string::npos ? 3 : 1;
+    const std::size_t switches = part.name().find("surface") != std::string::npos ? 2 : 1;
     const auto first = numbers.first(std::min(switches, numbers.size()));
     if (std::ranges::any_of(first, [](const CmlNumber& n) { return n.value != 0.0; }))
         part.leaveOut("the whole section, which is switched on");
 }
 
-constexpr std::array<CmlSectionReader, 8> readers{{
+constexpr std::array<CmlSectionReader, 12> readers{{
     {"problem", "Problem Definition", true, readProblem},
     {"suspension", "Suspension", true, readSuspension},
     {"initial", "Initial Condition", true, readInitial},
     {"solution", "Solution Control", true, readSolution},
     {"grid", "Grid Control", true, readGrid},
+    {"track profile", "Disk Track Profile", false, readCmlTrackProfile},
+    {"disk surface", "Disk Surface", false, readCmlDiskSurface},
+    {"intermolecular", "Intermolecular Force", false, readCmlIntermolecular},
+    {"asperity contact", "Asperity Contact", false, readCmlAsperityContact},
     {"air", "Air Parameters", false, readAir},
     {"additional", "Additional Parameters", false, readAir},
     {"", "", false, readSwitches},
@@ -139,6 +145,7 @@ void readCmlDynamics(std::string_view text, CmlFields& fields)
 {
     fields.setNumber("steady.shear_arm", 1.0, 0);
     readCmlSections(text, readers, fields);
+    settleCmlDisk(fields);
 }
 
 } // namespace touchdown

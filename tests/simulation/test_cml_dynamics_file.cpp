@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(c.disk.skew, -7.5 * std::numbers::pi / 180.0);
         QCOMPARE(c.run.step, 1e-7);
         QCOMPARE(c.run.duration, 2e-3);
-        QCOMPARE(c.run.integrator, IntegratorKind::Newmark);
+        QCOMPARE(c.run.steps, StepControl::Fixed);
         QCOMPARE(c.suspension.stiffness, 18.0);
         QCOMPARE(c.suspension.pitchStiffness, 1.745e-5);
         QCOMPARE(c.suspension.rollStiffness, 1.845e-5);
@@ -113,16 +113,35 @@ private slots:
             replaced(withValues("iact ", "1 0.05 0 0 -7.5"), "0              0              0              0.0",
                      "1              0              0              0.0"),
             "dynamics.def:9: Suspension Menu: not modelled: an actuator (iact), a suspension of modes (isusp)");
-        row("roll velocity", withValues("hm(m)", "1e-8 1.6e-4 2e-6 0 0 1"),
-            "dynamics.def:18: Initial Condition Menu: not modelled: a roll velocity at the start");
         row("central differences", withValues("iqpo", "5 1e-7 1e-4 2"),
             "dynamics.def:21: Solution Control Menu: not modelled: central differences; complete-flux is taken");
-        row("track profile", withValues("inwave", "1 500 0 3"),
-            "dynamics.def:41: Disk Track Profile Menu: not modelled: the whole section, which is switched on");
-        row("asperities on the disk", withValues("nwave", "0 0 2"),
-            "dynamics.def:44: Disk Surface Menu: not modelled: the whole section, which is switched on");
+        row("start of a track profile", withValues("inwave", "1 500 0.5 3"),
+            "dynamics.def:41: Disk Track Profile Menu: not modelled: where the profile starts (dinit)");
+        row("asperities without numbers", withValues("nwave", "0 0 2"),
+            "dynamics.def:44: Disk Surface Menu: not modelled: the whole section, which is switched on and has 3 "
+            "numbers, "
+            "not 20");
+        row("times and zones", withValues("nwave", "0 1 0 0 1e-3 0\n0.01 1e-9 0.02 2e-9 0.03 0"),
+            "dynamics.def:44: Disk Surface Menu: not modelled: times (t1, t2, t3), zones of the disk (nzone)");
+        row("waves of other forms",
+            withValues("nwave", "3 0 0 0 0 0\n1 1e-9 0 1e-4 0 1e-5 1e-5 0 0\n"
+                                "0 1e-9 0 1e-4 1e-4 0 0 0 0\n0 1e-9 0 1e-4 0 0 0 0.02 0.023"),
+            "dynamics.def:44: Disk Surface Menu: not modelled: wave 1, which is no sine (type 1), wave 2, which does "
+            "not "
+            "have the one wavelength x, wave 3, which begins or ends under the slider");
+        row("asperities of other forms",
+            withValues("nwave", "0 0 4 0 0 0\n3 1e-9 0 0 0 1e-5 1e-5\n1 1e-9 0 0 0 1e-5 0\n0 1e-9 45 0 0 1e-5 2e-5\n"
+                                "2 1e-9 0 0 0 1e-5 1e-5"),
+            "dynamics.def:44: Disk Surface Menu: not modelled: asperity 1, which is neither sinusoidal nor ellipsoidal "
+            "(type 3), asperity 2, which has no size, asperity 3, which is turned, asperity 4, which is neither "
+            "sinusoidal "
+            "nor ellipsoidal (type 2)");
         row("contact", withValues("icmod", "1 1e11 1e9 0.3 0.3"),
-            "dynamics.def:47: Asperity Contact Menu: not modelled: the whole section, which is switched on");
+            "dynamics.def:47: Asperity Contact Menu: not modelled: contact of a statistical surface (icmod = 1)");
+        row("waves on the slider",
+            replaced(cmlDynamicsText(), "*****************End",
+                     "***Slider Surface***\nnswave nsasper\n0 1\n*****************End"),
+            "dynamics.def:53: Slider Surface: not modelled: the whole section, which is switched on");
         row("what nobody knows",
             replaced(cmlDynamicsText(), "*****************End", "***Shock***\nmode\n2\n*****************End"),
             "dynamics.def:53: Shock: not modelled: the whole section, which is switched on");
@@ -138,6 +157,12 @@ private slots:
         QCOMPARE(r.warnings(), warning);
     }
 
+    void rollVelocity()
+    {
+        const Reading r(withValues("hm(m)", "1e-8 1.6e-4 2e-6 0 0 3"));
+        QCOMPARE(r.warnings(), QByteArray());
+        QCOMPARE(r.value.initial.rollVelocity, 3.0);
+    }
     void malformed_data()
     {
         QTest::addColumn<QByteArray>("text");
