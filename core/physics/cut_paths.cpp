@@ -6,40 +6,11 @@
 #include <numeric>
 
 #include "core/numerics/vector_clones.h"
+#include "core/physics/cut_path_lanes.h"
 
 namespace touchdown {
 
 namespace {
-
-template <typename Number>
-constexpr std::size_t derivatives = 0;
-template <std::size_t N>
-constexpr std::size_t derivatives<Dual<N>> = N;
-
-/// Numbers side by side, part by part.
-template <typename Number>
-struct Lanes {
-    static constexpr std::size_t parts = 1 + derivatives<Number>;
-    double* part[parts];
-
-    Lanes(double* first, std::size_t apart)
-    {
-        for (std::size_t n = 0; n < parts; ++n) part[n] = first + n * apart;
-    }
-    Number get(std::size_t k) const
-    {
-        Number number(part[0][k]);
-        if constexpr (parts > 1)
-            for (std::size_t n = 1; n < parts; ++n) number.by[n - 1] = part[n][k];
-        return number;
-    }
-    void set(std::size_t k, const Number& number) const
-    {
-        part[0][k] = valueOf(number);
-        if constexpr (parts > 1)
-            for (std::size_t n = 1; n < parts; ++n) part[n][k] = number.by[n - 1];
-    }
-};
 
 /// Sums along the paths of rows, and at last what they pass.
 template <typename Number>
@@ -132,9 +103,9 @@ std::size_t mostPieces(const FilmGaps& gaps)
 
 CutPaths::Work::Work(const FilmGaps& gaps)
 {
-    for (auto* column : {&gap_, &product_, &mobility_, &mobilityBy_}) column->resize(mostPieces(gaps));
-    for (auto* column : {&mean_, &open_, &lift_}) column->resize(pieces);
-    path_.resize(5 * Lanes<Dual<3>>::parts * pieces);
+    for (auto* column : {&gap_, &product_, &mobility_, &mobilityBy_, &byGap_}) column->resize(mostPieces(gaps));
+    for (auto* column : {&mean_, &open_, &lift_, &before_, &beyond_}) column->resize(pieces);
+    path_.resize(6 * Lanes<Dual<4>>::parts * pieces);
 }
 
 CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed) : gaps_(&gaps), axis_(axis)
@@ -174,33 +145,43 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
         direction_.push_back(speed[place.at] < 0.0 ? -1.0 : 1.0);
         width_.push_back(gaps.rows[entry.row].width);
         share_.push_back(gaps.rows[entry.row].width / total);
+        double below = 0.0, above = 0.0;
+        for (std::uint32_t k = gaps.rows[entry.row].pieces; k < gaps.rows[entry.row].pieceEnd; ++k)
+            (gaps.pieces[k].start < 0.0 ? below : above) += gaps.pieces[k].extent;
+        upstream_.push_back(speed[place.at] < 0.0 ? above : below);
+        downstream_.push_back(speed[place.at] < 0.0 ? below : above);
     }
+}
+
+void CutPaths::setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
+                             const FlowTable& table, Work& work) const
+{
+    const std::vector<CutPlace>& cut = gaps_->faces[axis_].cut;
+    const std::size_t step = gaps_->pad.step(static_cast<int>(axis_)), rows = group.rows;
+    const double base = gaps_->lift(attitude, 0.0, 0.0);
+    for (std::size_t k = 0; k < rows; ++k) {
+        const std::size_t face = face_[group.row + k], at = cut[face].at;
+        work.mean_[k] = 0.5 * (p[at - step] + p[at]);
+        work.lift_[k] = base - surface[face];
+        work.open_[k] = 1.0;
+    }
+    for (std::size_t n = 0; n < group.depth; ++n) {
+        const std::size_t in = n * rows, from = group.piece + in;
+        setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(), &work.gap_[in],
+                &work.product_[in]);
+    }
+    table.at({work.product_.data(), rows * group.depth}, work.gap_, work.mobility_, work.mobilityBy_);
 }
 
 template <typename Number>
 void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface, const FlowTable& table,
                      double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const
 {
-    const double base = gaps_->lift(attitude, 0.0, 0.0);
     constexpr std::size_t parts = Lanes<Number>::parts;
-    const std::vector<CutPlace>& cut = gaps_->faces[axis_].cut;
-    const std::size_t step = gaps_->pad.step(static_cast<int>(axis_));
-    out.assign(cut.size(), {});
+    out.assign(gaps_->faces[axis_].cut.size(), {});
     for (const Group& group : groups_) {
         const std::size_t rows = group.rows;
-        for (std::size_t k = 0; k < rows; ++k) {
-            const std::size_t face = face_[group.row + k], at = cut[face].at;
-            work.mean_[k] = 0.5 * (p[at - step] + p[at]);
-            work.lift_[k] = base - surface[face];
-            work.open_[k] = 1.0;
-        }
-        for (std::size_t n = 0; n < group.depth; ++n) {
-            const std::size_t in = n * rows, from = group.piece + in;
-            setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(), &work.gap_[in],
-                    &work.product_[in]);
-        }
-        const std::size_t count = rows * group.depth;
-        table.at({work.product_.data(), count}, work.gap_, work.mobility_, work.mobilityBy_);
+        setMobilities(group, p, attitude, surface, table, work);
         for (std::size_t n = 0; n < group.depth; ++n)
             for (std::size_t k = 0; k < rows; ++k) {
                 const std::size_t in = n * rows + k;

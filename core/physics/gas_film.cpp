@@ -91,12 +91,19 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     flows_.resize(pad.size());
     for (std::size_t axis = 0; axis < 2; ++axis) {
         cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
-        axes_[axis].cutSurface.assign(gaps_.faces[axis].cut.size(), 0.0);
+        const FilmGaps::Faces& faces = gaps_.faces[axis];
+        axes_[axis].cutSurface.assign(faces.cut.size(), 0.0);
+        for (const CutPlace& place : faces.cut) {
+            const int i = pad.column(place.at), j = pad.row(place.at);
+            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
+            const double x = axis == 0 ? middle : grid.centreX(i), y = axis == 0 ? grid.centreY(j) : middle;
+            axes_[axis].cutArms.push_back({0.5 * gaps_.length - x, 0.5 * gaps_.width - y});
+        }
     }
     const std::size_t mostCut = std::max(gaps_.faces[0].cut.size(), gaps_.faces[1].cut.size());
     cutFlows_.resize(mostCut);
     cutFlowsByPressure_.resize(mostCut);
-    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_, &rowRise_})
+    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_, &rowRise_, &rowByGap_})
         row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
@@ -118,6 +125,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             cell.y1 = std::max(cell.y1, piece.y);
         }
     }
+    setCouettePlaces();
     setAttitude({});
 }
 
@@ -187,21 +195,26 @@ void GasFilm::setAttitude(const Attitude& attitude)
     }
     // Where part of a cut cell is closed, the rest holds the air.
     for (std::size_t n = 0; n < cutCells_.size(); ++n) {
-        const CutCell& cell = cutCells_[n];
+        CutCell& cell = cutCells_[n];
         const CutPlace& place = gaps_.cutCells[n];
         const double surface = surfaceAt(place.at), lift = base - surface;
         double volume = cell.recess + lift * cell.area - attitude.pitch * cell.x - attitude.roll * cell.y;
         const double lowest = cell.lowest + lift - std::max(attitude.pitch * cell.x0, attitude.pitch * cell.x1) -
                               std::max(attitude.roll * cell.y0, attitude.roll * cell.y1);
-        if (!(lowest > 0.0)) {
+        cell.open = lowest > 0.0;
+        if (!cell.open) {
             volume = 0.0;
             for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
-                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf<double>(gaps_.pieces[k], surface));
+                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf(gaps_.pieces[k], surface));
         }
         volume_[place.at] = volume;
     }
-    totalVolume_ = 0.0;
-    for (const double volume : volume_) totalVolume_ += volume;
+    std::array<double, 8> sums{}; // side by side: one after the other each addition would wait for the last
+    const std::size_t whole = volume_.size() / 8 * 8;
+    for (std::size_t at = 0; at < whole; at += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += volume_[at + k];
+    for (std::size_t at = whole; at < volume_.size(); ++at) sums[0] += volume_[at];
+    totalVolume_ = ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
     flowScale_ = 0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;

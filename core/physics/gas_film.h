@@ -56,6 +56,12 @@ struct FilmFaces {
     std::vector<double> convection;    // lower + upper [m^3/s]
 };
 
+/// What the flows through smooth faces across one axis, and the part of their corrections that the correction's own change makes,
+/// answer to the gap in the middle of the path and to its rise along the path. Padded, by face.
+struct GapSlopes {
+    std::vector<double> flowByGap, flowByRise, ownByGap, ownByRise; // [Pa m^2/s]
+};
+
 /// Flows through the faces across x and across y, with each cell's slopes and what it stores: padded work space.
 template <typename T>
 struct FaceFlows {
@@ -131,6 +137,8 @@ public:
     std::array<double, 3> load(std::span<const double> p) const;
     /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x, y [N].
     std::array<double, 2> shear(std::span<const double> p) const;
+    /// Load and shear at less than the cost of both.
+    std::array<double, 5> loadAndShear(std::span<const double> p) const;
     /// Load and shear with their derivatives.
     struct ForceDerivatives {
         std::array<double, 5> value{};                      // load, then shear
@@ -148,16 +156,29 @@ private:
         std::vector<double> width; // of the face by cross index [m]
         std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
         std::vector<double> cutSurface; // height of the disk under the cut faces, in their order [m]
+        std::vector<std::array<double, 2>> cutArms; // of the cut faces' forces, for pitch and roll torque about the centre [m]
     };
     /// Sums over a cut cell's pieces, and what they lie within.
     struct CutCell {
         double area = 0.0, recess = 0.0, x = 0.0, y = 0.0; // [m^2], of area times recess, x, y [m^3]
         double lowest = 1e300, x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300; // of recess, x, y [m]
+        bool open = false; // all of it
+    };
+    /// The pieces of all cut cells, each with its cell.
+    struct CutPieces {
+        std::vector<double> recess, x, y; // [m]
+        std::array<std::vector<double>, 2> couette; // viscosity times area times speed of the disk, along x, y [N m]
+        std::vector<std::size_t> at;
     };
     using ByPressure = Dual<1>;
-    using ByGap = Dual<2>; // gap, its change along the path
     using ByAttitude = Dual<3>;
     using ByAll = Dual<5>; // pressure below, above, attitude
+    struct AttitudeWork {
+        std::array<GapSlopes, 2> slopes;
+        FaceFlows<double> flows;
+        std::array<std::vector<PathFlow<ByAttitude>>, 2> cutFlows;
+        void resize(std::size_t size);
+    };
 
     std::array<double, 3> liftDirections(double x, double y) const
     {
@@ -169,25 +190,26 @@ private:
     /// outline, the height of the cell inside.
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
-    /// The gap of a piece above this height of the disk as a constant, or with its derivatives by the attitude.
-    template <typename Number>
-    Number gapOf(const GapPiece& piece, double surface) const;
-    template <typename Number>
-    Number mobility(const Number& pm, const Number& h) const;
-    /// Resistance and Peclet number of a piece; false where it is closed.
-    template <typename Number>
-    bool pieceOf(const GapPiece& piece, double surface, double speed, const Number& pm, Number& r, Number& q) const;
-    template <typename Number>
-    Number cutPoiseuille(const CutPlace& place, double surface, const Number& p1, const Number& p2) const;
-    template <typename Number>
-    Number layerExcess(std::size_t axis, const CutPlace& place, double surface, const Number& p1, const Number& p2) const;
-    template <typename Number, typename Visit>
-    void forLayers(std::span<const double> p, Visit&& visit) const;
-    template <typename Visit>
-    void forLoads(Visit&& visit) const;
-    template <typename Number, typename Add>
-    void addUpShear(std::span<const double> p, Add&& add) const;
+    /// The gap of a piece above this height of the disk [m].
+    double gapOf(const GapPiece& piece, double surface) const { return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y); }
 
+    void addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const;
+    /// Of cut faces, what layers make and the shear of the pressure gradient.
+    void addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum) const;
+    void addShear(std::span<const double> p, std::array<double, 5>& sum) const;
+    void setCouettePlaces();
+    /// 2 a lambda p [Pa m].
+    double slipLength() const;
+    /// Puts gaps and pressures of a row of cells into forceWork_, or of the pieces of cut cells from this one on, and how many.
+    void setCellRow(int j, std::span<const double> p) const;
+    std::size_t setCutPieces(std::size_t first, std::span<const double> p) const;
+    void addCouetteSlopes(std::span<const double> p, ForceDerivatives& out) const;
+    void addPoiseuilleSlopes(std::size_t axis, std::span<const double> p, ForceDerivatives& out) const;
+    void addCutSlopes(std::size_t axis, std::span<const double> p, ForceDerivatives& out) const;
+
+    /// Calls visit(row of faces), with the mobilities of smooth ones.
+    template <typename Visit>
+    void forSmoothRows(std::size_t axis, std::span<const double> p, Visit&& visit) const;
     template <ConvectionScheme scheme, typename Number>
     void setFaceFlows(std::size_t axis, std::span<const double> p);
     template <typename Number>
@@ -195,9 +217,13 @@ private:
     template <typename Number>
     void evaluate(std::span<const double> p, std::span<double> out);
     template <ConvectionScheme scheme>
-    void setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
-                          std::array<std::array<std::vector<double>, 2>, 3>& own) const;
-    void setAttitudeStorage(std::span<const double> p, double perTime, std::array<FaceFlows<double>, 3>& flows) const;
+    void setGapSlopes(std::size_t axis, std::span<const double> p, GapSlopes& out) const;
+    void setGapSlopes(std::span<const double> p, std::array<GapSlopes, 2>& out) const;
+    void addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap, const std::vector<double>& byRise,
+                       std::vector<double>& out) const;
+    void addCutCorrections(std::size_t axis, std::size_t k, std::span<const double> p,
+                           const std::vector<PathFlow<ByAttitude>>& cutFlows, std::vector<double>& out) const;
+    void setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime, std::vector<double>& out) const;
     /// perTime V v.
     template <typename T>
     void setStored(std::span<const T> v, T perTime, FaceFlows<T>& flows) const;
@@ -229,46 +255,28 @@ private:
     std::vector<double> volume_, area_;
     std::vector<double> centreX_; // of the cells' columns [m]
     std::vector<CutCell> cutCells_;
-    std::vector<double> mobility_, mobilityByProduct_; // of a row of faces [Pa m], [-]
-    std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
-    std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
-    std::vector<double> rowRecess_, rowRise_; // of a row over a disk that is not flat [m]
+    CutPieces cutPieces_;
+    std::array<std::vector<double>, 2> couette_; // of the cells that are not cut, as of CutPieces; padded [N m]
     std::array<CutPaths, 2> cutPaths_;
-    CutPaths::Work cutWork_;
+
+    // Work space, also of const functions.
+    mutable std::vector<double> mobility_, mobilityByProduct_; // of a row of faces [Pa m], [-]
+    mutable std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
+    mutable std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
+    mutable std::vector<double> rowByGap_; // the mobility's own derivative [Pa]
+    std::vector<double> rowRecess_, rowRise_; // of a row over a disk that is not flat [m]
+    mutable CutPaths::Work cutWork_;
+    mutable std::vector<CutForces<double>> cutForces_;
+    mutable std::vector<CutForces<ByAll>> cutForcesByAll_;
+    mutable AttitudeWork attitudeWork_; // allocated when first used
+    struct ForceWork {
+        static constexpr std::size_t pieces = 512;
+        std::vector<double> gap, pressure, byGap, byPressure;
+    };
+    mutable ForceWork forceWork_;
     std::vector<PathFlow<double>> cutFlows_;
     std::vector<PathFlow<ByPressure>> cutFlowsByPressure_;
     FaceFlows<double> flows_; // at the last pressure, complete
 };
-
-template <typename Number>
-Number GasFilm::gapOf(const GapPiece& piece, double surface) const
-{
-    Number gap(piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y));
-    if constexpr (std::is_same_v<Number, ByAttitude>) gap.by = liftDirections(piece.x, piece.y);
-    if constexpr (std::is_same_v<Number, ByAll>) {
-        const std::array<double, 3> lift = liftDirections(piece.x, piece.y);
-        std::copy(lift.begin(), lift.end(), gap.by.begin() + 2);
-    }
-    return gap;
-}
-
-template <typename Number>
-Number GasFilm::mobility(const Number& pm, const Number& h) const
-{
-    const Number w = pm * h;
-    const FlowTable::Value g = table_.at(valueOf(w), valueOf(h));
-    if constexpr (std::is_same_v<Number, double>) return g.mobility;
-    else return w.chain(g.mobility, g.derivative) + h.chain(0.0, table_.gapDerivative(valueOf(w), valueOf(h)));
-}
-
-template <typename Number>
-bool GasFilm::pieceOf(const GapPiece& piece, double surface, double speed, const Number& pm, Number& r, Number& q) const
-{
-    const Number h = gapOf<Number>(piece, surface);
-    if (!(valueOf(h) > closedGap)) return false;
-    r = Number(12.0 * setting_.air.viscosity * piece.extent) / (h * h * mobility(pm, h));
-    q = Number(speed) * h * r;
-    return true;
-}
 
 } // namespace touchdown

@@ -76,10 +76,45 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
     }
 }
 
+/// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the gap.
+template <ConvectionScheme scheme>
+TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope, const double* byGap,
+                                             const FaceRow& row)
+{
+    using Number = Dual<2>; // gap, its change
+    const std::size_t step = row.step, first = row.first;
+    const double *below = row.p.data() + first - step, *above = row.p.data() + first, *before = slope - step;
+    const double *gap = row.gap.data() + first, *tilt = row.tilt.data() + first, *speed = row.speed.data() + first;
+    const double *length = row.length.data(), *lowerShare = row.lowerShare.data(), *width = row.width.data();
+    const double *G = row.mobility.data(), *byProduct = row.mobilityByProduct.data();
+    const double *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
+    double *flowByGap = out.flowByGap.data() + first, *flowByRise = out.flowByRise.data() + first;
+    double *ownByGap = out.ownByGap.data() + first, *ownByRise = out.ownByRise.data() + first;
+    const double viscosity = row.viscosity;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < row.count; ++k) {
+        const double p1 = below[k], p2 = above[k];
+        const bool open = gap[k] > closedGap, free = open && std::abs(tilt[k]) < 1.0;
+        const double perGap = free ? 1.0 / (open ? gap[k] : 1.0) : 0.0;
+        Number h(gap[k]), e(tilt[k]), mobility(G[k]);
+        h.by = {1.0, 0.0};
+        e.by = {-tilt[k] * perGap, perGap};
+        mobility.by[0] = byProduct[k] * (0.5 * (p1 + p2)) + byGap[k];
+        const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k], h, e, mobility);
+        const Number passed = flow.A * Number(p1) - flow.B * Number(p2);
+        const Number inflow = select(speed[k] < 0.0, flow.B * Number(p2), flow.A * Number(p1));
+        const Number correction = share[k] * (before[k] * flow.below + slope[k] * flow.above) + inflowShare[k] * inflow;
+        flowByGap[k] = passed.by[0];
+        flowByRise[k] = passed.by[1];
+        ownByGap[k] = -correction.by[0];
+        ownByRise[k] = -correction.by[1];
+    }
+}
+
 } // namespace
 
-template <ConvectionScheme scheme, typename Number>
-void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
+template <typename Visit>
+void GasFilm::forSmoothRows(std::size_t axis, std::span<const double> p, Visit&& visit) const
 {
     const PaddedGrid& pad = gaps_.pad;
     const AxisState& a = axes_[axis];
@@ -102,8 +137,17 @@ void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
             row.length = rowLength_;
             row.lowerShare = rowShare_;
         }
-        setSmoothFaces<scheme, Number>(faces_[axis], row);
+        visit(row);
     }
+}
+
+template <ConvectionScheme scheme, typename Number>
+void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
+{
+    const AxisState& a = axes_[axis];
+    const FilmGaps::Faces& paths = gaps_.faces[axis];
+    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    forSmoothRows(axis, p, [this, axis](const FaceRow& row) { setSmoothFaces<scheme, Number>(faces_[axis], row); });
     const auto setCut = [&](auto& flows) {
         cutPaths_[axis].flows(p, attitude_, a.cutSurface, table_, setting_.air.viscosity, cutWork_, flows);
         for (std::size_t n = 0; n < flows.size(); ++n) {
@@ -132,113 +176,25 @@ template void GasFilm::setFaceFlows<double>(std::span<const double>);
 template void GasFilm::setFaceFlows<Dual<1>>(std::span<const double>);
 
 template <ConvectionScheme scheme>
-void GasFilm::setAttitudeFlows(std::size_t axis, std::span<const double> p, std::array<FaceFlows<double>, 3>& flows,
-                               std::array<std::array<std::vector<double>, 2>, 3>& own) const
+void GasFilm::setGapSlopes(std::size_t axis, std::span<const double> p, GapSlopes& out) const
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const AxisState& a = axes_[axis];
-    const FilmFaces& f = faces_[axis];
-    const FilmGaps::Faces& paths = gaps_.faces[axis];
-    const std::size_t step = pad.step(static_cast<int>(axis));
-    const auto set = [&](std::size_t at, const auto& flow, double p1, double p2, const auto& by) {
-        const double before = flows_.slope[axis][at - step], after = flows_.slope[axis][at];
-        for (std::size_t k = 0; k < 3; ++k) {
-            flows[k].flow[axis][at] = by(flow.A, k) * p1 - by(flow.B, k) * p2;
-            const double inflow = a.speed[at] < 0.0 ? by(flow.B, k) * p2 : by(flow.A, k) * p1;
-            own[k][axis][at] = -f.share[at] * (before * by(flow.below, k) + after * by(flow.above, k)) -
-                               f.inflowShare[at] * inflow;
-        }
-    };
-    for (int j = 0; j < pad.ny + (axis == 1); ++j)
-        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-            const std::size_t at = pad.at(i, j);
-            const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
-            const double width = a.width[static_cast<std::size_t>(axis == 0 ? j : i)];
-            const double p1 = p[at - step], p2 = p[at], middle = gaps_.faces[axis].pathMid[line];
-            const std::array<double, 3> lift = axis == 0 ? liftDirections(middle, gaps_.grid.centreY(j))
-                                                         : liftDirections(gaps_.grid.centreX(i), middle);
-            const ByGap gap = ByGap::variable(a.gap[at], 0);
-            ByGap tilt(a.tilt[at]);
-            if (std::abs(tilt.value) < 1.0 && gap.value > closedGap) tilt = ByGap::variable(tilt.value * gap.value, 1) / gap;
-            const double length = paths.pathLength[line];
-            const std::array<double, 3> rise{0.0, axis == 0 ? -length : 0.0, axis == 0 ? 0.0 : -length};
-            set(at, smoothFlow<scheme>(SmoothPath{paths.pathLength[line], paths.upperShare[line], width},
-                                       setting_.air.viscosity, a.speed[at], gap, tilt, mobility(ByGap(0.5 * (p1 + p2)), gap)),
-                p1, p2, [&](const ByGap& number, std::size_t k) { return number.by[0] * lift[k] + number.by[1] * rise[k]; });
-        }
-    CutPaths::Work work(gaps_);
-    std::vector<PathFlow<ByAttitude>> cutFlows;
-    cutPaths_[axis].flows(p, attitude_, a.cutSurface, table_, setting_.air.viscosity, work, cutFlows);
-    for (std::size_t n = 0; n < cutFlows.size(); ++n) {
-        const std::size_t at = paths.cut[n].at;
-        set(at, cutFlows[n], p[at - step], p[at], [](const ByAttitude& number, std::size_t k) { return number.by[k]; });
-    }
+    forSmoothRows(axis, p, [&](const FaceRow& row) {
+        const double* gap = axes_[axis].gap.data() + row.first;
+        for (std::size_t k = 0; k < row.count; ++k) rowByGap_[k] = table_.gapDerivative(rowProduct_[k], gap[k]);
+        setSmoothSlopes<scheme>(out, faces_[axis], flows_.slope[axis].data() + row.first, rowByGap_.data(), row);
+    });
 }
 
-void GasFilm::setAttitudeStorage(std::span<const double> p, double perTime, std::array<FaceFlows<double>, 3>& flows) const
+void GasFilm::setGapSlopes(std::span<const double> p, std::array<GapSlopes, 2>& out) const
 {
-    for (FaceFlows<double>& f : flows) f.stored.assign(p.size(), 0.0);
-    const auto add = [&](std::size_t at, double area, double x, double y) {
-        const std::array<double, 3> lift = liftDirections(x, y);
-        for (std::size_t k = 0; k < 3; ++k) flows[k].stored[at] += perTime * p[at] * area * lift[k];
-    };
-    for (int j = 0; j < gaps_.pad.ny; ++j)
-        for (int i = 0; i < gaps_.pad.nx; ++i) {
-            const std::size_t at = gaps_.pad.at(i, j);
-            if (volume_[at] > 0.0) add(at, area_[at], gaps_.grid.centreX(i), gaps_.grid.centreY(j));
-        }
-    for (const CutPlace& cell : gaps_.cutCells) {
-        for (FaceFlows<double>& f : flows) f.stored[cell.at] = 0.0;
-        for (std::uint32_t k = gaps_.rows[cell.rows].pieces; k < gaps_.rows[cell.rows].pieceEnd; ++k) {
-            const GapPiece& piece = gaps_.pieces[k];
-            if (gapOf<double>(piece, surfaceAt(cell.at)) > 0.0) add(cell.at, piece.extent, piece.x, piece.y);
-        }
-    }
-}
-
-void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
-{
-    const std::size_t size = gaps_.pad.size();
-    std::array<FaceFlows<double>, 3> flows;
-    std::array<std::array<std::vector<double>, 2>, 3> own;
-    for (std::size_t k = 0; k < 3; ++k) {
-        flows[k].resize(size);
-        for (auto& field : own[k]) field.assign(size, 0.0);
-        out[k].assign(size, 0.0);
-    }
     for (std::size_t axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
             using enum ConvectionScheme;
-        case Upwind: setAttitudeFlows<Upwind>(axis, p, flows, own); break;
-        case Hybrid: setAttitudeFlows<Hybrid>(axis, p, flows, own); break;
-        case PowerLaw: setAttitudeFlows<PowerLaw>(axis, p, flows, own); break;
-        case Exponential: setAttitudeFlows<Exponential>(axis, p, flows, own); break;
-        case CompleteFlux: setAttitudeFlows<CompleteFlux>(axis, p, flows, own); break;
+        case Upwind: setGapSlopes<Upwind>(axis, p, out[axis]); break;
+        case Hybrid: setGapSlopes<Hybrid>(axis, p, out[axis]); break;
+        case PowerLaw: setGapSlopes<PowerLaw>(axis, p, out[axis]); break;
+        case Exponential: setGapSlopes<Exponential>(axis, p, out[axis]); break;
+        case CompleteFlux: setGapSlopes<CompleteFlux>(axis, p, out[axis]); break;
         }
-    if (storagePerTime_ != 0.0) setAttitudeStorage(p, storagePerTime_, flows);
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (complete()) {
-            setSlopes(flows[k]);
-            completeChanges(flows[k]);
-            for (std::size_t axis = 0; axis < 2; ++axis)
-                for (std::size_t at = 0; at < size; ++at) flows[k].flow[axis][at] += own[k][axis][at];
-        }
-        divergence<double>(flows[k], out[k]);
-    }
-}
-
-void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
-{
-    std::array<FaceFlows<double>, 3> flows;
-    setAttitudeStorage(p, 1.0, flows);
-    for (std::size_t k = 0; k < 3; ++k) {
-        flows[k].resize(p.size());
-        out[k].assign(p.size(), 0.0);
-        if (complete()) {
-            setSlopes(flows[k]);
-            completeChanges(flows[k]);
-        }
-        divergence<double>(flows[k], out[k]);
-    }
 }
 
 } // namespace touchdown

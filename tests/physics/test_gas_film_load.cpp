@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/physics/gas_film.h"
+#include "tests/support/allocation_count.h"
 #include "tests/support/film_problem.h"
 #include "tests/support/wide_slider.h"
 
@@ -210,6 +211,19 @@ private slots:
         };
         const std::array<double, 5> now = values();
         for (std::size_t k = 0; k < 5; ++k) QVERIFY(std::abs(exact.value[k] - now[k]) < 1e-13 * std::abs(now[0]));
+        // Again, as a step of time does.
+        std::array<std::vector<double>, 3> columns;
+        std::vector<double> residual(pad.size());
+        problem.film.linearise(problem.p, residual);
+        problem.film.attitudeColumns(problem.p, columns);
+        const long long before = allocations;
+        problem.film.setAttitude(attitude);
+        const std::array<double, 5> both = problem.film.loadAndShear(problem.p);
+        QCOMPARE(values(), now);
+        problem.film.attitudeColumns(problem.p, columns);
+        problem.film.forceDerivatives(problem.p, exact);
+        QCOMPARE(allocations.load(), before);
+        for (std::size_t k = 0; k < 5; ++k) QVERIFY(std::abs(both[k] - now[k]) < 1e-15 * std::abs(now[0]));
         std::array<double, 5> largest{};
         for (std::size_t k = 0; k < 5; ++k)
             for (const double d : exact.byPressure[k]) largest[k] = std::max(largest[k], std::abs(d));
