@@ -167,7 +167,7 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;
         const bool wasAhead = ahead_ > 0.0;
-        const double reached = wasAhead ? energy() : 0.0;
+        const double reached = wasAhead ? presentEnergy() : 0.0;
         if (wasAhead && reached > least) {
             std::swap(now_, lower_);
             ahead_ = movedBefore = 0.0;
@@ -178,12 +178,12 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         movedBefore = moved;
         if (ahead_ > 0.0) {
             lower_ = now_;
-            least = wasAhead ? reached : energy();
+            least = wasAhead ? reached : presentEnergy();
         }
     }
 }
 
-double AdhesiveContact::energy() const
+double AdhesiveContact::presentEnergy() const
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < now_.total.size(); ++i) sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gapAt(i));
@@ -214,7 +214,7 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
     const double area = space_->grid().cellArea();
     summary.contactForce = contact * area;
     summary.adhesionForce = adhesion * area;
-    now_.energy = energy();
+    now_.energy = presentEnergy();
     if (before.exists) {
         constexpr double rounding = 1e-12;
         summary.energyDrop = before.energy + work * area - now_.energy;

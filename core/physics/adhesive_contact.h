@@ -68,6 +68,8 @@ public:
     std::span<const double> pressure() const { return elastic_ ? elastic_->pressure() : pressure_; } // p [Pa]
     std::span<const double> adhesion() const { return attraction_; }                                 // f(g) [Pa]
     std::span<const double> gap() const { return elastic_ ? elastic_->gap() : gap_; }                // g [m]
+    /// Of the last solution with adhesion: of the half-space and of the surfaces' attraction, zero far away [J].
+    double energy() const { return now_.energy; }
     const AdhesionLaw& law() const { return cell_.law(); }
     HalfSpace& space() { return elastic_ ? elastic_->space() : *space_; }
 
@@ -95,7 +97,7 @@ private:
     void countIteration();
     bool spent() const { return stopped_ || iterations_ >= options_.maximumIterations; }
     double gapAt(std::size_t i) const { return now_.separation[i] + now_.displacement[i]; }
-    double energy() const;
+    double presentEnergy() const;
     double linearise();
     double imbalance();
     bool setTangents(bool first);

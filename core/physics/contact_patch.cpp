@@ -77,6 +77,7 @@ public:
     }
 
     SurfacePoint lowest() const { return lowest_; }
+    double recess(double x, double y) const { return recess_.at(x, y); }
     /// Above the lowest point; nothing comes lower than it, but for the rounding of where that is.
     double height(double x, double y) const
     {
@@ -153,7 +154,7 @@ std::string micrometres(double length) { return std::to_string(std::llround(leng
 ContactPatch flatPatch(double length, double width, double cell)
 {
     const UniformGrid grid = gridOf(0.0, 0.0, length, width, cell);
-    return {grid, std::vector<double>(grid.cells(), 0.0)};
+    return {grid, std::vector<double>(grid.cells(), 0.0), {}};
 }
 
 ContactPatch spherePatch(double length, double width, double cell, double radius)
@@ -203,7 +204,10 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
         patch.grid = {nx, ny, cell, cell, box.x0 * cell, box.y0 * cell};
         patch.height.reserve(patch.grid.cells());
         for (int j = 0; j < patch.grid.ny; ++j)
-            for (int i = 0; i < patch.grid.nx; ++i) patch.height.push_back(scan.height(patch.grid.x(i), patch.grid.y(j)));
+            for (int i = 0; i < patch.grid.nx; ++i) {
+                patch.height.push_back(scan.height(patch.grid.x(i), patch.grid.y(j)));
+                patch.recess.push_back(scan.recess(patch.grid.x(i), patch.grid.y(j)));
+            }
         result.patches.push_back(std::move(patch));
     }
     const auto lowestOf = [](const ContactPatch& patch) { return *std::ranges::min_element(patch.height); };

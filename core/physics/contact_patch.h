@@ -24,6 +24,7 @@ namespace touchdown {
 struct ContactPatch {
     UniformGrid grid;           // in the coordinates of pad or slider
     std::vector<double> height; // of the pad above its lowest point, at the cells' centres [m], >= 0
+    std::vector<double> recess; // slider: the surface's own, there, at no pitch and roll [m]; else empty
 };
 
 /// Length and width are whole numbers of cells, to rounding. The lowest point of the sphere is at the middle.

@@ -165,30 +165,37 @@ void ElasticPad::observe(FieldSnapshot& snapshot) const
 
 std::vector<std::string> ElasticPad::remarks() const
 {
+    std::vector<UniformGrid> grids;
+    for (const Part& part : parts_) grids.push_back(part.patch.grid);
+    return elasticRemarks(case_, grids);
+}
+
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches)
+{
+    const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
-    if (case_.adhesion.acts()) {
+    if (c.adhesion.acts()) {
         // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy (Maugis 1992).
-        const AdhesionLaw law(case_.adhesion);
-        const double zone = modulus_ * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
-        if (zone < cellsOfZone * case_.elastic.cell)
-            list.push_back("elastic.cell is " + formatQuantity(case_.elastic.cell, "um") +
+        const AdhesionLaw law(c.adhesion);
+        const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
+        if (zone < cellsOfZone * c.elastic.cell)
+            list.push_back("elastic.cell is " + formatQuantity(c.elastic.cell, "um") +
                            ", but adhesion parts the surfaces over a zone of " +
                            formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
                            " at the edges of a contact: where they are smooth, these hang on the cells and "
                            "jump from one to the next; cells of half that length follow them smoothly");
     }
-    if (case_.adhesion.kind == AdhesionKind::VanDerWaals && case_.adhesion.hamakerB > 0.0)
+    if (c.adhesion.kind == AdhesionKind::VanDerWaals && c.adhesion.hamakerB > 0.0)
         list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "
                        "adhesion force, and bears no "
                        "friction");
-    if (parts_.size() < 2) return list;
+    if (patches.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-        for (std::size_t k = i + 1; k < parts_.size(); ++k)
-            nearest = std::min(nearest, patchDistance(parts_[i].patch.grid, parts_[k].patch.grid));
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        for (std::size_t k = i + 1; k < patches.size(); ++k) nearest = std::min(nearest, patchDistance(patches[i], patches[k]));
     // Boussinesq: F/(pi E* r).
-    const double perNewton = 1.0 / (std::numbers::pi * modulus_ * nearest);
-    list.push_back(std::to_string(parts_.size()) + " patches are solved as if each were alone; the nearest two are " +
+    const double perNewton = 1.0 / (std::numbers::pi * modulus * nearest);
+    list.push_back(std::to_string(patches.size()) + " patches are solved as if each were alone; the nearest two are " +
                    formatQuantity(std::round(nearest * 1e7) / 1e7, "um") +
                    " apart, so that a force of 1 mN on one would lower the disk under the other by " +
                    formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out");
@@ -204,7 +211,11 @@ std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
 RecordedFields ElasticPad::fields(const Case& c)
 {
     const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
-    const SliderPatches patches = patchesOf(c, surface);
+    return elasticFields(c, patchesOf(c, surface));
+}
+
+RecordedFields elasticFields(const Case& c, const SliderPatches& patches)
+{
     RecordedFields fields;
     if (patches.patches.empty()) return fields;
     const UniformGrid& grid = patches.patches.front().grid;

@@ -4,6 +4,7 @@
 // elastic half-space, with adhesion where there is one.
 #pragma once
 
+#include <span>
 #include <variant>
 
 #include "core/physics/adhesive_contact.h"
@@ -17,6 +18,11 @@ namespace touchdown {
 
 /// The patches of a case's pad that can touch, or why there are none.
 SliderPatches patchesOf(const Case& c, const DiskTopography& surface);
+
+/// What was assumed or left out for these patches, in sentences.
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches);
+/// Of the first patch; empty without one.
+RecordedFields elasticFields(const Case& c, const SliderPatches& patches);
 
 class ElasticPad final : public ContactModel {
 public:

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/slider_contact.h"
 
+#include "core/simulation/elastic_slider_contact.h"
 #include "core/simulation/ono_yamane_contact.h"
 
 namespace touchdown {
 
-std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography&, const CellGrid&,
-                                                 const PaddedGrid&, const std::function<bool()>&)
+std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
+                                                 const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn)
 {
     switch (c.contact) {
     case ContactKind::OnoYamane: return std::make_unique<OnoYamaneContact>(c, spacing);
-    case ContactKind::Elastic:
+    case ContactKind::Elastic: return std::make_unique<ElasticSliderContact>(c, spacing, surface, grid, pad, goOn);
     case ContactKind::Asperity:
     case ContactKind::MultiAsperity:
     case ContactKind::None: break;
@@ -18,6 +19,9 @@ std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpa
     return nullptr;
 }
 
-RecordedFields sliderContactFields(const Case&) { return {}; }
+RecordedFields sliderContactFields(const Case& c)
+{
+    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c) : RecordedFields{};
+}
 
 } // namespace touchdown

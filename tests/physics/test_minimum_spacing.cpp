@@ -13,6 +13,7 @@ private slots:
     void aRailIsNearestAtItsRearCorner();
     void aCrownedSurfaceIsNearestInside();
     void mayBeNegative();
+    void aSymmetricEdgeBearsInItsMiddle();
 };
 
 namespace {
@@ -72,6 +73,20 @@ void TestMinimumSpacing::mayBeNegative()
 {
     const auto place = nearest(withRail(), {-30e-9, 100e-6, 0.0});
     QVERIFY(std::abs(place.spacing - -20e-9) < 2e-14);
+}
+
+void TestMinimumSpacing::aSymmetricEdgeBearsInItsMiddle()
+{
+    const AirBearingSurface surface = withRail();
+    const Recess recess(surface, length, width);
+    const MinimumSpacing spacing(surface, recess);
+    // The trailing edge at x = 0.9 mm, from y = 0.1 to 0.5 mm. Over the depth of 0.01 nm 100 urad reach 1e-7 m.
+    const auto level = spacing.bearing({10e-9, 100e-6, 0.0}, 1e-11);
+    QVERIFY(std::abs(level.spacing - spacing.at({10e-9, 100e-6, 0.0}).spacing) < 1e-20);
+    QVERIFY(std::abs(level.at.y - 0.3e-3) < 1e-9);
+    QVERIFY(std::abs(level.at.x - 0.9e-3) < 1e-7);
+    // Rolled so far that the other corner is forty depths higher, the lower one bears.
+    QVERIFY(std::abs(spacing.bearing({10e-9, 100e-6, 1e-6}, 1e-11).at.y - 0.5e-3) < 0.01e-3);
 }
 
 QTEST_GUILESS_MAIN(TestMinimumSpacing)
