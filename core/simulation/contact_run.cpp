@@ -129,7 +129,7 @@ private:
         figures_.add(forces_, away);
         if (station.sample) record(station.time);
         if (station.snapshot && recordsFields_) {
-            fields_.push_back({station.time, {}});
+            fields_.push_back({station.time, 0, {}});
             model_->observe(fields_.back());
         }
         if (batch_.size() >= samplesInBatch) flush();

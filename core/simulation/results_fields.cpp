@@ -11,7 +11,6 @@
 namespace touchdown {
 namespace {
 
-constexpr const char* groupName = "fields";
 constexpr hsize_t mostChunkValues = 65536; // 512 KiB
 
 using Extent = std::array<hsize_t, 3>; // time, y, x
@@ -110,12 +109,9 @@ std::vector<double> readSnapshot(hid_t dataset, const Extent& extent, hsize_t ti
     return values;
 }
 
-} // namespace
-
-void createFields(hid_t file, const RecordedFields& fields)
+void createSet(hid_t file, const RecordedFields& fields)
 {
-    if (fields.empty()) return;
-    const Hdf5Handle group = createHdf5Group(file, groupName);
+    const Hdf5Handle group = createHdf5Group(file, fields.group);
     const Hdf5Handle time = createHdf5Series(group, "time");
     describeHdf5(time, "s", "Time of the snapshots");
     checkHdf5(H5DSset_scale(time, "time"));
@@ -132,63 +128,91 @@ void createFields(hid_t file, const RecordedFields& fields)
     }
 }
 
-void appendFields(hid_t file, const RecordedFields& fields, std::span<const FieldSnapshot> snapshots)
+/// The groups of a file that hold fields, in the order in which they were created.
+std::vector<std::string> fieldGroups(hid_t file)
 {
-    if (fields.empty() || snapshots.empty()) return;
-    const Hdf5Handle group = openHdf5Group(file, groupName);
+    std::vector<std::string> groups;
+    for (const std::string& name : namesInHdf5Group(openHdf5Group(file, "/")))
+        if (name == "fields" || name.ends_with("_fields")) groups.push_back(name);
+    return groups;
+}
+
+void readSet(hid_t file, const std::string& name, StoredFields& stored)
+{
+    const Hdf5Handle group = openHdf5Group(file, name);
+    const std::vector<double> times = readSeries(openHdf5Dataset(group, "time"));
+    RecordedFields fields;
+    fields.group = name;
+    fields.grid = {readSeries(openHdf5Dataset(group, "x_lines")), readSeries(openHdf5Dataset(group, "y_lines"))};
+    if (fields.grid.x.size() < 2 || fields.grid.y.size() < 2)
+        throw Hdf5Error("the grid of " + name + " has no cells");
+    const std::size_t first = stored.snapshots.size();
+    for (const double time : times) stored.snapshots.push_back({time, stored.sets.size(), {}});
+    for (const std::string& member : namesInHdf5Group(group)) {
+        if (member == "time" || member == "x" || member == "y" || member.ends_with("_lines")) continue;
+        const Hdf5Handle dataset = openHdf5Dataset(group, member);
+        const Extent extent = extentOf(dataset);
+        if (extent[0] != times.size() || extent[1] != static_cast<hsize_t>(fields.grid.ny()) ||
+            extent[2] != static_cast<hsize_t>(fields.grid.nx()))
+            throw Hdf5Error(member + " does not fit the grid of " + name);
+        // A damaged header may ask for more memory than there is.
+        if (extent[0] * extent[1] * extent[2] / 1024 > H5Dget_storage_size(dataset))
+            throw Hdf5Error(member + " holds fewer values than it says");
+        Quantity quantity{member, readHdf5Attribute(dataset, "unit"), readHdf5Attribute(dataset, "display_unit"),
+                          readHdf5Attribute(dataset, "long_name")};
+        if (quantity.unit == "1") quantity.unit.clear();
+        fields.quantities.push_back(std::move(quantity));
+        for (hsize_t k = 0; k < extent[0]; ++k)
+            stored.snapshots[first + k].values.push_back(readSnapshot(dataset, extent, k));
+    }
+    stored.sets.push_back(std::move(fields));
+}
+
+} // namespace
+
+void createFields(hid_t file, const std::vector<RecordedFields>& sets)
+{
+    for (const RecordedFields& set : sets) createSet(file, set);
+}
+
+void appendFields(hid_t file, const std::vector<RecordedFields>& sets, std::span<const FieldSnapshot> snapshots)
+{
     for (const FieldSnapshot& snapshot : snapshots) {
-        for (std::size_t i = 0; i < fields.quantities.size(); ++i)
-            appendSnapshot(openHdf5Dataset(group, fields.quantities[i].name), snapshot.values[i]);
+        const RecordedFields& set = sets[snapshot.set];
+        const Hdf5Handle group = openHdf5Group(file, set.group);
+        for (std::size_t i = 0; i < set.quantities.size(); ++i)
+            appendSnapshot(openHdf5Dataset(group, set.quantities[i].name), snapshot.values[i]);
         appendToSeries(openHdf5Dataset(group, "time"), {snapshot.time});
     }
 }
 
-void copyMissingFields(hid_t from, hid_t to, const RecordedFields& fields)
+void copyMissingFields(hid_t from, hid_t to, const std::vector<RecordedFields>& sets)
 {
-    if (fields.empty()) return;
-    const Hdf5Handle source = openHdf5Group(from, groupName);
-    const Hdf5Handle target = openHdf5Group(to, groupName);
-    copyMissingChunks(openHdf5Dataset(source, "time"), openHdf5Dataset(target, "time"));
-    for (const Quantity& quantity : fields.quantities)
-        copyMissingSnapshots(openHdf5Dataset(source, quantity.name), openHdf5Dataset(target, quantity.name));
+    for (const RecordedFields& set : sets) {
+        const Hdf5Handle source = openHdf5Group(from, set.group);
+        const Hdf5Handle target = openHdf5Group(to, set.group);
+        copyMissingChunks(openHdf5Dataset(source, "time"), openHdf5Dataset(target, "time"));
+        for (const Quantity& quantity : set.quantities)
+            copyMissingSnapshots(openHdf5Dataset(source, quantity.name), openHdf5Dataset(target, quantity.name));
+    }
 }
 
-hsize_t storedFieldBytes(hid_t file, const RecordedFields& fields)
+hsize_t storedFieldBytes(hid_t file, const std::vector<RecordedFields>& sets)
 {
-    if (fields.empty()) return 0;
-    const Hdf5Handle group = openHdf5Group(file, groupName);
     hsize_t bytes = 0;
-    for (const Quantity& quantity : fields.quantities)
-        bytes += H5Dget_storage_size(openHdf5Dataset(group, quantity.name));
+    for (const RecordedFields& set : sets) {
+        const Hdf5Handle group = openHdf5Group(file, set.group);
+        for (const Quantity& quantity : set.quantities)
+            bytes += H5Dget_storage_size(openHdf5Dataset(group, quantity.name));
+    }
     return bytes;
 }
 
 StoredFields readFields(hid_t file)
 {
     StoredFields stored;
-    if (H5Lexists(file, groupName, H5P_DEFAULT) <= 0) return stored;
-    const Hdf5Handle group = openHdf5Group(file, groupName);
-    const std::vector<double> times = readSeries(openHdf5Dataset(group, "time"));
-    stored.fields.grid = {readSeries(openHdf5Dataset(group, "x_lines")), readSeries(openHdf5Dataset(group, "y_lines"))};
-    if (stored.fields.grid.x.size() < 2 || stored.fields.grid.y.size() < 2)
-        throw Hdf5Error("the grid of the fields has no cells");
-    for (const double time : times) stored.snapshots.push_back({time, {}});
-    for (const std::string& name : namesInHdf5Group(group)) {
-        if (name == "time" || name == "x" || name == "y" || name.ends_with("_lines")) continue;
-        const Hdf5Handle dataset = openHdf5Dataset(group, name);
-        const Extent extent = extentOf(dataset);
-        if (extent[0] != times.size() || extent[1] != static_cast<hsize_t>(stored.fields.grid.ny()) ||
-            extent[2] != static_cast<hsize_t>(stored.fields.grid.nx()))
-            throw Hdf5Error(name + " does not fit the grid of the fields");
-        // A damaged header may ask for more memory than there is.
-        if (extent[0] * extent[1] * extent[2] / 1024 > H5Dget_storage_size(dataset))
-            throw Hdf5Error(name + " holds fewer values than it says");
-        Quantity quantity{name, readHdf5Attribute(dataset, "unit"), readHdf5Attribute(dataset, "display_unit"),
-                          readHdf5Attribute(dataset, "long_name")};
-        if (quantity.unit == "1") quantity.unit.clear();
-        stored.fields.quantities.push_back(std::move(quantity));
-        for (hsize_t k = 0; k < extent[0]; ++k) stored.snapshots[k].values.push_back(readSnapshot(dataset, extent, k));
-    }
+    for (const std::string& group : fieldGroups(file)) readSet(file, group, stored);
+    std::ranges::stable_sort(stored.snapshots, {}, &FieldSnapshot::time);
     return stored;
 }
 

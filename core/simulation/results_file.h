@@ -24,7 +24,7 @@
 namespace touchdown {
 
 inline constexpr int resultsFormatMajor = 1;
-inline constexpr int resultsFormatMinor = 1;
+inline constexpr int resultsFormatMinor = 2;
 
 /// Why results could not go to `file`, before anything is written: a directory, no permission, no such folder. "" if they can.
 std::string checkResultsTarget(const std::filesystem::path& file);
@@ -40,7 +40,7 @@ public:
     /// `caseText` is the exact input; the parameters come from `c`. An existing file is replaced only when `finish` or
     /// the first flush has written the new one whole.
     std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText,
-                     const std::vector<Quantity>& quantities, const RecordedFields& fields = {});
+                     const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields = {});
     /// Takes samples and snapshots; waits only when the disk is far behind. A problem of an earlier flush is told here.
     std::string append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields = {});
     /// Kept for `finish`.
@@ -64,8 +64,8 @@ struct StoredRun {
     std::string date;
     std::vector<Quantity> quantities;
     SampleBatch samples;
-    RecordedFields recorded;           // of which there are snapshots
-    std::vector<FieldSnapshot> fields; // in the order of time
+    std::vector<RecordedFields> recorded; // sets of which there are snapshots
+    std::vector<FieldSnapshot> fields;    // in the order of time
     std::string problem; // "" when it was read; else one sentence, and nothing else is set
 };
 StoredRun readResults(const std::filesystem::path& file);

@@ -6,7 +6,8 @@
 //   /case/text                       the input as it was
 //   /case/parameters/<key>           every parameter that the model uses, with unit and long_name
 //   /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle + deflate; time is the dimension scale
-//   /fields/time, x, y, <quantity>  snapshots (time, y, x) at cell centres; x_lines and y_lines bound the cells
+//   /fields/time, x, y, <quantity>   snapshots (time, y, x) at cell centres; x_lines and y_lines bound the cells
+//   /contact_fields/...              likewise, of the patch that can touch, where the film above it has its own /fields; since 1.2
 //   /spectra/<quantity>/frequency, density | power
 //   /events/time, name
 //   /summary/...                     numbers and texts of the Summary
@@ -32,7 +33,7 @@ struct ResultsHeader {
     std::string caseText;
     std::string date; // ISO 8601, UTC
     std::vector<Quantity> quantities;
-    RecordedFields fields;
+    std::vector<RecordedFields> fields;
 };
 
 struct ResultsSpectrum {

@@ -91,7 +91,7 @@ StoredRun readResults(const fs::path& path)
         run.caseText = readHdf5Text(file, "case/text");
         readTimeSeries(file, run);
         StoredFields fields = readFields(file);
-        run.recorded = std::move(fields.fields);
+        run.recorded = std::move(fields.sets);
         run.fields = std::move(fields.snapshots);
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());

@@ -40,11 +40,13 @@ bool fits(const SampleBatch& batch, std::size_t columns)
     return true;
 }
 
-bool fits(const std::vector<FieldSnapshot>& snapshots, std::size_t fields, std::size_t cells)
+bool fits(const std::vector<FieldSnapshot>& snapshots, const std::vector<RecordedFields>& sets)
 {
     return std::ranges::all_of(snapshots, [&](const FieldSnapshot& snapshot) {
-        return snapshot.values.size() == fields &&
-               std::ranges::all_of(snapshot.values, [&](const auto& values) { return values.size() == cells; });
+        if (snapshot.set >= sets.size()) return false;
+        const RecordedFields& set = sets[snapshot.set];
+        return snapshot.values.size() == set.quantities.size() &&
+               std::ranges::all_of(snapshot.values, [&](const auto& values) { return values.size() == set.grid.cells(); });
     });
 }
 
@@ -53,8 +55,7 @@ bool fits(const std::vector<FieldSnapshot>& snapshots, std::size_t fields, std::
 struct ResultsWriter::File {
     fs::path path;
     std::size_t columns;
-    std::size_t fields;     // of a snapshot
-    std::size_t fieldCells; // of each
+    std::vector<RecordedFields> fields;
     ResultsExchange exchange;
     std::chrono::milliseconds interval;
 
@@ -69,8 +70,7 @@ struct ResultsWriter::File {
     File(const fs::path& file, ResultsHeader header, std::chrono::milliseconds flushInterval)
         : path(file),
           columns(header.quantities.size()),
-          fields(header.fields.quantities.size()),
-          fieldCells(header.fields.empty() ? 0 : header.fields.grid.cells()),
+          fields(header.fields),
           exchange(file, std::move(header)),
           interval(flushInterval),
           thread([this](std::stop_token stop) { flushUntil(stop); })
@@ -86,7 +86,10 @@ struct ResultsWriter::File {
 
     std::size_t numbersPending() const
     {
-        return pending.size() * (columns + 1) + pendingFields.size() * fields * fieldCells;
+        std::size_t numbers = pending.size() * (columns + 1);
+        for (const FieldSnapshot& snapshot : pendingFields)
+            numbers += fields[snapshot.set].quantities.size() * fields[snapshot.set].grid.cells();
+        return numbers;
     }
     bool somethingPending() const { return pending.size() > 0 || !pendingFields.empty(); }
 
@@ -154,7 +157,8 @@ ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
 std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::string& caseText,
-                                const std::vector<Quantity>& quantities, const RecordedFields& fields)
+                                const std::vector<Quantity>& quantities,
+                                const std::vector<RecordedFields>& fields)
 {
     file_.reset();
     if (std::string problem = checkResultsTarget(file); !problem.empty()) return problem;
@@ -174,7 +178,7 @@ std::string ResultsWriter::append(const SampleBatch& batch, const std::vector<Fi
 {
     if (!file_) return "no results file is open";
     if (!fits(batch, file_->columns)) return "the samples do not fit the columns of " + file_->path.string();
-    if (!fits(fields, file_->fields, file_->fieldCells))
+    if (!fits(fields, file_->fields))
         return "the snapshots do not fit the grid of " + file_->path.string();
     std::unique_lock lock(file_->mutex);
     file_->changed.wait(lock, [&] { return !file_->problem.empty() || file_->numbersPending() < mostPending; });

@@ -118,7 +118,9 @@ private slots:
     void snapshots()
     {
         const Case c = smallSphere();
-        const RecordedFields fields = recordedFields(c);
+        QCOMPARE(recordedFields(c).size(), std::size_t{1});
+        const RecordedFields fields = recordedFields(c).front();
+        QCOMPARE(fields.group, std::string("fields"));
         QCOMPARE(fields.quantities.size(), std::size_t{2});
         QCOMPARE(fields.grid.nx(), 32);
         const Trace trace(c);

@@ -40,7 +40,7 @@ void TestResultsLayout::layout()
     const Hdf5Access access;
     const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     QCOMPARE(readHdf5Attribute(file, "format"), std::string("touchdown-run"));
-    QCOMPARE(readHdf5Attribute(file, "format_version"), std::string("1.1"));
+    QCOMPARE(readHdf5Attribute(file, "format_version"), std::string("1.2"));
     const auto number = [&](const char* name) {
         double value = NAN;
         const Hdf5Handle dataset = openHdf5Dataset(file, name);

@@ -15,13 +15,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t batchSize = 700;
+
+const std::vector<RecordedFields> twoSets{{"fields", {{0.0, 1.0, 2.0}, {0.0, 1.0}}, {{"gap", "m", "nm", "Gap"}}},
+                                          {"contact_fields", {{0.0, 1.0}, {0.0, 1.0}}, {{"contact_pressure", "Pa", "MPa", "Pressure"}}}};
+
+/// One snapshot of each set with every batch.
+std::vector<FieldSnapshot> sampleSnapshots(std::size_t batch)
+{
+    const auto k = static_cast<double>(batch);
+    return {{k, 0, {{k, -k}}}, {k, 1, {{1e6 * k}}}};
+}
+
 // The program that is killed: writes without end, and tells of each batch.
 int writeUntilKilled(const char* file)
 {
     ResultsWriter writer(1ms);
-    std::string problem = writer.open(file, sampleCase(), sampleCaseText, sampleQuantities);
-    for (std::size_t k = 0; problem.empty(); k += 700) {
-        problem = writer.append(sampleBatch(k, 700));
+    std::string problem = writer.open(file, sampleCase(), sampleCaseText, sampleQuantities, twoSets);
+    for (std::size_t k = 0; problem.empty(); ++k) {
+        problem = writer.append(sampleBatch(k * batchSize, batchSize), sampleSnapshots(k));
         if (fs::exists(file)) {
             std::putchar('.');
             std::fflush(stdout);
@@ -82,6 +94,12 @@ void TestResultsWriter::killedWritersLeaveWholeFiles()
         QCOMPARE(run.caseText, sampleCaseText);
         QVERIFY(run.samples.size() > 0);
         QCOMPARE(wrongSample(run.samples), QString());
+        QCOMPARE(run.recorded.size(), twoSets.size());
+        QCOMPARE(run.fields.size(), 2 * run.samples.size() / batchSize);
+        for (std::size_t i = 0; i < run.fields.size(); ++i) {
+            QCOMPARE(run.fields[i].set, i % 2);
+            QCOMPARE(run.fields[i].values, sampleSnapshots(i / 2)[i % 2].values);
+        }
         fs::remove(path());
     }
     // What the killed left beside the file hinders nobody.
