@@ -52,6 +52,12 @@ std::string shapeText(const Case& c, const AirBearingMode& mode)
     return text;
 }
 
+std::string withLeftOut(const Case& c, const std::string& message)
+{
+    const std::string reason = leftOut(c);
+    return message + (message.empty() || reason.empty() ? "" : "; ") + reason;
+}
+
 } // namespace
 
 std::string modesJson(const Case& c, const ModesResult& result)
@@ -64,7 +70,7 @@ std::string modesJson(const Case& c, const ModesResult& result)
                              {"stiffness", matrix(at.stiffness)},
                              {"damping", matrix(at.damping)}});
     return jsonText({{"status", name(result.status)},
-                     {"message", result.message},
+                     {"message", withLeftOut(c, result.message)},
                      {"modes", all},
                      {"dynamic_stiffness", stiffness},
                      {"steady", steadyObject(c, result.steady)}});
@@ -74,6 +80,7 @@ std::string modesText(const Case& c, const ModesResult& result)
 {
     std::string text = c.title + "\n";
     text += reportRow("status", statusText(result.status, result.message));
+    if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
     const Attitude& a = result.steady.attitude;
     if (result.steady.grid.x.size() > 1)
         text += reportRow("static attitude", displayed(a.height, "nm", 5) + ", " + displayed(a.pitch, "urad", 5) +

@@ -144,16 +144,23 @@ std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
     return text;
 }
 
+std::string figureRows(const std::vector<RunFigure>& figures)
+{
+    std::string text;
+    for (const auto& [quantity, value] : figures) {
+        std::string label = quantity.name;
+        std::ranges::replace(label, '_', ' ');
+        text += reportRow(label, displayed(value, quantity.displayUnit, 5));
+    }
+    return text;
+}
+
 /// What one reads off an approach and retraction curve.
 std::string contactText(const Case& c, const Summary& summary)
 {
     std::string text = c.title + "\n";
     text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
-    for (const auto& [quantity, value] : summary.figures) {
-        std::string label = quantity.name;
-        std::ranges::replace(label, '_', ' ');
-        text += reportRow(label, displayed(value, quantity.displayUnit, 5));
-    }
+    text += figureRows(summary.figures);
     text += eventRows(c, summary.events);
     if (summary.fit) text += fitText(*summary.fit);
     text +=
@@ -202,8 +209,12 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
     std::string text = c.title + "\n";
     text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
     for (const auto& [key, label] : {std::pair{"flying_height", "final flying height"},
-                                     std::pair{"pitch", "final pitch"}, std::pair{"roll", "final roll"}})
-        if (const auto found = find(summary.final, key); found != summary.final.end())
+                                     std::pair{"pitch", "final pitch"}, std::pair{"roll", "final roll"},
+                                     std::pair{"air_bearing_force", "final bearing force"},
+                                     std::pair{"net_contact_force", "final net contact"}})
+        // That of the springs counts from their static state.
+        if (const auto found = find(summary.final, key);
+            found != summary.final.end() && (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
             text += reportRow(label, shown(quantities, key, found->second));
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
         text += reportRow("minimum spacing",
@@ -214,6 +225,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
         text +=
             reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
                                                           displayed(summary.peaks[i].amplitude, "nm"));
+    text += figureRows(summary.figures);
     text += reportRow("events", std::to_string(summary.events.size()));
     text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) +
                                    " rejected), " + std::to_string(summary.evaluations) + " evaluations, " +

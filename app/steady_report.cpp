@@ -60,14 +60,15 @@ Json interestJson(const Case& c, const SteadyResult& r)
 }
 
 // Every null has its reason in the message.
-std::string jsonMessage(const SteadyResult& r)
+std::string jsonMessage(const Case& c, const SteadyResult& r)
 {
     std::string message = r.message;
-    const auto add = [&](const char* reason) { message += (message.empty() ? "" : "; ") + std::string(reason); };
+    const auto add = [&](const std::string& reason) { message += (message.empty() ? "" : "; ") + reason; };
+    if (const std::string reason = leftOut(c); !reason.empty()) add(reason);
     if (!isKnown(r))
         add("null because there is no solution");
     else
-        add("null because the film touches nothing: contact_force, intermolecular_force");
+        add("null because a static state is of the film alone: contact_force, intermolecular_force");
     return message;
 }
 
@@ -156,6 +157,7 @@ std::string oneText(const Case& c, const SteadyResult& r)
 {
     std::string text = reportRow("status", statusText(r.status, r.message));
     if (!isKnown(r)) return text;
+    if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
     text += reportRow("solution", std::to_string(r.iterations) + " iterations on " + std::to_string(r.grid.x.size()) +
                                       " x " + std::to_string(r.grid.y.size()) + " nodes, " +
                                       displayed(r.wallSeconds, "s", 3));
@@ -235,12 +237,21 @@ std::string statusText(SteadyStatus status, const std::string& message)
     return message.empty() ? said : said + ": " + message;
 }
 
+std::string leftOut(const Case& c)
+{
+    const bool touches = c.contact != ContactKind::None;
+    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat;
+    if (!touches && flat) return {};
+    const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";
+    return "of the film alone, over a flat disk: " + what + " no part in it";
+}
+
 Json steadyObject(const Case& c, const SteadyResult& r)
 {
     const bool known = isKnown(r);
     const FilmForces& f = r.forces;
     Json json{{"status", name(r.status)},
-              {"message", jsonMessage(r)},
+              {"message", jsonMessage(c, r)},
               {"iterations", r.iterations},
               {"solves", r.solves},
               {"wall_seconds", jsonNumber(r.wallSeconds)},

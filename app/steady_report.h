@@ -25,6 +25,9 @@ std::string worstMessage(const std::vector<SteadyState>& states);
 std::string statusText(SteadyStatus status, const std::string& message);
 
 /// The keys of one state; numbers in SI, what is not known as null with the reason in the message.
+/// What of the case has no part in a static state or in its modes, in a sentence; empty where all has.
+std::string leftOut(const Case& c);
+
 Json steadyObject(const Case& c, const SteadyResult& result);
 
 /// One object: of one state its keys; of a series the status of the whole, and "series" with the keys of each.

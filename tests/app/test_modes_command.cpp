@@ -15,6 +15,7 @@ private slots:
     void init() { folder_ = std::make_unique<CommandFolder>(); }
     void json();
     void text();
+    void saysWhatIsLeftOut();
     void wrongInput_data();
     void wrongInput();
     void notConverged();
@@ -55,6 +56,16 @@ void TestModesCommand::text()
     QVERIFY2(o.out.startsWith("Film: a pico slider"), o.out);
     for (const char* part : {"converged", "static attitude", " kHz, damping ratio ", "roll 1", "pitch 1"})
         QVERIFY2(o.out.contains(part), o.out);
+}
+
+// Modes are of the film alone, and say so where the case has more.
+void TestModesCommand::saysWhatIsLeftOut()
+{
+    const QStringList settings = quick() + QStringList{"contact=ono-yamane"};
+    const Outcome o = folder_->touchdown(QStringList{"modes", "film_pico", "--json"} + settings);
+    QCOMPARE(o.code, 0);
+    QVERIFY2(o.json()["message"].toString().contains("contact has no part in it"), o.out);
+    QCOMPARE(o.json()["modes"].toArray().size(), 3);
 }
 
 void TestModesCommand::wrongInput_data()

@@ -19,6 +19,7 @@ private slots:
     void json();
     void text();
     void fixedAttitude();
+    void saysWhatIsLeftOut();
     void series();
     void writesAFile();
     void theFileStandsAlone();
@@ -94,6 +95,20 @@ void TestSteadyCommand::fixedAttitude()
     const Outcome same = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + settings +
                                             QStringList{"steady.fixed_attitude=true"});
     QCOMPARE(same.json()["net_force"].toDouble(), o.json()["net_force"].toDouble());
+}
+
+// A static state is of the film alone, and says so where the case has more.
+void TestSteadyCommand::saysWhatIsLeftOut()
+{
+    const Outcome alone = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + quick());
+    QVERIFY2(!alone.json()["message"].toString().contains("has no part"), alone.out);
+    const QStringList settings = quick({"contact=ono-yamane", "disk.surface.kind=rough"});
+    const Outcome more = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + settings);
+    QCOMPARE(more.code, 0);
+    QVERIFY2(more.json()["message"].toString().contains("contact and disk.surface have no part in it"), more.out);
+    QCOMPARE(more.json()["minimum_spacing"].toDouble(), alone.json()["minimum_spacing"].toDouble());
+    const Outcome text = folder_->touchdown(QStringList{"steady", "film_pico"} + quick({"contact=ono-yamane"}));
+    QVERIFY2(text.out.contains("left out") && text.out.contains("contact has no part in it"), text.out);
 }
 
 // A list for scripts, a table for people; each state is that of a case of its own.
