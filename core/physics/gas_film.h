@@ -100,12 +100,15 @@ public:
     /// nothing. The history (padded) is read at each residual and must last.
     void setStorage(double perTime, std::span<const double> history);
     double storagePerTime() const { return storagePerTime_; }
+    std::span<const double> storageHistory() const { return history_; }
 
     /// R(p) alone, and R(p) with the linearisation at p.
     void residual(std::span<const double> p, std::span<double> out);
     void linearise(std::span<const double> p, std::span<double> out);
-    /// The linearisation of the last call.
+    /// The linearisation of the last call; flow and inflow of the last residual.
     const std::array<FilmFaces, 2>& faces() const { return faces_; }
+    /// Of the disk along an axis at the faces across it, halved; padded [m/s].
+    std::span<const double> halfSpeeds(std::size_t axis) const { return axes_[axis].speed; }
     /// The part of the linearisation that a face has from its two cells, with what their storage takes off the flow: F = lower v1
     /// + upper v2 = c (v1 + v2)/2 - E (v2 - v1); padded [m^3/s].
     void ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const;
