@@ -354,6 +354,29 @@ private slots:
         QVERIFY(!document.value.about.assumed.empty());
         QVERIFY(document.value.title != Case{}.title);
     }
+    /// Figs. 5 to 8 are of the one slider of Fig. 4, which stands in each of their files.
+    void theFiguresFlyTheSliderOfFigureFour()
+    {
+        const Case slider = openCase("film_fig4_pico").value;
+        int figures = 0;
+        for (const SampleCase& sample : sampleCases()) {
+            if (!sample.name.starts_with("fig0")) continue;
+            ++figures;
+            const Case c = openCase(sample.name).value;
+            QCOMPARE(c.model, ModelKind::Film);
+            QCOMPARE(c.contact, ContactKind::OnoYamane);
+            for (const Field& field : fields())
+                if (QStringList{"slider", "suspension", "abs", "air", "disk", "film", "steady"}.contains(
+                        QString::fromStdString(field.group())))
+                    QVERIFY2(field.get(c) == field.get(slider), (sample.name + ": " + field.key).c_str());
+            QVERIFY2(c.surface == slider.surface, sample.name.c_str());
+            // What all of them share of the contact, by the paper's section 4.
+            QCOMPARE(c.onoYamane.contactStiffness, 5e6);
+            QCOMPARE(c.onoYamane.initialContactForce, 5e-3);
+            QCOMPARE(c.onoYamane.touchDown, 3e-9);
+        }
+        QCOMPARE(figures, 12);
+    }
     void theDefaultSampleIsTheDefaultCase()
     {
         Case c = openCase(std::string(defaultCaseName)).value;
