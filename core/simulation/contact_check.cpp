@@ -7,6 +7,7 @@
 #include "core/physics/disk_surface_check.h"
 #include "core/simulation/decimal.h"
 #include "core/simulation/elastic_pad.h"
+#include "core/simulation/elastic_slider_contact.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -120,8 +121,7 @@ void checkElasticPad(const Case& c, Problems& problems)
 /// Where a slider on its film can touch; false where that is too much.
 bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
 {
-    const SliderPatches found = sliderPatches(c.surface, c.slider.length, c.slider.width, c.elastic.patchPitch, 0.0,
-                                              c.elastic.cell, c.elastic.patchReach, mostPatchCells);
+    const SliderPatches found = filmPatches(c);
     if (!found.problem.empty()) {
         problems.push_back({"elastic.patch_reach", found.problem +
                                                        "; take a smaller reach, another elastic.patch_pitch or a "
