@@ -23,6 +23,7 @@ constexpr int badInput = 2; // exit code
 struct Arguments {
     QString file;
     bool run = false;
+    bool staticState = false;
     QString exportFolder;
     QString screenshot;
     QString size;
@@ -45,6 +46,9 @@ Arguments parse(int argc, char** argv)
     const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
                                      QStringLiteral("Prints the version."));
     const QCommandLineOption run(QStringLiteral("run"), QStringLiteral("Starts the case at once."));
+    const QCommandLineOption staticState(
+        QStringLiteral("static"),
+        QStringLiteral("Of a film: its static state is what starts or is pictured, not its run in time."));
     const QCommandLineOption exportTo(
         QStringLiteral("export"),
         QStringLiteral("Runs the case, writes its plots as PNG pictures to <folder>, prints their paths and ends."),
@@ -57,7 +61,7 @@ Arguments parse(int argc, char** argv)
                                   QStringLiteral("size"), QStringLiteral("1600x1000"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
                                    QStringLiteral("name"));
-    parser.addOptions({help, version, run, exportTo, screenshot, size, theme});
+    parser.addOptions({help, version, run, staticState, exportTo, screenshot, size, theme});
 
     const auto fail = [](const QString& sentence) {
         std::cerr << "touchdown-workbench: " << sentence.toStdString() << "\nSee touchdown-workbench --help.\n";
@@ -77,6 +81,7 @@ Arguments parse(int argc, char** argv)
     Arguments arguments;
     arguments.file = parser.positionalArguments().value(0);
     arguments.run = parser.isSet(run);
+    arguments.staticState = parser.isSet(staticState);
     arguments.exportFolder = parser.value(exportTo);
     arguments.screenshot = parser.value(screenshot);
     arguments.size = parser.value(size);
@@ -148,9 +153,12 @@ int main(int argc, char** argv)
     else
         window.openLastCase();
 
-    if (pictures) return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size});
+    const bool staticState = arguments.staticState && document.value.model == ModelKind::Film;
+    if (pictures)
+        return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.show();
     if (isRun) window.openResults(arguments.file);
-    if (arguments.run) QTimer::singleShot(0, &window, &MainWindow::startRun);
+    if (arguments.run)
+        QTimer::singleShot(0, &window, staticState ? &MainWindow::solveStaticState : &MainWindow::startRun);
     return QApplication::exec();
 }

@@ -49,12 +49,12 @@ bool exportFilm(MainWindow& window, const QDir& directory)
     return good;
 }
 
-bool exportPlots(MainWindow& window, const QString& folder)
+bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
 {
     const QDir directory(folder);
     if (!directory.mkpath(QStringLiteral(".")))
         return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
-    if (window.edits().value().model == ModelKind::Film) return exportFilm(window, directory);
+    if (staticState) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
     bool good = report(savePage(*window.page(), page), page);
     for (const LivePlots::Entry& entry : window.plots().plots()) {
@@ -98,12 +98,15 @@ int takePictures(MainWindow& window, const PictureRequest& request)
         message = said;
         untilEnded.quit();
     });
-    window.startRun();
+    if (request.staticState)
+        window.solveStaticState();
+    else
+        window.startRun();
     untilEnded.exec();
     settle(window);
 
     bool written = true;
-    if (!request.exportFolder.isEmpty()) written = exportPlots(window, request.exportFolder);
+    if (!request.exportFolder.isEmpty()) written = exportPlots(window, request.exportFolder, request.staticState);
     if (!request.screenshot.isEmpty()) {
         const bool saved = window.grab().save(request.screenshot);
         written = report(saved ? QString() : QStringLiteral("%1 cannot be written.").arg(request.screenshot),

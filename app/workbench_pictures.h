@@ -11,6 +11,7 @@ struct PictureRequest {
     QString exportFolder; // of plots; empty for none
     QString screenshot;   // of the window; empty for none
     QString size;         // of the window, "1600x1000"
+    bool staticState = false; // of a film, instead of its run in time
 };
 
 /// The exit code: 0, 1 when the run came to no valid answer, 2 when something could not be written.

@@ -10,16 +10,6 @@
 
 namespace touchdown {
 
-double ambientPressure(const Case& c)
-{
-    switch (c.air.source) {
-    case AirSource::Given: break;
-    case AirSource::Atmosphere: return airAt(c.air.altitude, c.air.temperature).pressure;
-    case AirSource::EstablishedStandard: return establishedStandardAir.pressure;
-    }
-    return c.air.given.pressure;
-}
-
 FilmView::FilmView(QAction* solve, QWidget* parent)
     : QWidget(parent),
       tabs_(new QTabBar(this)),

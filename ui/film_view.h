@@ -63,7 +63,4 @@ private:
     double minimumSpacing_ = 0.0; // [m]
 };
 
-/// The air's pressure far from the slider [Pa].
-double ambientPressure(const Case& c);
-
 } // namespace touchdown

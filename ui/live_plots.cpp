@@ -54,6 +54,7 @@ struct LivePlots::Spec {
     const char* unit; // displayed
     std::vector<Curve> curves;
     const char* against = nullptr; // a quantity instead of the time
+    bool atFirst = true;           // of a slider that flies, until the user says otherwise
 };
 
 const std::vector<LivePlots::Spec>& LivePlots::specs()
@@ -67,7 +68,8 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
           {"net_contact_force", QT_TR_NOOP("Net")},
           {"fitted_contact_force", QT_TR_NOOP("Fitted"), true, 6, 1},
           {"fitted_adhesion_force", QT_TR_NOOP("Fitted"), true, 6, 1}},
-         "minimum_spacing"},
+         "minimum_spacing",
+         false},
         {"spacing", QT_TR_NOOP("Minimum spacing"), "nm", {{"minimum_spacing", QT_TR_NOOP("Minimum spacing")}}},
         {"pitch", QT_TR_NOOP("Pitch"), "urad", {{"pitch", QT_TR_NOOP("Pitch")}}},
         {"roll", QT_TR_NOOP("Roll"), "urad", {{"roll", QT_TR_NOOP("Roll")}}},
@@ -78,6 +80,7 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
           {"air_spring_energy", QT_TR_NOOP("Air springs")},
           {"suspension_energy", QT_TR_NOOP("Suspension")},
           {"contact_energy", QT_TR_NOOP("Contact")},
+          {"film_energy", QT_TR_NOOP("Air film"), true, 1}, // no case has both kinds of air
           {"energy", QT_TR_NOOP("Total without contact"), true, 6}}},
         {"forces",
          QT_TR_NOOP("Contact forces"),
@@ -85,10 +88,23 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
          {{"contact_force", QT_TR_NOOP("Contact")},
           {"adhesion_force", QT_TR_NOOP("Adhesion")},
           {"net_contact_force", QT_TR_NOOP("Net")},
-          {"friction_force", QT_TR_NOOP("Friction"), false},
-          {"air_bearing_force", QT_TR_NOOP("Air bearing"), false, 6}}},
-        {"area", QT_TR_NOOP("Contact area"), "um^2", {{"contact_area", QT_TR_NOOP("Contact area")}}},
-        {"pressure", QT_TR_NOOP("Peak contact pressure"), "MPa", {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}}},
+          {"friction_force", QT_TR_NOOP("Friction"), false}}},
+        {"air_bearing", QT_TR_NOOP("Air bearing force"), "mN", {{"air_bearing_force", QT_TR_NOOP("Air bearing")}}, nullptr, false},
+        {"velocity", QT_TR_NOOP("Vertical velocity"), "mm/s", {{"vertical_velocity", QT_TR_NOOP("Vertical velocity")}}, nullptr, false},
+        {"angular_velocity",
+         QT_TR_NOOP("Angular velocities"),
+         "rad/s",
+         {{"pitch_velocity", QT_TR_NOOP("Pitch")}, {"roll_velocity", QT_TR_NOOP("Roll")}},
+         nullptr,
+         false},
+        {"area", QT_TR_NOOP("Contact area"), "um^2", {{"contact_area", QT_TR_NOOP("Contact area")}}, nullptr, false},
+        {"pressure",
+         QT_TR_NOOP("Peak contact pressure"),
+         "MPa",
+         {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}},
+         nullptr,
+         false},
+        {"step", QT_TR_NOOP("Time step"), "ns", {{"time_step", QT_TR_NOOP("Time step")}}, nullptr, false},
     };
     return list;
 }
@@ -154,10 +170,9 @@ void LivePlots::setCase(const Case& c)
     for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         // Forces against the separation are what a contact run is made for; of a flying slider they are one view among others.
-        const bool contact = model_ == ModelKind::Contact;
-        const bool forces = entries_[s].name == QLatin1String("forces");
+        const bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
         const auto chosen = chosen_.find({model_, entries_[s].name});
-        entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : specs()[s].against ? contact : !(contact && forces));
+        entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : atFirst);
     }
     updateVisibility();
 }
@@ -231,8 +246,11 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     const bool single = specs()[spec].curves.size() == 1;
     PlotCurve curve;
     curve.id = curveId(run, wanted.quantity);
-    curve.name = tr(wanted.name);
-    if (runs_.count() > 1) curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(tr(wanted.name)).arg(run.number);
+    // The total of a film knows what the contact stores, that of the springs does not.
+    const bool whole = run.value.model == ModelKind::Film && std::string_view(wanted.quantity) == "energy";
+    const QString name = whole ? tr("Total") : tr(wanted.name);
+    curve.name = name;
+    if (runs_.count() > 1) curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(name).arg(run.number);
     curve.style = RunsModel::style(run);
     if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, curve.style.dash + wanted.dash};
     const auto chosen = wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));

@@ -31,7 +31,7 @@ MainWindow::MainWindow(QWidget* parent)
       casePanel_(new CasePanel(edits_, this)),
       aboutCase_(new AboutCasePane(this)),
       runs_(new RunWindow(this)),
-      film_(new FilmWindow(steady, actions_->run, this)),
+      film_(new FilmWindow(steady, actions_->solve, this)),
       messages_(new MessageStrip(this))
 {
     setObjectName(QStringLiteral("workbench"));
@@ -71,10 +71,18 @@ void MainWindow::buildCentre()
     pages_->addWidget(runs_->view());
     pages_->addWidget(film_->view());
 
+    pageTabs_ = new QTabBar(this);
+    for (const QString& name : {tr("Static state"), tr("Run in time")}) pageTabs_->addTab(name);
+    pageTabs_->setAccessibleName(tr("What is shown of the film"));
+    pageTabs_->setExpanding(false);
+    pageTabs_->setFocusPolicy(Qt::StrongFocus);
+    pageTabs_->hide();
+
     auto* centre = new QWidget(this);
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(pageTabs_);
     layout->addWidget(pages_, 1);
     layout->addWidget(messages_);
     setCentralWidget(centre);
@@ -180,7 +188,11 @@ void MainWindow::connectRuns()
 
 void MainWindow::connectFilm()
 {
+    connect(actions_->solve, &QAction::triggered, this, &MainWindow::solveStaticState);
     connect(actions_->solveGiven, &QAction::triggered, this, &MainWindow::solveAtGivenAttitude);
+    connect(pageTabs_, &QTabBar::currentChanged, this, [this] { showModel(shownModel_); });
+    // What comes into the list is there to be seen.
+    connect(&runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
@@ -239,21 +251,21 @@ bool MainWindow::readyToRun()
     return false;
 }
 
-void MainWindow::solveAtGivenAttitude()
+void MainWindow::solveStaticState() { solve(false); }
+
+void MainWindow::solveAtGivenAttitude() { solve(true); }
+
+void MainWindow::solve(bool given)
 {
     if (!readyToRun()) return;
     messages_->clear();
-    film_->solve(edits_.value(), true);
+    setPage(Page::StaticState);
+    film_->solve(edits_.value(), given);
 }
 
 void MainWindow::startRun()
 {
     if (!readyToRun()) return;
-    if (edits_.value().model == ModelKind::Film) {
-        messages_->clear();
-        film_->solve(edits_.value(), false);
-        return;
-    }
     runs_->start({edits_.value(), files_->text(), recordTo_.toStdString()});
 }
 
@@ -296,29 +308,43 @@ void MainWindow::onSolved(const SteadyResult& result)
 
 void MainWindow::showModel(ModelKind model)
 {
-    const bool before = shownModel_ == ModelKind::Film;
     const bool film = model == ModelKind::Film;
     shownModel_ = model;
-    if (film == before) return;
-    pages_->setCurrentWidget(film ? static_cast<QWidget*>(film_->view()) : runs_->view());
-    runs_->progress()->setVisible(!film);
-    film_->progress()->setVisible(film);
+    pageTabs_->setVisible(film);
+    showPage(film && pageTabs_->currentIndex() == static_cast<int>(Page::StaticState));
+}
+
+void MainWindow::showPage(bool staticState)
+{
+    const bool before = std::exchange(staticShown_, staticState);
+    actions_->setPage(shownModel_, staticState);
+    updateRunActions();
+    if (staticState == before) return;
+    pages_->setCurrentWidget(staticState ? static_cast<QWidget*>(film_->view()) : runs_->view());
     const std::vector<QDockWidget*> coming = std::exchange(openDocks_, {});
-    for (QDockWidget* dock : film ? runDocks_ : filmDocks_) {
+    for (QDockWidget* dock : staticState ? runDocks_ : filmDocks_) {
         if (!dock->isHidden()) openDocks_.push_back(dock);
         dock->hide();
         dock->toggleViewAction()->setVisible(false);
     }
-    for (QDockWidget* dock : film ? filmDocks_ : runDocks_) dock->toggleViewAction()->setVisible(true);
+    for (QDockWidget* dock : staticState ? filmDocks_ : runDocks_) dock->toggleViewAction()->setVisible(true);
     for (QDockWidget* dock : coming) dock->show();
     // The tables are long, and what a film case says about itself is short.
-    if (film) resizeDocks({findChild<QDockWidget*>(QStringLiteral("about")), filmDocks_.front()}, {180, 560}, Qt::Vertical);
-    actions_->setModel(model);
+    if (staticState)
+        resizeDocks({findChild<QDockWidget*>(QStringLiteral("about")), filmDocks_.front()}, {180, 560}, Qt::Vertical);
+}
+
+/// That of the page; and of the other one while something is under way there.
+void MainWindow::updateProgress()
+{
+    runs_->progress()->setVisible(!staticShown_ || controller().active());
+    film_->progress()->setVisible(staticShown_ || film_->controller().active());
 }
 
 void MainWindow::onCaseOpened()
 {
     casePanel_->setPreset(files_->sample());
+    setPage(Page::StaticState);
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_.value());
@@ -365,13 +391,13 @@ void MainWindow::updateRunActions()
     const State state = controller().state();
     const QString reason = edits_.reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
-    const bool film = shownModel_ == ModelKind::Film;
-    const QString tip = film ? tr("Solve for the static attitude; a solution under way starts again (F5)")
-                             : tr("Run the case; a run under way starts again (F5)");
-    actions_->run->setToolTip(reason.isEmpty() ? tip : tr("The case cannot be run. %1").arg(reason));
-    actions_->solveGiven->setEnabled(film && reason.isEmpty());
+    const QString cannot = tr("The case cannot be run. %1").arg(reason);
+    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)") : cannot);
+    actions_->solve->setToolTip(reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
+    for (QAction* action : {actions_->solve, actions_->solveGiven})
+        action->setEnabled(shownModel_ == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
-        messages_->show(MessageStrip::Kind::Failure, tr("The case cannot be run. %1").arg(reason), tr("Show the field"));
+        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the field"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
         messages_->clear();
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
@@ -383,6 +409,7 @@ void MainWindow::updateRunActions()
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
     actions_->exportCsv->setEnabled(anyEnded);
+    updateProgress();
 }
 
 void MainWindow::updateTitle()

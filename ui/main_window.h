@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workbench: parameters at the left; in the centre the page of runs over time, or for a film the surface and its
-// fields; the case, the runs and the values at the cursors, or the static attitude, at the right; what happened at the foot.
+// The workbench: parameters at the left; in the centre the page of runs over time, and for a film beside it the page of its static
+// state; the case, the runs and the values at the cursors, or the static attitude, at the right; what happened at the foot.
 #pragma once
 
 #include "ui/about_case_pane.h"
@@ -17,6 +17,7 @@
 
 #include <QMainWindow>
 #include <QStackedWidget>
+#include <QTabBar>
 
 namespace touchdown {
 
@@ -31,12 +32,18 @@ public:
     void restoreSession();
     /// The case that the last session left, or the default one.
     void openLastCase();
-    /// Runs the case, or solves for its static state.
+    /// Runs the case in time.
     void startRun();
+    /// Solves a film case for its static state.
+    void solveStaticState();
     /// Solves a film case for the pressure at the attitude of its start.
     void solveAtGivenAttitude();
     void openResults(const QString& file) { runFiles_->openRun(file); }
-    /// The page of the runs or of the film, as it is exported.
+    /// A film has both; any other case runs in time only.
+    enum class Page { StaticState, Run };
+    void setPage(Page page) { pageTabs_->setCurrentIndex(static_cast<int>(page)); }
+    QTabBar* pageTabs() const { return pageTabs_; }
+    /// The page that is shown, as it is exported.
     QWidget* page() const { return pages_; }
 
     CaseEdits& edits() { return edits_; }
@@ -81,8 +88,11 @@ private:
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
-    /// Brings the page and the panes that belong to a model.
+    void solve(bool given);
     void showModel(ModelKind model);
+    /// Brings the page and the panes of the static state, or those of the runs.
+    void showPage(bool staticState);
+    void updateProgress();
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
@@ -98,13 +108,15 @@ private:
     RunFiles* runFiles_ = nullptr;
     CasePanel* casePanel_;
     AboutCasePane* aboutCase_;
+    QTabBar* pageTabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     RunWindow* runs_;
     FilmWindow* film_;
     std::vector<QDockWidget*> runDocks_;   // of a run over time
     std::vector<QDockWidget*> filmDocks_;  // of a static state
-    std::vector<QDockWidget*> openDocks_;  // of the model that is not shown: those that come back with it
+    std::vector<QDockWidget*> openDocks_;  // of the page that is not shown: those that come back with it
     ModelKind shownModel_ = ModelKind::Springs;
+    bool staticShown_ = false;
     MessageStrip* messages_;
     HelpWindow* help_ = nullptr;
     std::unique_ptr<WindowSession> session_;

@@ -45,4 +45,14 @@ void MapsView::clear()
     setFields({}, {});
 }
 
+double ambientPressure(const Case& c)
+{
+    switch (c.air.source) {
+    case AirSource::Given: break;
+    case AirSource::Atmosphere: return airAt(c.air.altitude, c.air.temperature).pressure;
+    case AirSource::EstablishedStandard: return establishedStandardAir.pressure;
+    }
+    return c.air.given.pressure;
+}
+
 } // namespace touchdown

@@ -3,6 +3,7 @@
 // The fields of a static state: pressure, gap and recess on the slider.
 #pragma once
 
+#include "core/simulation/case.h"
 #include "core/simulation/steady.h"
 #include "ui/fields_view.h"
 
@@ -24,5 +25,8 @@ public:
     void setQuantity(Quantity quantity) { setField(static_cast<int>(quantity)); }
     Quantity quantity() const { return static_cast<Quantity>(field()); }
 };
+
+/// The air's pressure far from the slider [Pa].
+double ambientPressure(const Case& c);
 
 } // namespace touchdown

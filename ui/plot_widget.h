@@ -113,7 +113,7 @@ public:
     const PlotTheme& theme() const { return theme_; }
 
     QSize sizeHint() const override { return {640, 220}; }
-    QSize minimumSizeHint() const override { return {240, 120}; }
+    QSize minimumSizeHint() const override { return {240, 96}; }
 
 signals:
     /// The user changed the view, which is already shown.

@@ -39,7 +39,7 @@ struct RunDelivery {
     int run = 0;           // number of the run
     SampleBatch samples;
     std::vector<RunEvent> events;
-    std::vector<FieldSnapshot> fields; // of recordedFields
+    std::vector<FieldSnapshot> fields; // of recordedFields()
     double time = 0.0;     // reached [s]
     double duration = 0.0; // of the whole run [s]
 };

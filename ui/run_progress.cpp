@@ -102,6 +102,8 @@ void RunProgress::updateText()
 {
     if (runState_ == RunController::State::Idle || duration_ <= 0.0) return;
     QString text = tr("%1 of %2").arg(timeText(time_), timeText(duration_));
+    // A film begins with its static state.
+    if (time_ <= 0.0 && runState_ == RunController::State::Running) text += tr(" · preparing");
     if (rate_ > 0.0 && runState_ == RunController::State::Running) {
         text += tr(" · %1 per second").arg(timeText(rate_));
         text += tr(" · %1 left").arg(timeText((duration_ - time_) / rate_));

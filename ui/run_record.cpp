@@ -27,7 +27,7 @@ QString incompleteProblem(const RunRecord& record)
               "to keep them all.")
         .arg(record.number)
         .arg(record.sampleCount())
-        .arg(record.snapshotsArrived);
+        .arg(record.snapshotsArrived());
 }
 
 RunStatus statusFromName(const std::string& text)
@@ -40,10 +40,11 @@ RunStatus statusFromName(const std::string& text)
 } // namespace
 
 RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded,
-                     RecordedFields recordedFields)
+                     const std::vector<RecordedFields>& sets)
     : number(runNumber), name(QString::fromStdString(c.title)), value(c), caseText(std::move(text)),
-      quantities(std::move(recorded)), fields(std::move(recordedFields))
+      quantities(std::move(recorded))
 {
+    for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
     // Making room takes a pyramid some milliseconds: each does it at a time of its own. The first is the smallest, see
     // complete().
@@ -57,26 +58,7 @@ void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& ne
         columns[i].append(batch.time, batch.columns[i]);
     arrived += batch.size();
     events.insert(events.end(), newEvents.begin(), newEvents.end());
-    for (const FieldSnapshot& snapshot : newFields) keep(snapshot);
-}
-
-void RunRecord::keep(const FieldSnapshot& snapshot)
-{
-    std::size_t values = 0;
-    for (std::size_t i = 0; i < snapshot.values.size(); ++i) {
-        values += snapshot.values[i].size();
-        if (snapshot.values[i].empty()) continue;
-        const auto [low, high] = std::ranges::minmax(snapshot.values[i]);
-        if (i == fieldRanges.size()) fieldRanges.push_back({low, high});
-        else fieldRanges[i] = {std::min(fieldRanges[i].low, low), std::max(fieldRanges[i].high, high)};
-    }
-    if (snapshotsArrived++ % fieldStride != 0) return;
-    snapshots.push_back(snapshot);
-    if (snapshots.size() * values <= fieldCapacity) return;
-    fieldStride *= 2;
-    std::size_t held = 0;
-    for (std::size_t i = 0; i < snapshots.size(); i += 2) std::swap(snapshots[held++], snapshots[i]);
-    snapshots.resize(held);
+    for (const FieldSnapshot& snapshot : newFields) fields[snapshot.set].add(snapshot);
 }
 
 void RunRecord::finish(const Summary& ended)
@@ -95,6 +77,18 @@ std::optional<double> RunRecord::last(std::string_view quantity) const
     const MinMaxPyramid* column = pyramid(quantity);
     if (!column || column->empty()) return std::nullopt;
     return column->value(column->size() - 1);
+}
+
+bool RunRecord::fieldsComplete() const
+{
+    return std::ranges::all_of(fields, [](const FieldHistory& history) { return history.stride == 1; });
+}
+
+std::size_t RunRecord::snapshotsArrived() const
+{
+    std::size_t count = 0;
+    for (const FieldHistory& history : fields) count += history.arrived;
+    return count;
 }
 
 SampleBatch RunRecord::samples() const
@@ -143,10 +137,14 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
-    if (!record.complete() || record.fieldStride > 1) return incompleteProblem(record);
+    if (!record.complete() || !record.fieldsComplete()) return incompleteProblem(record);
     ResultsWriter writer;
-    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, record.fields);
-    if (problem.empty()) problem = writer.append(record.samples(), record.snapshots);
+    std::vector<RecordedFields> sets;
+    for (const FieldHistory& history : record.fields) sets.push_back(history.fields);
+    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, sets);
+    if (problem.empty()) problem = writer.append(record.samples());
+    for (const FieldHistory& history : record.fields)
+        if (problem.empty()) problem = writer.append({}, history.snapshots);
     for (const Quantity& quantity : record.quantities) {
         if (!problem.empty() || quantity.name != "minimum_spacing") continue;
         const Spectrum spectrum = spectrumOf(record, quantity.name, welchOptions(record.value.spectrum, record.value.run.sampleInterval), record.value.spectrum.start);

@@ -4,11 +4,12 @@
 //
 // Samples live in pyramids, of which each holds a bounded number; beyond that the extremes stay and
 // the rest goes (see `complete`). Pyramids do not move, so that curves may point to them. Snapshots of
-// fields are bounded too: when there is no room for more, every second one goes (see `fieldStride`).
+// fields are bounded too (see FieldHistory).
 #pragma once
 
 #include "core/simulation/results_file.h"
 #include "core/simulation/run.h"
+#include "ui/field_history.h"
 #include "ui/min_max_pyramid.h"
 
 #include <QString>
@@ -28,11 +29,12 @@ struct RunRecord {
     static constexpr std::size_t capacity = std::size_t(1) << 20;
     static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
 
-    /// Values of all fields of all snapshots: 256 MB.
+    /// Values of all fields of all snapshots, shared by the sets: 256 MB.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
     /// A run that is to start.
-    RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities, RecordedFields fields = {});
+    RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities,
+              const std::vector<RecordedFields>& fields = {});
     RunRecord(const RunRecord&) = delete;
     RunRecord& operator=(const RunRecord&) = delete;
 
@@ -48,6 +50,9 @@ struct RunRecord {
     std::size_t sampleCount() const { return arrived; }
     /// Whether every sample is still held.
     bool complete() const { return columns.empty() || columns.front().size() == arrived; }
+    /// Whether every snapshot is still held.
+    bool fieldsComplete() const;
+    std::size_t snapshotsArrived() const;
     /// All samples held; only of a complete record.
     SampleBatch samples() const;
     double lastTime() const; // [s]
@@ -60,18 +65,11 @@ struct RunRecord {
     std::deque<MinMaxPyramid> columns; // in the order of `quantities`
     std::size_t arrived = 0;
     std::vector<RunEvent> events;
-    RecordedFields fields;                // what the snapshots hold
-    std::vector<FieldSnapshot> snapshots; // in the order of time
-    std::vector<PlotRange> fieldRanges;   // of each field over the whole run, snapshots that went included
-    std::size_t fieldStride = 1;          // of those that came, every how many-th is held
-    std::size_t snapshotsArrived = 0;
+    std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
     QString note;
     QString file;       // it was read from, or written to
     bool shown = true;  // in the plots
-
-private:
-    void keep(const FieldSnapshot& snapshot);
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.

@@ -11,7 +11,8 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     : QWidget(parent),
       plots_(new LivePlots(runs, this)),
       spectrum_(new LiveSpectrum(runs, this)),
-      maps_(new ContactMaps(runs, this)),
+      side_(new SideView(runs, this)),
+      maps_(new RunMaps(runs, this)),
       disk_(new DiskSurfaceView(this)),
       splitter_(new QSplitter(Qt::Vertical, this)),
       tabs_(new QTabBar(this)),
@@ -25,9 +26,10 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     splitter_->setSizes({560, 280});
     splitter_->setChildrenCollapsible(true);
     splitter_->setCollapsible(0, false);
-    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)}) pages_->addWidget(page);
+    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(side_), static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)})
+        pages_->addWidget(page);
 
-    for (const QString& name : {tr("Plots"), tr("Contact maps"), tr("Disk surface")}) tabs_->addTab(name);
+    for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
     tabs_->setAccessibleName(tr("What is shown of the runs"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
@@ -43,7 +45,10 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
     connect(spectrumWanted_, &QAction::toggled, this, &RunView::showSpectrum);
     // Going through the maps leaves its trace in the plots.
-    connect(maps_, &ContactMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
+    connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
+    connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
+        if (which == 0) side_->showTime(plots_->group()->cursor(0));
+    });
     setCase({});
 }
 
@@ -52,9 +57,11 @@ void RunView::setCase(const Case& c)
     model_ = c.model;
     const bool maps = !recordedFields(c).empty();
     const bool disk = findField("disk.surface.kind")->used(c);
+    const bool side = c.model == ModelKind::Film;
+    tabs_->setTabVisible(static_cast<int>(Page::Side), side);
     tabs_->setTabVisible(static_cast<int>(Page::Maps), maps);
     tabs_->setTabVisible(static_cast<int>(Page::Disk), disk);
-    tabs_->setVisible(maps || disk);
+    tabs_->setVisible(side || maps || disk);
     if (!tabs_->isTabVisible(tabs_->currentIndex())) setPage(Page::Plots);
     plots_->setCase(c);
     disk_->setCase(c);

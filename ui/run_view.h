@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page of runs over time: plots and spectrum; and where the case has them, the maps of the contact and the surface of the
-// disk.
+// The page of runs over time: plots and spectrum; and where the case has them, the slider from the side, the maps of film and
+// contact, and the surface of the disk.
 #pragma once
 
-#include "ui/contact_maps.h"
+#include "ui/run_maps.h"
 #include "ui/disk_surface_view.h"
 #include "ui/live_plots.h"
 #include "ui/live_spectrum.h"
+#include "ui/side_view.h"
 
 #include <QSplitter>
 #include <QStackedWidget>
@@ -19,7 +20,7 @@ class RunView : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Page { Plots, Maps, Disk };
+    enum class Page { Plots, Side, Maps, Disk };
     Q_ENUM(Page)
 
     /// `runs` must outlive the widget.
@@ -33,7 +34,8 @@ public:
 
     LivePlots* plots() const { return plots_; }
     LiveSpectrum* spectrum() const { return spectrum_; }
-    ContactMaps* maps() const { return maps_; }
+    SideView* side() const { return side_; }
+    RunMaps* maps() const { return maps_; }
     DiskSurfaceView* disk() const { return disk_; }
     QSplitter* splitter() const { return splitter_; }
     QTabBar* tabs() const { return tabs_; }
@@ -46,7 +48,8 @@ private:
     ModelKind model_ = ModelKind::Springs;
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
-    ContactMaps* maps_;
+    SideView* side_;
+    RunMaps* maps_;
     DiskSurfaceView* disk_;
     QSplitter* splitter_;
     QTabBar* tabs_;

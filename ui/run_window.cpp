@@ -16,7 +16,8 @@ RunWindow::RunWindow(QWidget* parent)
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
-    connect(panel_, &RunsPanel::runChosen, view_->maps(), &ContactMaps::showRun);
+    connect(panel_, &RunsPanel::runChosen, view_->maps(), &RunMaps::showRun);
+    connect(panel_, &RunsPanel::runChosen, view_->side(), &SideView::showRun);
 }
 
 RunWindow::~RunWindow()
@@ -58,6 +59,7 @@ void RunWindow::onDelivered(const RunDelivery& delivery)
     runs_.append(number_, delivery.samples, delivery.events, delivery.fields);
     view_->plots()->dataArrived(number_);
     view_->spectrum()->dataArrived(number_);
+    view_->side()->dataArrived(number_);
     if (!delivery.fields.empty()) view_->maps()->dataArrived(number_);
     if (delivery.duration > 0.0) progress_->advance(delivery.time, delivery.duration);
 }

@@ -95,13 +95,18 @@ void WindowActions::buildRun(QMainWindow& window)
     QMenu* menu = window.menuBar()->addMenu(tr("&Run"));
     run = add(menu, tr("&Run"), QKeySequence(Qt::Key_F5), QStringLiteral("run"),
               tr("Run the case; a run under way starts again"));
-    solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F5), {},
-                     tr("Solve for the pressure only, at the height, pitch and roll of the start"));
-    solveGiven->setVisible(false);
     pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause the run, or let it go on"));
     pause->setCheckable(true);
     step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"), tr("Let a paused run go on by one picture"));
     stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"), tr("Stop the run; what there is of it stays"));
+    menu->addSeparator();
+    solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
+                tr("Solve for the static attitude; a solution under way starts again"));
+    solve->setIconText(tr("Solve"));
+    solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
+                     tr("Solve for the pressure only, at the height, pitch and roll of the start"));
+    solve->setVisible(false);
+    solveGiven->setVisible(false);
     menu->addSeparator();
     record = add(menu, tr("Record to &file…"), {}, {},
                  tr("Write the runs that follow to an HDF5 file while they go"));
@@ -168,11 +173,13 @@ void WindowActions::buildToolBar(QMainWindow& window)
     toolBar->addAction(undo);
     toolBar->addAction(redo);
     toolBar->addSeparator();
+    toolBar->addAction(solve);
     toolBar->addAction(run);
     toolBar->addAction(pause);
     toolBar->addAction(step);
     toolBar->addAction(stop);
-    static_cast<QToolButton*>(toolBar->widgetForAction(run))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (QAction* action : {solve, run})
+        static_cast<QToolButton*>(toolBar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 
     pace = new QComboBox(toolBar);
     pace->setAccessibleName(tr("Speed of the run"));
@@ -209,17 +216,13 @@ std::vector<const QAction*> WindowActions::withShortcuts() const
     return list;
 }
 
-void WindowActions::setModel(ModelKind model)
+void WindowActions::setPage(ModelKind model, bool staticState)
 {
     const bool film = model == ModelKind::Film;
-    run->setText(film ? tr("S&olve static attitude") : tr("&Run"));
-    run->setIconText(film ? tr("Solve") : tr("Run"));
-    toolBar->widgetForAction(run)->setAccessibleName(film ? tr("Solve static attitude") : tr("Run"));
-    solveGiven->setVisible(film);
-    exportCml->setVisible(film);
-    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(!film);
-    for (QAction* action : pace_) action->setVisible(!film);
-    plots->menuAction()->setVisible(!film);
+    for (QAction* action : {solve, solveGiven, exportCml}) action->setVisible(film);
+    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(!staticState);
+    for (QAction* action : pace_) action->setVisible(!staticState);
+    plots->menuAction()->setVisible(!staticState);
 }
 
 void WindowActions::choosePace(double simulatedPerWallSecond)

@@ -28,7 +28,7 @@ public:
 
     QAction *newCase, *open, *save, *saveAs, *importCml, *exportCml, *openResults, *exportPage, *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
-    QAction *run, *solveGiven, *pause, *step, *stop, *record;
+    QAction *run, *solve, *solveGiven, *pause, *step, *stop, *record;
     QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
     QAction *help, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
@@ -41,8 +41,8 @@ public:
     void updateIcons(const QPalette& palette);
     /// All actions with a shortcut, for the shortcut sheet.
     std::vector<const QAction*> withShortcuts() const;
-    /// Names and offers what the model can do: a run over time, or a static solution.
-    void setModel(ModelKind model);
+    /// Offers what the model can do, and what belongs to the page of a run or to that of a static state.
+    void setPage(ModelKind model, bool staticState);
     void choosePace(double simulatedPerWallSecond);
 
 signals:

@@ -78,7 +78,7 @@ inline SampleBatch sampleContactBatch(double from, double to, bool adhesion = tr
 /// The first `snapshots` of the times, the samples up to there, and the events.
 inline std::unique_ptr<RunRecord> sampleContactRun(int number, int snapshots = contactSnapshots, bool adhesion = true)
 {
-    auto run = std::make_unique<RunRecord>(number, sampleContactCase(), "", sampleContactQuantities(adhesion), sampleContactFields());
+    auto run = std::make_unique<RunRecord>(number, sampleContactCase(), "", sampleContactQuantities(adhesion), std::vector{sampleContactFields()});
     const double until = 1e-3 * (snapshots - 1) / (contactSnapshots - 1);
     std::vector<FieldSnapshot> fields;
     for (int i = 0; i < snapshots; ++i) fields.push_back(sampleSnapshot(1e-3 * i / (contactSnapshots - 1)));

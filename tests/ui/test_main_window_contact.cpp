@@ -92,7 +92,8 @@ void TestMainWindowContact::runsTheSampleCases()
     QCOMPARE(f.window.edits().reasonNotToRun(), QString());
     const RunRecord& run = f.run();
     QCOMPARE(run.summary->status, RunStatus::Completed);
-    QCOMPARE(run.snapshots.empty(), recordedFields(run.value).empty());
+    QCOMPARE(run.fields.size(), recordedFields(run.value).size());
+    for (const FieldHistory& history : run.fields) QVERIFY(!history.snapshots.empty());
     QVERIFY(f.window.plots().plot(QStringLiteral("force_separation"))->isVisible());
     QVERIFY(!f.window.spectrum().isVisible());
     QVERIFY2(f.window.messages().text().contains(QStringLiteral("Largest contact force ")), qPrintable(f.window.messages().text()));
@@ -130,7 +131,7 @@ void TestMainWindowContact::mapsFollowTheChosenRun()
     Fixture f;
     f.window.runView().setPage(RunView::Page::Maps);
     f.run();
-    ContactMaps& maps = *f.window.runView().maps();
+    RunMaps& maps = *f.window.runView().maps();
     QCOMPARE(maps.shownRun(), 1);
     QVERIFY(!maps.empty());
     f.run();
@@ -145,7 +146,7 @@ void TestMainWindowContact::goingThroughMapsMovesTheCursor()
     f.window.runView().setPage(RunView::Page::Maps);
     const RunRecord& run = f.run();
     f.window.runView().maps()->time()->setValue(2);
-    QCOMPARE(*f.window.plots().group()->cursor(0), run.snapshots[2].time);
+    QCOMPARE(*f.window.plots().group()->cursor(0), run.fields.front().snapshots[2].time);
 }
 
 void TestMainWindowContact::runsOfAnotherModelLeaveThePlots()
@@ -201,11 +202,14 @@ void TestMainWindowContact::keepsMapsInAFile()
     QCOMPARE(saveHdf5(run, file), QString());
     f.window.openResults(file);
     const RunRecord& read = f.window.runs().record(1);
-    QCOMPARE(read.snapshots.size(), run.snapshots.size());
-    QCOMPARE(read.fields.grid.x, run.fields.grid.x);
-    for (std::size_t i = 0; i < run.snapshots.size(); ++i) {
-        QCOMPARE(read.snapshots[i].time, run.snapshots[i].time);
-        QCOMPARE(read.snapshots[i].values, run.snapshots[i].values);
+    QCOMPARE(read.fields.size(), std::size_t{1});
+    const FieldHistory& kept = read.fields.front();
+    const FieldHistory& seen = run.fields.front();
+    QCOMPARE(kept.snapshots.size(), seen.snapshots.size());
+    QCOMPARE(kept.fields.grid.x, seen.fields.grid.x);
+    for (std::size_t i = 0; i < seen.snapshots.size(); ++i) {
+        QCOMPARE(kept.snapshots[i].time, seen.snapshots[i].time);
+        QCOMPARE(kept.snapshots[i].values, seen.snapshots[i].values);
     }
     QCOMPARE(f.window.runView().maps()->shownRun(), 2);
     QVERIFY(!f.window.runView().maps()->empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window with a case of a film: its page, its panes, and the way from the case to the static attitude.
+// The window with a case of a film: its two pages, their panes, and the ways from the case to the static attitude and to a run in time.
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
@@ -33,9 +33,26 @@ struct Fixture {
     const SteadyResult& solve()
     {
         const QSignalSpy ended(&window, &MainWindow::calculationEnded);
-        window.startRun();
+        window.solveStaticState();
         if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 60'000)) qFatal("the solution does not end");
         return *window.film().result();
+    }
+    /// 40 us from 2 nm above the static state on a coarse grid, a sample each 0.5 us and three snapshots.
+    void editToRun()
+    {
+        edit("run.duration", QStringLiteral("40 us"));
+        edit("run.sample_interval", QStringLiteral("0.5 us"));
+        edit("run.field_snapshots", QStringLiteral("3"));
+        edit("initial.state", QStringLiteral("static"));
+        edit("initial.height_offset", QStringLiteral("2 nm"));
+        if (!window.edits().reasonNotToRun().isEmpty()) qFatal("%s", qPrintable(window.edits().reasonNotToRun()));
+    }
+    const RunRecord& run()
+    {
+        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
+        window.startRun();
+        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 60'000)) qFatal("the run does not end");
+        return window.runs().record(window.runs().count() - 1);
     }
     QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
 
@@ -56,6 +73,9 @@ private slots:
     void showsThePanesOfTheModel();
     void closedPanesStayClosed();
     void offersTheActionsOfTheModel();
+    void runsInTime();
+    void eachPageHasItsPanes();
+    void stopsARunAtOnce();
     void stopsASolution();
     void followsEditsOfTheCase();
     void importsByDrop();
@@ -145,15 +165,79 @@ void TestMainWindowFilm::offersTheActionsOfTheModel()
     const WindowActions& actions = f.window.actions();
     QVERIFY(actions.solveGiven->isVisible() && actions.solveGiven->isEnabled());
     QVERIFY(actions.exportCml->isVisible());
+    QVERIFY(actions.solve->isVisible() && actions.run->isVisible());
     for (const QAction* action : {actions.pause, actions.step, actions.follow, actions.zoomBack}) QVERIFY(!action->isVisible());
+    f.window.setPage(MainWindow::Page::Run);
+    for (const QAction* action : {actions.solve, actions.solveGiven, actions.run, actions.pause, actions.step, actions.follow}) QVERIFY(action->isVisible());
+    f.window.setPage(MainWindow::Page::StaticState);
     f.edit("suspension.preload", QStringLiteral("nonsense"));
-    QVERIFY(!actions.run->isEnabled());
-    QVERIFY(!actions.solveGiven->isEnabled());
+    for (const QAction* action : {actions.run, actions.solve, actions.solveGiven}) QVERIFY(!action->isEnabled());
     f.window.actions().undo->trigger();
     f.window.files().openNow(QStringLiteral("fig10a"));
-    QVERIFY(!actions.solveGiven->isVisible());
+    QVERIFY(!actions.solve->isVisible() && !actions.solveGiven->isVisible());
     QVERIFY(actions.pause->isVisible());
-    QCOMPARE(actions.run->text(), QStringLiteral("&Run"));
+}
+
+void TestMainWindowFilm::runsInTime()
+{
+    Fixture f;
+    f.editToRun();
+    const RunRecord& run = f.run();
+    QVERIFY2(run.summary->status == RunStatus::Completed, run.summary->message.c_str());
+    QVERIFY(f.window.runView().isVisible());
+    QCOMPARE(run.sampleCount(), std::size_t(81));
+    for (const char* name : {"spacing", "pitch", "roll", "energy"}) QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+    // Without contact there are no forces of contact to show, and what is asked for comes.
+    QVERIFY(!f.window.plots().plot(QStringLiteral("forces"))->isVisible());
+    for (const char* name : {"air_bearing", "velocity", "angular_velocity", "step"}) {
+        QVERIFY2(!f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+        f.window.plots().wanted(QString::fromLatin1(name))->trigger();
+        QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+    }
+    QVERIFY(f.window.spectrum().isVisible());
+    // The time step is positive once there was a step.
+    QVERIFY(*run.last("time_step") > 0.0);
+}
+
+void TestMainWindowFilm::eachPageHasItsPanes()
+{
+    Fixture f;
+    QVERIFY(f.window.pageTabs()->isVisible());
+    f.window.setPage(MainWindow::Page::Run);
+    QVERIFY(f.window.runView().isVisible() && !f.window.film().view()->isVisible());
+    QVERIFY(f.dock("runs")->isVisible() && f.dock("values")->isVisible() && !f.dock("attitude")->isVisible());
+    QVERIFY(f.window.progress().isVisible() && !f.window.film().progress()->isVisible());
+    f.dock("values")->close();
+    f.window.setPage(MainWindow::Page::StaticState);
+    QVERIFY(f.dock("attitude")->isVisible() && !f.dock("runs")->isVisible());
+    QVERIFY(!f.window.progress().isVisible() && f.window.film().progress()->isVisible());
+    f.window.setPage(MainWindow::Page::Run);
+    QVERIFY(f.dock("runs")->isVisible() && !f.dock("values")->isVisible());
+    f.window.actions().solve->trigger(); // its result is on the other page
+    QVERIFY(f.window.film().view()->isVisible());
+    f.window.edits().undoStack().setClean();
+    f.window.files().openNow(QStringLiteral("fig10a"));
+    QVERIFY(!f.window.pageTabs()->isVisible() && f.window.runView().isVisible());
+}
+
+/// In the static state that begins it, and in its steps.
+void TestMainWindowFilm::stopsARunAtOnce()
+{
+    for (const bool inSteps : {false, true}) {
+        Fixture f;
+        f.editToRun();
+        f.edit("run.duration", QStringLiteral("1 s"));
+        f.edit("run.sample_interval", QStringLiteral("1 us"));
+        if (!inSteps) f.edit("film.nodes", QStringLiteral("513, 513"));
+        const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        f.window.startRun();
+        QTRY_COMPARE(f.window.controller().state(), RunController::State::Running);
+        if (inSteps) QTRY_VERIFY_WITH_TIMEOUT(f.window.runs().record(0).sampleCount() > 10, 60'000);
+        f.window.actions().stop->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
+        QCOMPARE(f.window.runs().record(0).summary->status, RunStatus::Cancelled);
+        QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Information);
+    }
 }
 
 void TestMainWindowFilm::stopsASolution()
@@ -161,7 +245,7 @@ void TestMainWindowFilm::stopsASolution()
     Fixture f;
     f.edit("film.nodes", QStringLiteral("513, 513"));
     const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
-    f.window.startRun();
+    f.window.solveStaticState();
     QTRY_VERIFY(!f.window.film().progress()->text().isEmpty());
     QVERIFY(f.window.actions().stop->isEnabled());
     f.window.actions().stop->trigger();
@@ -210,7 +294,7 @@ void TestMainWindowFilm::closesWhileSolving()
 {
     Fixture f;
     f.window.edits().undoStack().setClean();
-    f.window.startRun();
+    f.window.solveStaticState();
     f.window.close();
     QVERIFY(!f.window.isVisible());
     // The next session begins with the panes of a run, whatever was shown last.

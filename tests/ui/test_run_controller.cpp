@@ -171,7 +171,7 @@ struct Photographer {
         for (int k = 0; k < 200; ++k) {
             batch.time.push_back(k * microsecond);
             batch.columns[0].push_back(k);
-            if (k % 10 == 0) fields.push_back({batch.time.back(), {std::vector<double>(values, k)}});
+            if (k % 10 == 0) fields.push_back({batch.time.back(), 0, {std::vector<double>(values, k)}});
         }
         callback({199 * microsecond, 199 * microsecond, batch, {}, fields});
         return {};

@@ -173,8 +173,8 @@ void TestXvfbWorkbench::goesThroughTheMapsOfAContact()
     press("F5");
     QTRY_COMPARE(window_->runs().count(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(window_->runs().record(0).finished(), 60'000);
-    ContactMaps* maps = window_->runView().maps();
-    click(window_->runView().tabs(), tabs->tabRect(1).center());
+    RunMaps* maps = window_->runView().maps();
+    click(window_->runView().tabs(), tabs->tabRect(static_cast<int>(RunView::Page::Maps)).center());
     QTRY_VERIFY(maps->isVisible() && !maps->empty());
     // The pad is nearest to the disk half way through; arrow keys go on from there.
     const int nearest = maps->time()->value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/contact_maps.h"
+#include "ui/run_maps.h"
 
 #include <memory>
 
@@ -7,11 +7,13 @@
 #include <QTest>
 
 #include "tests/ui/sample_contact.h"
+#include "tests/ui/sample_slider.h"
+#include "ui/maps_view.h"
 #include "ui/theme.h"
 
 using namespace touchdown;
 
-class TestContactMaps : public QObject {
+class TestRunMaps : public QObject {
     Q_OBJECT
 
 private slots:
@@ -32,35 +34,37 @@ private slots:
     void paintsBothThemes_data();
     void paintsBothThemes();
     void controlsHaveNames();
+    void showsTheSetsOfAFilm();
+    void keepsTheTimeFromSetToSet();
 
 private:
     double shownPressure(std::size_t cell) const { return maps_->view()->map()->value(cell); }
 
     std::unique_ptr<RunsModel> runs_;
-    std::unique_ptr<ContactMaps> maps_;
+    std::unique_ptr<RunMaps> maps_;
 };
 
-void TestContactMaps::initTestCase() { QLocale::setDefault(QLocale::c()); }
+void TestRunMaps::initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-void TestContactMaps::init()
+void TestRunMaps::init()
 {
     applyTheme(Theme::Light);
     maps_.reset();
     runs_ = std::make_unique<RunsModel>();
-    maps_ = std::make_unique<ContactMaps>(*runs_);
+    maps_ = std::make_unique<RunMaps>(*runs_);
     maps_->resize(800, 700);
     maps_->show();
     QVERIFY(QTest::qWaitForWindowExposed(maps_.get()));
 }
 
-void TestContactMaps::beginsWithoutARun()
+void TestRunMaps::beginsWithoutARun()
 {
     QVERIFY(maps_->empty());
     QVERIFY(maps_->emptyText().contains(QStringLiteral("run the case")));
     QVERIFY(!maps_->time()->isVisible());
 }
 
-void TestContactMaps::offersEachField()
+void TestRunMaps::offersEachField()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -75,7 +79,7 @@ void TestContactMaps::offersEachField()
     QCOMPARE(maps_->view()->map()->title(), QStringLiteral("Gap of the deformed surfaces"));
 }
 
-void TestContactMaps::followsARunUnderWay()
+void TestRunMaps::followsARunUnderWay()
 {
     runs_->add(sampleContactRun(1, 3)); // up to 0.2 ms
     maps_->showRun(1);
@@ -89,7 +93,7 @@ void TestContactMaps::followsARunUnderWay()
     QVERIFY2(maps_->reading()->text().contains(QChar(0x2212) + QStringLiteral("3.000")), qPrintable(maps_->reading()->text()));
 }
 
-void TestContactMaps::staysWhereTheUserWent()
+void TestRunMaps::staysWhereTheUserWent()
 {
     runs_->add(sampleContactRun(1, 5));
     maps_->showRun(1);
@@ -104,7 +108,7 @@ void TestContactMaps::staysWhereTheUserWent()
     QCOMPARE(maps_->time()->value(), 6);
 }
 
-void TestContactMaps::endsAtTheClosestApproach()
+void TestRunMaps::endsAtTheClosestApproach()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -114,11 +118,11 @@ void TestContactMaps::endsAtTheClosestApproach()
     QCOMPARE(maps_->time()->value(), (contactSnapshots - 1) / 2);
 }
 
-void TestContactMaps::goesThroughTheTimes()
+void TestRunMaps::goesThroughTheTimes()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
-    const QSignalSpy chosen(maps_.get(), &ContactMaps::timeChosen);
+    const QSignalSpy chosen(maps_.get(), &RunMaps::timeChosen);
     maps_->time()->setFocus();
     QTest::keyClick(maps_->time(), Qt::Key_Home);
     QCOMPARE(chosen.last()[0].toDouble(), 0.0);
@@ -131,7 +135,7 @@ void TestContactMaps::goesThroughTheTimes()
     QCOMPARE(chosen.count(), 2); // what the program shows is not the user's choice
 }
 
-void TestContactMaps::scalesSpanTheRunOrTheTime()
+void TestRunMaps::scalesSpanTheRunOrTheTime()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -142,7 +146,7 @@ void TestContactMaps::scalesSpanTheRunOrTheTime()
     QVERIFY(std::abs(maps_->view()->map()->look().scale.high() - 31e6) < 1.0);
 }
 
-void TestContactMaps::sectionsShareTheScale()
+void TestRunMaps::sectionsShareTheScale()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -158,7 +162,7 @@ void TestContactMaps::sectionsShareTheScale()
     QTRY_VERIFY(range().high < 60e6);
 }
 
-void TestContactMaps::aHiddenPageTakesNothing()
+void TestRunMaps::aHiddenPageTakesNothing()
 {
     maps_->hide();
     runs_->add(sampleContactRun(1));
@@ -170,39 +174,39 @@ void TestContactMaps::aHiddenPageTakesNothing()
     QVERIFY(!maps_->view()->map()->empty());
 }
 
-void TestContactMaps::saysWhyThereAreNoMaps()
+void TestRunMaps::saysWhyThereAreNoMaps()
 {
     runs_->add(std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities()));
     runs_->finish(1, Summary{});
     maps_->showRun(1);
     QVERIFY(maps_->empty());
     QVERIFY(maps_->emptyText().contains(QStringLiteral("has no maps")));
-    runs_->add(std::make_unique<RunRecord>(2, sampleContactCase(), "", sampleContactQuantities(), sampleContactFields()));
+    runs_->add(std::make_unique<RunRecord>(2, sampleContactCase(), "", sampleContactQuantities(), std::vector{sampleContactFields()}));
     maps_->showRun(2);
     QVERIFY(maps_->emptyText().contains(QStringLiteral("soon")));
 }
 
-void TestContactMaps::thinsWhatMemoryCannotHold()
+void TestRunMaps::thinsWhatMemoryCannotHold()
 {
     // 2 fields of 2^20 cells: 16 snapshots fill the 2^25 values; the 17th makes 9 of them, every second one.
-    RecordedFields fields = sampleContactFields();
-    auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities(), fields);
+    auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities(), std::vector{sampleContactFields()});
+    const FieldHistory& kept = run->fields.front();
     FieldSnapshot snapshot{0.0, 0, {std::vector<double>(1U << 20U), std::vector<double>(1U << 20U)}};
     for (int i = 0; i < 20; ++i) {
         snapshot.time = i;
         snapshot.values[0][0] = i;
         run->append({}, {}, {snapshot});
-        QVERIFY(run->snapshots.size() <= 16);
+        QVERIFY(kept.snapshots.size() <= 16);
     }
-    QCOMPARE(run->fieldStride, std::size_t(2));
-    QCOMPARE(run->snapshotsArrived, std::size_t(20));
-    QCOMPARE(run->snapshots.size(), std::size_t(10));
-    for (std::size_t i = 0; i < run->snapshots.size(); ++i) QCOMPARE(run->snapshots[i].time, 2.0 * static_cast<double>(i));
-    QCOMPARE(run->fieldRanges[0].high, 19.0); // of those that went, too
+    QCOMPARE(kept.stride, std::size_t(2));
+    QCOMPARE(kept.arrived, std::size_t(20));
+    QCOMPARE(kept.snapshots.size(), std::size_t(10));
+    for (std::size_t i = 0; i < kept.snapshots.size(); ++i) QCOMPARE(kept.snapshots[i].time, 2.0 * static_cast<double>(i));
+    QCOMPARE(kept.ranges[0].high, 19.0); // of those that went, too
     QVERIFY(!saveHdf5(*run, QStringLiteral("nowhere.h5")).isEmpty());
 }
 
-void TestContactMaps::aRunThatIsDeletedLeaves()
+void TestRunMaps::aRunThatIsDeletedLeaves()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -211,14 +215,14 @@ void TestContactMaps::aRunThatIsDeletedLeaves()
     QCOMPARE(maps_->shownRun(), -1);
 }
 
-void TestContactMaps::paintsBothThemes_data()
+void TestRunMaps::paintsBothThemes_data()
 {
     QTest::addColumn<bool>("dark");
     QTest::newRow("light") << false;
     QTest::newRow("dark") << true;
 }
 
-void TestContactMaps::paintsBothThemes()
+void TestRunMaps::paintsBothThemes()
 {
     QFETCH(const bool, dark);
     applyTheme(dark ? Theme::Dark : Theme::Light);
@@ -240,7 +244,7 @@ void TestContactMaps::paintsBothThemes()
     QVERIFY(at(26).green() > at(26).blue());
 }
 
-void TestContactMaps::controlsHaveNames()
+void TestRunMaps::controlsHaveNames()
 {
     runs_->add(sampleContactRun(1));
     maps_->showRun(1);
@@ -250,5 +254,69 @@ void TestContactMaps::controlsHaveNames()
     }
 }
 
-QTEST_MAIN(TestContactMaps)
-#include "test_contact_maps.moc"
+namespace {
+
+/// Air over the slider, 2 x 1 cells, at 0, 1 .. 4 us; contact over the patch at its rear, 3 x 1 cells, at 0, 2, 4 us.
+std::unique_ptr<RunRecord> filmRun()
+{
+    const Case c = sampleFilmCase();
+    const double L = c.slider.length, W = c.slider.width;
+    const std::vector<RecordedFields> sets{
+        {"fields", {{0.0, 0.5 * L, L}, {0.0, W}}, {{"gap", "m", "nm", "Gap"}, {"pressure", "Pa", "kPa", "Air pressure, absolute"}}},
+        {"contact_fields",
+         {{0.8e-3, 0.81e-3, 0.82e-3, 0.83e-3}, {0.3e-3, 0.31e-3}},
+         {{"gap", "m", "nm", "Gap of the contact"}, {"contact_pressure", "Pa", "MPa", "Contact pressure"}}}};
+    auto run = std::make_unique<RunRecord>(1, c, "", sampleContactQuantities(), sets);
+    std::vector<FieldSnapshot> snapshots;
+    for (int k = 0; k < 5; ++k) {
+        const double t = k * 1e-6;
+        snapshots.push_back({t, 0, {{100e-9, 10e-9}, {ambientPressure(c), ambientPressure(c) + 1e5 * k}}});
+        if (k % 2 == 0) snapshots.push_back({t, 1, {{1e-9, 2e-9, 3e-9}, {0.0, 1e6 * k, 2e6 * k}}});
+    }
+    run->append({}, {}, snapshots);
+    return run;
+}
+
+} // namespace
+
+void TestRunMaps::showsTheSetsOfAFilm()
+{
+    runs_->add(filmRun());
+    maps_->showRun(1);
+    QStringList names;
+    for (int i = 0; i < maps_->tabs()->count(); ++i) names << maps_->tabs()->tabText(i);
+    QCOMPARE(names, QStringList({"Gap", "Air pressure", "Contact gap", "Contact pressure"}));
+    // At the latest time, above ambient.
+    QCOMPARE(maps_->tabs()->currentIndex(), 1);
+    QCOMPARE(maps_->view()->map()->title(), QStringLiteral("Air pressure above ambient"));
+    QCOMPARE(maps_->time()->maximum(), 4);
+    QCOMPARE(maps_->time()->value(), 4);
+    QVERIFY(std::abs(shownPressure(1) - 4e5) < 1e-6);
+    QCOMPARE(maps_->view()->map()->area(), QRectF(0.0, 0.0, 0.85e-3, 0.70e-3));
+    maps_->tabs()->setCurrentIndex(3);
+    QCOMPARE(maps_->time()->maximum(), 2);
+    QCOMPARE(maps_->time()->value(), 2);
+    QCOMPARE(shownPressure(2), 8e6);
+    QVERIFY(std::abs(maps_->view()->map()->area().x() - 0.8e-3) < 1e-12);
+    QCOMPARE(maps_->view()->map()->grid().nx(), 3);
+    // A run that has ended stays at its last time: no slider goes back to where it began.
+    runs_->finish(1, Summary{});
+    maps_->dataArrived(1);
+    QCOMPARE(maps_->time()->value(), 2);
+}
+
+void TestRunMaps::keepsTheTimeFromSetToSet()
+{
+    runs_->add(filmRun());
+    maps_->showRun(1);
+    maps_->time()->setValue(2); // 2 us
+    maps_->tabs()->setCurrentIndex(3);
+    QCOMPARE(maps_->time()->value(), 1);
+    QCOMPARE(shownPressure(1), 2e6);
+    maps_->tabs()->setCurrentIndex(0);
+    QCOMPARE(maps_->time()->value(), 2);
+    QCOMPARE(shownPressure(1), 10e-9);
+}
+
+QTEST_MAIN(TestRunMaps)
+#include "test_run_maps.moc"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fields that a run records at some of its times: contact pressure, adhesion, gap, the disk below. One is seen at one
-// time; the slider at the foot goes through the times, and stays at the last one while the run goes on.
+// The fields that a run records at some of its times: pressure and gap of the air, and of the patch that can touch its contact
+// pressure, adhesion, gap, the disk below. One is seen at one time; the slider at the foot goes through the times, and stays at
+// the last one while the run goes on.
 //
 // Colours and sections span what the whole run has, so that one time compares with another, or what is seen alone.
 #pragma once
 
-#include "ui/fields_view.h"
+#include "ui/map_kinds.h"
 #include "ui/runs_model.h"
 
 #include <QLabel>
@@ -16,12 +17,12 @@
 
 namespace touchdown {
 
-class ContactMaps : public QWidget {
+class RunMaps : public QWidget {
     Q_OBJECT
 
 public:
     /// `runs` must outlive the widget.
-    explicit ContactMaps(RunsModel& runs, QWidget* parent = nullptr);
+    explicit RunMaps(RunsModel& runs, QWidget* parent = nullptr);
 
     /// -1: none. One without fields leaves the page empty, with the reason.
     void showRun(int number);
@@ -49,16 +50,22 @@ protected:
 private:
     void buildRows();
     void takeFields(const RunRecord& run);
-    int latestOf(const RunRecord& run) const;
+    void takeTimes();
+    void takeArea();
+    int latestOf(const FieldHistory& shown) const;
     void refresh();
+    void showField(std::size_t index);
     void showSnapshot();
     const RunRecord* run() const { return runs_.find(number_); }
+    const FieldHistory* history() const;
     QString whyEmpty() const;
-    QString readingText(const RunRecord& run, std::size_t index) const;
+    QString readingText(const RunRecord& run, const FieldHistory& history, std::size_t index) const;
 
     RunsModel& runs_;
     int number_ = -1;
     int taken_ = -1;      // the run whose fields the tabs show
+    std::vector<RunField> fields_; // one for each tab
+    std::size_t set_ = 0; // of the field that is seen
     bool follows_ = true; // the last snapshot, as it comes
     bool stale_ = true;
     QTabBar* tabs_;
