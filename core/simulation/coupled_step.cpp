@@ -11,7 +11,7 @@ namespace touchdown {
 namespace {
 
 constexpr double columnTolerance = 1e-2;    // of the responses X, which lead the iteration and have no part in its result [-]
-constexpr double slopeError = 0.1;          // of the stiffness of film and contact, as long as none is measured [-]
+constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
@@ -42,7 +42,7 @@ CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderCont
 {
     for (auto* fields : {&columns_, &responses_})
         for (auto& field : *fields) field.assign(film.pad().size(), 0.0);
-    for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
+    for (auto* field : {&change_, &surface_, &pressureBefore_, &surfaceBefore_}) field->assign(film.pad().size(), 0.0);
     for (auto& field : slopes_.byPressure) field.assign(film.pad().size(), 0.0);
 }
 
@@ -82,6 +82,8 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     setSurface(time);
     film_.setAttitude(attitude);
     stepper_.start(p);
+    std::ranges::copy(p, pressureBefore_.begin());
+    surfaceBefore_ = surface_;
     filmForce_ = filmForceAt(stepper_.pressure());
     past_ = {};
     past_[0] = {filmForce_, time};
@@ -277,9 +279,23 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
     result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, linearised_ >= 0));
 }
 
+/// Sum of A (p - p0) times what the surface rises by, by the trapezoidal rule.
+void CoupledStepper::takeSurfaceWork()
+{
+    surfaceWork_ = 0.0;
+    const std::span<const double> p = stepper_.pressure();
+    const std::vector<double>& area = film_.areas();
+    const double ambient = film_.ambient();
+    for (std::size_t at = 0; at < p.size(); ++at)
+        surfaceWork_ += area[at] * (0.5 * (p[at] + pressureBefore_[at]) - ambient) * (surface_[at] - surfaceBefore_[at]);
+    std::ranges::copy(p, pressureBefore_.begin());
+    surfaceBefore_ = surface_;
+}
+
 void CoupledStepper::accept()
 {
     if (!stepper_.accept()) return;
+    if (contact_ || (disk_ && !disk_->flat())) takeSurfaceWork();
     for (std::size_t k = 0; k < 3; ++k) jerk_[k] = (tried_.a[k] - motion_.a[k]) / dt_;
     motion_ = tried_;
     time_ += dt_;

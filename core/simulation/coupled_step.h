@@ -69,7 +69,10 @@ public:
     std::span<const double> pressure() const { return stepper_.pressure(); }
     /// Of film with shear, and of contact, of the last step.
     const Vector3& filmForce() const { return filmForce_; }
-    const std::array<double, 2>& shear() const { return shear_; }
+    /// Of the film's shear, contained in filmForce().
+    Vector3 shearTorques() const { return {0.0, -body_.shearArm() * shear_[0], -body_.shearArm() * shear_[1]}; }
+    /// Of the disk's surface on the air in the last accepted step, where it rises and falls under it [J].
+    double surfaceWork() const { return surfaceWork_; }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
 
@@ -89,6 +92,7 @@ private:
     void follow(const Vector3& change);
     void setVelocity(double dt);
     void setTimeError(double dt, CoupledStepResult& result);
+    void takeSurfaceWork();
 
     GasFilm& film_;
     const SliderBody& body_;
@@ -104,6 +108,8 @@ private:
     Matrix3 filmSlopes_{};                     // -d(film force)/dq with the film following
     long long linearised_ = -1;                // FilmStepper::linearisations() that the columns belong to
     std::vector<double> change_, surface_;
+    std::vector<double> pressureBefore_, surfaceBefore_; // at the accepted state, where the disk is not flat
+    double surfaceWork_ = 0.0;
     double surfaceTime_ = -1.0;                // of surface_ [s]
     bool inReach_ = false, deformed_ = false;  // contact, at the last attitude; surface_ by it
     Vector3 filmForce_{};

@@ -42,6 +42,7 @@ std::vector<Quantity> filmQuantities(const Case& c)
         {"suspension_energy", "J", "pJ", "Energy of suspension and preload"},
         {"film_energy", "J", "pJ", "Energy stored by the air"},
         {"energy", "J", "pJ", "Energy of slider, suspension, air and contact"},
+        {"energy_gained", "J", "pJ", "What the disk gave to them, less what they dissipated, since the start"},
         {"time_step", "s", "ns", "Time step"},
     };
     if (touches(c))
@@ -127,6 +128,7 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
     *out++ = suspension;
     *out++ = film;
     *out++ = kinetic + suspension + film + stored;
+    *out++ = linear(from.gained, to.gained);
     *out++ = to.dt;
     if (touches(case_)) {
         *out++ = ofContact(&SliderContactForces::contact);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/physics/film_energy.h"
 #include "core/simulation/disk_setup.h"
 #include "core/simulation/film_recorder.h"
 #include "core/simulation/film_setup.h"
@@ -20,9 +21,15 @@ namespace {
 constexpr double firstStep = 2e-9;      // [s]
 constexpr double shortestStep = 1e-14;  // [s]
 constexpr double longestShare = 0.01;   // of the run, for a step
-constexpr double worthGrowing = 1.6;    // a longer step needs a new linearisation
+// A longer step needs a new linearisation, so it must be worth it, and not only for a moment of an oscillation.
+constexpr double worthGrowing = 1.6, worthGrowingAtOnce = 4.0;
+constexpr int patience = 16;            // steps
 constexpr double mostGrowth = 2.0;      // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
 constexpr double safety = 0.9;          // of a step against the longest whose error is allowed
+constexpr double worstFactor = 0.75;    // below which a step is tried again
+constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
+constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
+constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
 constexpr double switchWidth = 1e-13;   // to which a switch's separation is located [m]
 constexpr int mostTries = 12;           // for one switch
 constexpr int mostSwitches = 64;        // within chatterTime
@@ -115,10 +122,11 @@ private:
             return fail(RunStatus::Failed, "the film was not solved at the initial attitude (minimum spacing " +
                                                formatQuantity(std::round(spacing_.at(attitude).spacing * 1e13) / 1e13, "nm") + ")");
 
-        const double tolerance = 1e-3 * case_.run.stepError;
         CoupledStepOptions stepping;
         stepping.coupling = case_.film.coupling;
-        stepping.tolerance = tolerance;
+        stepping.tolerance = positionShare * case_.run.stepError;
+        stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
+                                                     (level_->film.ambient() * case_.slider.length * case_.slider.width));
         stepper_.emplace(level_->film, *body_, contact_.get(), &*disk_, stepping);
         const Vector3 q = body_->coordinates(attitude);
         stepper_->start(level_->pressure,
@@ -127,8 +135,10 @@ private:
                         0.0);
         if (!stepper_->contactForces().problem.empty())
             return fail(RunStatus::Failed, "no contact state was found at the start: " + stepper_->contactForces().problem);
+        energy_.emplace(level_->film);
         recorder_.emplace(case_, *body_, recess_, spacing_, callback_);
         point_ = pointNow(0.0);
+        point_.filmEnergy = energy_->at(stepper_->pressure()).stored;
         recorder_->begin(point_);
         takeFields();
         return true;
@@ -174,20 +184,28 @@ private:
                 continue;
             }
             const double factor = safety * std::cbrt(case_.run.stepError / std::max(result.timeError, 1e-300));
-            if (!fixed() && factor < safety) {
+            if (!fixed() && factor < worstFactor) {
                 ++rejected_;
                 dt *= std::max(factor, 0.25);
                 wanted_ = dt;
+                sinceLimit_ = 0;
                 if (dt < shortestStep) return giveUp(result);
                 continue;
             }
             if (const std::optional<double> length = wayToSwitch(dt)) return goToSwitch(*length);
-            if (!fixed()) {
-                if (factor < 1.0) wanted_ = factor * dt;
-                else if (factor > worthGrowing) wanted_ = std::max(wanted_, std::min(mostGrowth, factor) * dt);
-            }
+            if (!fixed()) setWanted(dt, factor);
             return takeStep(dt);
         }
+    }
+
+    /// After a step whose length may be changed by the factor.
+    void setWanted(double dt, double factor)
+    {
+        if (factor < 1.0) wanted_ = factor * dt;
+        sinceLimit_ = factor < worthGrowing ? 0 : sinceLimit_ + 1;
+        if (factor < worthGrowingAtOnce && sinceLimit_ < patience) return;
+        wanted_ = std::max(wanted_, std::min(mostGrowth, factor) * dt);
+        sinceLimit_ = 0;
     }
 
     CoupledStepResult tryStep(double dt)
@@ -202,7 +220,9 @@ private:
     {
         stepper_->accept();
         ++steps_;
+        const FilmPoint before = point_;
         point_ = pointNow(dt);
+        takeEnergy(before);
         recorder_->add(point_);
         takeFields();
         const Attitude attitude = body_->attitude(point_.motion.q);
@@ -311,10 +331,56 @@ private:
     FilmPoint pointNow(double dt) const
     {
         return {.time = stepper_->time(), .motion = stepper_->motion(), .filmForce = stepper_->filmForce(),
-                .contact = stepper_->contactForces(), .dt = dt};
+                .contact = stepper_->contactForces(), .filmEnergy = point_.filmEnergy, .gained = point_.gained, .dt = dt};
     }
 
-    void takeFields() {}
+    /// By flows through the air, by the disk's surface that rises and falls under it, by shear, friction and dampers, and by what
+    /// contact and adhesion do without storing it.
+    void takeEnergy(const FilmPoint& before)
+    {
+        const FilmEnergyState air = energy_->at(stepper_->pressure());
+        const double dt = point_.time - before.time, flows = air.input - air.dissipation;
+        point_.filmEnergy = air.stored;
+        double gained = 0.5 * dt * (filmPower_ + flows) + stepper_->surfaceWork() +
+                        point_.contact.storedEnergy - before.contact.storedEnergy;
+        const Vector3 contact = point_.contact.load(), contactBefore = before.contact.load();
+        const Vector3 shear = stepper_->shearTorques();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double way = point_.motion.q[k] - before.motion.q[k];
+            const double damping = body_->dampers()[k] * 0.5 * (before.motion.v[k] + point_.motion.v[k]);
+            gained += (0.5 * (contactBefore[k] + contact[k] + shearBefore_[k] + shear[k]) - damping) * way;
+        }
+        filmPower_ = flows;
+        shearBefore_ = shear;
+        point_.gained = before.gained + gained;
+    }
+
+    /// Maps at equal intervals, of the step that ends next.
+    void takeFields()
+    {
+        const int count = case_.run.fieldSnapshots;
+        if (count == 0 || stepper_->time() < (count > 1 ? snapshots_ * case_.run.duration / (count - 1) : 0.0)) return;
+        while (snapshots_ < count && stepper_->time() >= snapshots_ * case_.run.duration / std::max(1, count - 1)) ++snapshots_;
+        if (const RecordedFields maps = filmMaps(case_); !maps.empty()) {
+            FieldSnapshot snapshot{stepper_->time(), 0, {}};
+            const Attitude attitude = body_->attitude(stepper_->motion().q);
+            std::vector<double> gap;
+            for (int j = 0; j < maps.grid.ny(); ++j)
+                for (int i = 0; i < maps.grid.nx(); ++i) {
+                    const double x = maps.grid.centreX(i), y = maps.grid.centreY(j);
+                    gap.push_back(recess_.at(x, y) + level_->gaps.lift(attitude, x, y));
+                }
+            snapshot.values.push_back(std::move(gap));
+            snapshot.values.push_back(transfer(level_->gaps.grid, level_->gaps.pad.unpad<double>(stepper_->pressure()),
+                                               level_->film.ambient(), maps.grid));
+            recorder_->addFields(std::move(snapshot));
+        }
+        if (contact_ && !sliderContactFields(case_).empty()) {
+            FieldSnapshot snapshot{stepper_->time(), 1, {}};
+            contact_->observe(snapshot);
+            if (!snapshot.values.empty()) recorder_->addFields(std::move(snapshot));
+        }
+    }
 
     bool giveUp(const CoupledStepResult& result)
     {
@@ -363,7 +429,12 @@ private:
     std::unique_ptr<SliderContact> contact_;
     std::optional<CoupledStepper> stepper_;
     std::optional<FilmRecorder> recorder_;
+    std::optional<FilmEnergy> energy_;
     FilmPoint point_;        // the last accepted one
+    double filmPower_ = 0.0; // what flows bring the air there, in all [W]
+    Vector3 shearBefore_{};  // torques there [N m]
+    int snapshots_ = 0;      // taken
+    int sinceLimit_ = 0;     // steps since one could not have been longer
     double wanted_ = 0.0;    // length of the next step, where nothing else limits it [s]
     std::vector<double> switchTimes_;
     std::vector<std::string> warnings_;
@@ -375,7 +446,16 @@ private:
 
 } // namespace
 
-RecordedFields filmMaps(const Case&) { return {}; }
+RecordedFields filmMaps(const Case& c)
+{
+    if (c.run.fieldSnapshots == 0) return {};
+    constexpr int mostCells = 128; // along each side
+    RecordedFields maps;
+    maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),
+                           std::min(mostCells, c.film.nodes[1] - 1));
+    maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
+    return maps;
+}
 
 Summary runFilm(const Case& c, const RunCallback& callback) { return FilmRun(c, callback).run(); }
 
