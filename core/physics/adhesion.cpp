@@ -15,11 +15,13 @@ constexpr double vacuumPermittivity = 8.8541878128e-12; // eps0 [F/m], CODATA 20
 } // namespace
 
 AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
-    : acts_(adhesion.acts()), kind_(adhesion.kind), z0_(adhesion.equilibriumDistance),
-      scale_(8.0 * adhesion.surfaceEnergy / (3.0 * adhesion.equilibriumDistance)),
-      electric_(0.5 * vacuumPermittivity * adhesion.voltage * adhesion.voltage)
+    : acts_(adhesion.acts()), kind_(adhesion.kind),
+      shifted_{adhesion.equilibriumDistance, 1.0 / adhesion.equilibriumDistance,
+               kind_ == AdhesionKind::LennardJones ? 8.0 * adhesion.surfaceEnergy / (3.0 * adhesion.equilibriumDistance) : 0.0,
+               0.5 * vacuumPermittivity * adhesion.voltage * adhesion.voltage}
 {
-    assert(z0_ > 0.0 && std::isfinite(z0_) && scale_ >= 0.0 && std::isfinite(scale_) && std::isfinite(electric_));
+    assert(shifted_.z0 > 0.0 && std::isfinite(shifted_.z0) && shifted_.scale >= 0.0 && std::isfinite(shifted_.scale) &&
+           std::isfinite(shifted_.electric));
     if (kind_ == AdhesionKind::VanDerWaals) {
         const double pi = std::numbers::pi;
         assert(adhesion.hamakerA >= 0.0 && adhesion.hamakerB >= 0.0);
@@ -27,7 +29,7 @@ AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
         repulsion_ = adhesion.hamakerB / (45.0 * pi);
         // a/g^3 = b/g^9 where g^6 = b/a. Repulsion alone has no such distance either: z0 stands in.
         const bool both = attraction_ > 0.0 && repulsion_ > 0.0;
-        const double gap = both ? 0.5 * std::pow(repulsion_ / attraction_, 1.0 / 6.0) : z0_;
+        const double gap = both ? 0.5 * std::pow(repulsion_ / attraction_, 1.0 / 6.0) : shifted_.z0;
         const double g3 = gap * gap * gap, g9 = g3 * g3 * g3;
         tangentPressure_ = -attraction_ / g3 + repulsion_ / g9;
         tangentSlope_ = repulsion_ > 0.0 ? (3.0 * attraction_ / g3 - 9.0 * repulsion_ / g9) / gap : 0.0;
@@ -41,14 +43,8 @@ AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
 AdhesionLaw::Sample AdhesionLaw::sample(double gap) const
 {
     const double g = std::max(gap, 0.0);
-    const double s = z0_ / (g + z0_);
-    const double near = s / z0_; // 1/(g + z0) [1/m]
-    Sample law{-electric_ * near * near, 2.0 * electric_ * near * near * near};
-    if (kind_ == AdhesionKind::LennardJones) {
-        const double s3 = s * s * s, s9 = s3 * s3 * s3;
-        law.pressure -= scale_ * (s3 - s9);
-        law.derivative += scale_ * near * (3.0 * s3 - 9.0 * s9);
-    } else if (kind_ == AdhesionKind::VanDerWaals) {
+    Sample law = shifted_.sample(g);
+    if (kind_ == AdhesionKind::VanDerWaals) {
         if (g <= tangentGap_) {
             law.pressure += tangentPressure_ + tangentSlope_ * (g - tangentGap_);
             law.derivative += tangentSlope_;
@@ -65,12 +61,11 @@ double AdhesionLaw::energy(double gap) const
 {
     // The integral of f from g to far away.
     const double g = std::max(gap, 0.0);
-    const double s = z0_ / (g + z0_);
-    const double near = s / z0_;
-    double phi = -electric_ * near;
+    const double s = shifted_.z0 / (g + shifted_.z0);
+    double phi = -shifted_.electric * s / shifted_.z0;
     if (kind_ == AdhesionKind::LennardJones) {
         const double s2 = s * s, s8 = (s2 * s2) * (s2 * s2);
-        phi -= scale_ * z0_ * (0.5 * s2 - 0.125 * s8);
+        phi -= shifted_.scale * shifted_.z0 * (0.5 * s2 - 0.125 * s8);
     } else if (kind_ == AdhesionKind::VanDerWaals) {
         if (g <= tangentGap_) {
             const double inside = tangentGap_ - g;
@@ -98,7 +93,7 @@ double AdhesionLaw::leastEnergy() const
 double AdhesionLaw::softeningGap() const
 {
     // df/dg changes its sign once, from below zero to above, not beyond the peak of the law without voltage.
-    double lower = 0.0, upper = z0_;
+    double lower = 0.0, upper = shifted_.z0;
     if (kind_ == AdhesionKind::VanDerWaals) upper = repulsion_ > 0.0 && attraction_ > 0.0 ? 4.0 * tangentGap_ : tangentGap_;
     if (!(derivative(lower) < 0.0)) return 0.0;
     if (!(derivative(upper) > 0.0)) return upper;

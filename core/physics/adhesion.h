@@ -52,6 +52,20 @@ public:
     };
     Sample sample(double gap) const;
 
+    /// The law of gaps >= 0 but for van der Waals: with s = z0/(g + z0), -scale (s^3 - s^9) - electric (s/z0)^2.
+    struct Shifted {
+        double z0, perZ0, scale, electric; // [m], 1/z0 [1/m], [Pa], [N]
+        Sample sample(double gap) const
+        {
+            const double s = z0 / (gap + z0), s3 = s * s * s, s9 = s3 * s3 * s3;
+            const double near = s * perZ0; // 1/(g + z0) [1/m]
+            return {-electric * near * near - scale * (s3 - s9), near * (2.0 * electric * near * near + scale * (3.0 * s3 - 9.0 * s9))};
+        }
+    };
+    const Shifted& shifted() const { return shifted_; }
+    /// Whether that is all of it.
+    bool isShifted() const { return kind_ != AdhesionKind::VanDerWaals; }
+
     /// Where the attraction is largest [m]. Nearer than there the law is stable by itself, df/dg <= 0; farther away it softens.
     double peakGap() const { return peakGap_; }
     /// The largest attraction, -f(peakGap) [Pa].
@@ -63,11 +77,9 @@ private:
 
     bool acts_;
     AdhesionKind kind_;
-    double z0_;                            // [m]
-    double scale_;                         // 8 dgamma/(3 z0) [Pa]
+    Shifted shifted_;                      // scale 8 dgamma/(3 z0), electric eps0 V^2/2; scale 0 unless lennard-jones
     double attraction_ = 0.0;              // A/(6 pi) [J]
     double repulsion_ = 0.0;               // B/(45 pi) [J m^6]
-    double electric_;                      // eps0 V^2/2 [N]
     double tangentGap_ = 0.0;              // below it van der Waals goes on along its tangent [m]
     double tangentPressure_ = 0.0;         // [Pa]
     double tangentSlope_ = 0.0;            // [Pa/m]

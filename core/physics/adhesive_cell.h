@@ -16,7 +16,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "core/physics/adhesion.h"
 
@@ -41,6 +44,15 @@ public:
     double offset(double gap) const { return gap > law_.peakGap() ? law_.pressure(gap) + law_.peakAttraction() : 0.0; }
     Tangent tangent(double gap, double pressure, double offset) const;
 
+    /// Those of many cells, field by field; the stiffness in contact is infinite.
+    struct Tangents {
+        std::vector<State> state;
+        std::vector<double> gap, pressure, stiffness;
+        explicit Tangents(std::size_t cells = 0) : state(cells), gap(cells), pressure(cells), stiffness(cells) {}
+    };
+    void tangents(std::span<const double> gap, std::span<const double> pressure, std::span<const double> offset, Tangents& out) const;
+    void offsets(std::span<const double> gap, std::span<double> offset) const;
+
     /// phi(g), and for a gap that flowed into the body also the work against q [J/m^2].
     double energy(double gap) const;
     /// The gap that goes with a total pressure on the offset law [m]: zero in contact, g_peak for all pressures below.
@@ -48,7 +60,6 @@ public:
     /// The pressures that the offset law takes [Pa].
     double lowest(double offset) const { return offset - law_.peakAttraction(); }
     double highest(double offset) const { return offset + ceiling_; }
-
 
     const AdhesionLaw& law() const { return law_; }
     double compliance() const { return compliance_; }

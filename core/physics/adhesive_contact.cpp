@@ -21,6 +21,9 @@ std::string sentence(const char* format, Values... values)
     return text;
 }
 
+constexpr double nearMinimum = 0.2;   // error below which Newton's method is tried [-]
+constexpr int mostNewtonIterations = 16;
+
 /// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence coefficients.
 double reachOf(HalfSpace& space)
 {
@@ -52,10 +55,12 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
     space_.emplace(std::move(space));
     for (Solution* solution : {&now_, &kept_, &before_, &lower_})
         for (auto* field : {&solution->separation, &solution->total, &solution->displacement}) field->assign(grid.cells(), 0.0);
-    for (auto* field : {&pressure_, &gap_, &offset_, &weight_, &residual_, &change_, &direction_, &image_, &work_, &totalBefore_,
+    for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &direction_, &image_, &work_, &totalBefore_,
                         &displacementBefore_, &displacementEarlier_})
         field->assign(grid.cells(), 0.0);
-    tangent_.assign(grid.cells(), {});
+    softening_.assign(grid.cells(), 0.0);
+    tangents_ = AdhesiveCell::Tangents(grid.cells());
+    gmres_.emplace(grid.cells(), mostNewtonIterations);
 }
 
 void AdhesiveContact::reset()
@@ -63,7 +68,7 @@ void AdhesiveContact::reset()
     if (elastic_) return elastic_->reset();
     std::fill(now_.total.begin(), now_.total.end(), 0.0);
     std::fill(now_.displacement.begin(), now_.displacement.end(), 0.0);
-    now_.exists = false;
+    now_.exists = now_.adheres = false;
     now_.displaced = true;
 }
 
@@ -125,6 +130,7 @@ AdhesiveContactSummary AdhesiveContact::solveElastic(std::span<const double> sep
 // The deformation changes a gap by no more than reach max|f|, and with it a pressure by max|df/dg| times that.
 bool AdhesiveContact::solveFar(std::span<const double> separation)
 {
+    if (now_.exists && now_.adheres) return false;
     const AdhesionLaw& law = cell_.law();
     const double nearest = *std::min_element(separation.begin(), separation.end());
     if (!(nearest > law.peakGap())) return false;
@@ -139,8 +145,12 @@ bool AdhesiveContact::solveFar(std::span<const double> separation)
     now_.total.swap(image_);
     std::fill(now_.displacement.begin(), now_.displacement.end(), 0.0);
     now_.displaced = false;
-    for (std::size_t i = 0; i < separation.size(); ++i)
-        tangent_[i] = {AdhesiveCell::State::Far, separation[i], now_.total[i], 0.0};
+    for (std::size_t i = 0; i < separation.size(); ++i) {
+        tangents_.state[i] = AdhesiveCell::State::Far;
+        tangents_.gap[i] = separation[i];
+        tangents_.pressure[i] = now_.total[i];
+        tangents_.stiffness[i] = 0.0;
+    }
     return true;
 }
 
@@ -153,16 +163,23 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     }
     if (!now_.displaced) displace();
     ahead_ = 0.0;
+    bool newtons = true; // tried again a descent after one that did not help
     double movedBefore = 0.0;
     double least = infinity;
     for (;;) {
-        for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(gapAt(i));
+        setOffsets();
         summary.error = linearise();
         if (summary.error <= options_.tolerance) {
             summary.error = std::max(summary.error, imbalance());
             summary.converged = summary.error <= options_.tolerance;
         }
         if (summary.converged || spent() || !std::isfinite(summary.error)) return;
+        if (summary.error < nearMinimum && newtons) {
+            if (newtonStep(summary.error)) continue;
+            setOffsets();
+            linearise();
+            newtons = false;
+        } else newtons = true;
         const bool elsewhere = setTangents(summary.descents == 0 && before_.exists && before_.displaced);
         const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;
@@ -199,11 +216,11 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
     double work = 0.0, quadrature = 0.0; // by moving the surfaces; the change of pressure times that of separation
     double neglected = 0.0;              // of the energy of solutions far away
     for (std::size_t i = 0; i < now_.total.size(); ++i) {
-        const AdhesiveCell::Tangent& law = tangent_[i];
-        const bool touches = law.state == Contact || law.state == Flowed;
-        gap_[i] = law.gap;
-        attraction_[i] = touches ? closed : law.pressure;
-        pressure_[i] = touches ? std::max(law.pressure - closed, 0.0) : 0.0;
+        const double total = tangents_.pressure[i];
+        const bool touches = tangents_.state[i] == Contact || tangents_.state[i] == Flowed;
+        gap_[i] = tangents_.gap[i];
+        attraction_[i] = touches ? closed : total;
+        pressure_[i] = touches ? std::max(total - closed, 0.0) : 0.0;
         contact += pressure_[i];
         adhesion += attraction_[i];
         const double moved = now_.separation[i] - before.separation[i];
@@ -222,6 +239,7 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
         summary.jumped = summary.energyDrop > 0.25 * std::abs(quadrature * area) + doubt;
     }
     now_.exists = true;
+    now_.adheres = std::ranges::any_of(tangents_.state, [](AdhesiveCell::State state) { return state != Far; });
 }
 
 } // namespace touchdown

@@ -15,8 +15,12 @@
 // of the grid's own size; a step past the least energy on its way is cut to it. While the descent goes on without slowing, as
 // when a crack runs, the tangents are taken ahead of the present gaps; where that raises the energy it is taken back.
 //
-// With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when no gap is below that of the largest
-// attraction f_max and the deformation by f(s) could change no pressure by more than tolerance f_max.
+// Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself takes over
+// (adhesive_contact_newton.cpp): a step that does not halve the error, or that has no positive curvature and so leads to a saddle, is
+// taken back, and the descent goes on.
+//
+// With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when nothing adheres, no gap is below that of the
+// largest attraction f_max and the deformation by f(s) could change no pressure by more than tolerance f_max.
 #pragma once
 
 #include <functional>
@@ -25,6 +29,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numerics/gmres.h"
 #include "core/physics/adhesive_cell.h"
 #include "core/physics/elastic_contact.h"
 #include "core/physics/half_space.h"
@@ -84,6 +89,7 @@ private:
         std::vector<double> separation, total, displacement; // s [m], q [Pa], C q [m]
         double energy = 0.0;                                 // Pi [J]
         bool exists = false;
+        bool adheres = false;   // some gap is not beyond that of the largest attraction
         bool displaced = false; // whether `displacement` is that of `total`
     };
 
@@ -98,6 +104,7 @@ private:
     bool spent() const { return stopped_ || iterations_ >= options_.maximumIterations; }
     double gapAt(std::size_t i) const { return now_.separation[i] + now_.displacement[i]; }
     double presentEnergy() const;
+    void setOffsets();
     double linearise();
     double imbalance();
     bool setTangents(bool first);
@@ -106,6 +113,7 @@ private:
     void solveTangents();
     void precondition(std::span<const double> in, std::span<double> out);
     bool cutStep();
+    bool newtonStep(double error);
 
     std::optional<HalfSpace> space_;        // unless elastic_ has it
     std::optional<ElasticContact> elastic_; // without adhesion
@@ -116,9 +124,12 @@ private:
     double freeScale_;   // z0, to which changes of a gap are small or large [m]
     Solution now_, kept_, before_, lower_; // lower_: the one of least energy on the descent
     std::vector<double> pressure_, attraction_, gap_;
-    // Of the descent: the law's tangents, and the change that is made with them.
-    std::vector<AdhesiveCell::Tangent> tangent_;
-    std::vector<double> offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_, displacementBefore_, displacementEarlier_;
+    // Of the descent: the law's tangents at the present gaps s + C q, and the change that is made with them.
+    AdhesiveCell::Tangents tangents_;
+    std::vector<double> present_, offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_, displacementBefore_, displacementEarlier_;
+    // Of Newton's method on the law: of the cells that soften, df/dg, else 0 [Pa/m].
+    std::vector<double> softening_;
+    std::optional<Gmres<double>> gmres_;
     double ahead_ = 0.0; // how far ahead of the gaps, in their last changes [-]
     int iterations_ = 0;
     bool stopped_ = false; // by goOn

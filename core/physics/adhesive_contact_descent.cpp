@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/vector_clones.h"
+
 namespace touchdown {
 namespace {
 
@@ -19,6 +21,59 @@ constexpr int mostNewtonSteps = 6;    // that it takes for it
 constexpr int mostGradientSteps = 200;
 /// A cell whose stiffness times its compliance is less keeps its pressure while the others change theirs.
 constexpr double leastStiffness = 1e-3;
+
+/// Largest values over all cells, and a sum that is no number if any is.
+struct Deviation {
+    double pressure = 0.0, displacement = 0.0; // sizes [Pa], [m]
+    double ofPressure = 0.0, ofGap = 0.0;      // from the law [Pa], [m]
+    double all = 0.0;
+};
+struct Cells {
+    std::size_t count;
+    double compliance, ownStiffness; // [m/Pa], [Pa/m]
+};
+struct Present {
+    const double *gap, *total, *displacement;
+};
+struct Law {
+    const double *gap, *pressure, *stiffness;
+};
+
+/// Also sets the weights and the residuals of solveTangents().
+TOUCHDOWN_VECTOR_CLONES Deviation deviate(Cells cells, Present at, Law law, double* weight, double* residual)
+{
+    constexpr std::size_t lanes = 8;
+    double pressure[lanes] = {}, displacement[lanes] = {}, ofPressure[lanes] = {}, ofGap[lanes] = {}, all[lanes] = {};
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
+    const auto visit = [&](std::size_t i, std::size_t k) {
+        const double stiffness = law.stiffness[i], gap = law.gap[i] - at.gap[i], change = law.pressure[i] - at.total[i];
+        const bool moves = stiffness * cells.compliance > leastStiffness;
+        // In contact the stiffness is infinite: weight 1, residual -g.
+        const double soft = moves ? stiffness : 1.0;
+        const double share = 1.0 / std::sqrt(1.0 + cells.ownStiffness / soft), rest = change / soft + gap;
+        weight[i] = moves ? share : 0.0;
+        residual[i] = moves ? rest : 0.0;
+        pressure[k] = larger(std::abs(at.total[i]), pressure[k]);
+        displacement[k] = larger(std::abs(at.displacement[i]), displacement[k]);
+        ofPressure[k] = larger(std::abs(change), ofPressure[k]);
+        ofGap[k] = larger(std::abs(gap), ofGap[k]);
+        all[k] += at.gap[i] + at.total[i];
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= cells.count; i += lanes)
+#pragma GCC ivdep
+        for (std::size_t k = 0; k < lanes; ++k) visit(i + k, k);
+    for (; i < cells.count; ++i) visit(i, 0);
+    Deviation result;
+    for (std::size_t k = 0; k < lanes; ++k) {
+        result.pressure = std::max(result.pressure, pressure[k]);
+        result.displacement = std::max(result.displacement, displacement[k]);
+        result.ofPressure = std::max(result.ofPressure, ofPressure[k]);
+        result.ofGap = std::max(result.ofGap, ofGap[k]);
+        result.all += all[k];
+    }
+    return result;
+}
 
 /// Eight sums side by side: a single one would wait for itself at each number.
 double product(std::span<const double> a, std::span<const double> b)
@@ -46,47 +101,39 @@ void AdhesiveContact::countIteration()
     stopped_ = stopped_ || (options_.goOn && !options_.goOn());
 }
 
+// The law touches at the present gaps.
+void AdhesiveContact::setOffsets()
+{
+    for (std::size_t i = 0; i < present_.size(); ++i) present_[i] = gapAt(i);
+    cell_.offsets(present_, offset_);
+}
+
 // The tangents of the law that is set by the offsets, and the largest deviation from it.
 double AdhesiveContact::linearise()
 {
-    const double c = cell_.compliance();
-    double pressureScale = 0.0, gapScale = 0.0, pressureError = 0.0, gapError = 0.0;
-    double sum = 0.0; // not a number if any is
-    for (std::size_t i = 0; i < tangent_.size(); ++i) {
-        const double g = gapAt(i), q = now_.total[i];
-        const AdhesiveCell::Tangent law = cell_.tangent(g, q, offset_[i]);
-        tangent_[i] = law;
-        weight_[i] = residual_[i] = 0.0;
-        if (law.state == Contact) {
-            weight_[i] = 1.0;
-            residual_[i] = -g;
-        } else if (law.stiffness * c > leastStiffness) {
-            weight_[i] = 1.0 / std::sqrt(1.0 + space_->ownStiffness() / law.stiffness);
-            residual_[i] = (law.pressure - q) / law.stiffness + (law.gap - g);
-        }
-        pressureScale = std::max(pressureScale, std::abs(q));
-        gapScale = std::max(gapScale, std::abs(now_.displacement[i]));
-        pressureError = std::max(pressureError, std::abs(law.pressure - q));
-        gapError = std::max(gapError, std::abs(law.gap - g));
-        sum += g + q;
-    }
-    if (!std::isfinite(sum)) return sum;
-    gapScale = std::max(gapScale, c * pressureScale);
-    if (!(pressureScale > 0.0)) return std::max(pressureError, gapError) > 0.0 ? 1.0 : 0.0;
-    return std::max(pressureError / pressureScale, gapError / gapScale);
+    for (std::size_t i = 0; i < present_.size(); ++i) present_[i] = gapAt(i);
+    cell_.tangents(present_, now_.total, offset_, tangents_);
+    const Deviation deviation =
+        deviate({present_.size(), cell_.compliance(), space_->ownStiffness()}, {present_.data(), now_.total.data(), now_.displacement.data()},
+                {tangents_.gap.data(), tangents_.pressure.data(), tangents_.stiffness.data()}, weight_.data(), residual_.data());
+    if (!std::isfinite(deviation.all)) return deviation.all;
+    const double gapScale = std::max(deviation.displacement, cell_.compliance() * deviation.pressure);
+    if (!(deviation.pressure > 0.0)) return std::max(deviation.ofPressure, deviation.ofGap) > 0.0 ? 1.0 : 0.0;
+    return std::max(deviation.ofPressure / deviation.pressure, deviation.ofGap / gapScale);
 }
 
 // How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps themselves.
 double AdhesiveContact::imbalance()
 {
-    for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangent_[i].pressure - now_.total[i];
+    for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangents_.pressure[i] - now_.total[i];
     space_->displace(work_, work_);
     ++iterations_;
     double error = 0.0, scale = 0.0;
     for (std::size_t i = 0; i < work_.size(); ++i) {
         const double u = now_.displacement[i] + work_[i];
-        const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(now_.separation[i]);
-        error = std::max(error, std::abs(tangent_[i].gap - now_.separation[i] - u) - rounding);
+        const double sizes = std::abs(now_.separation[i]) + cell_.compliance() * std::abs(now_.total[i]); // that the law's gap is made of
+        const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * sizes;
+        error = std::max(error, std::abs(tangents_.gap[i] - now_.separation[i] - u) - rounding);
         scale = std::max(scale, std::abs(u));
     }
     return scale > 0.0 ? error / scale : error > 0.0 ? 1.0 : 0.0;
@@ -129,8 +176,8 @@ void AdhesiveContact::minimiseConvex(double error)
         displacementBefore_ = now_.displacement;
         bool changed = false;
         for (std::size_t i = 0; i < offset_.size(); ++i) {
-            if (weight_[i] > 0.0 || now_.total[i] == tangent_[i].pressure) continue;
-            now_.total[i] = tangent_[i].pressure;
+            if (weight_[i] > 0.0 || now_.total[i] == tangents_.pressure[i]) continue;
+            now_.total[i] = tangents_.pressure[i];
             changed = true;
         }
         if (changed) {
@@ -158,8 +205,7 @@ void AdhesiveContact::solveTangents()
         space_->displace(direction_, image_);
         countIteration();
         for (std::size_t i = 0; i < n; ++i) {
-            if (!(weight_[i] > 0.0)) image_[i] = 0.0;
-            else if (tangent_[i].state != Contact) image_[i] += direction_[i] / tangent_[i].stiffness;
+            image_[i] = weight_[i] > 0.0 ? image_[i] + direction_[i] / tangents_.stiffness[i] : 0.0;
         }
         const double curvature = product(direction_, image_);
         if (!(curvature > 0.0)) break;
@@ -176,7 +222,7 @@ void AdhesiveContact::solveTangents()
     }
     for (std::size_t i = 0; i < n; ++i)
         now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]), cell_.highest(offset_[i]))
-                                         : tangent_[i].pressure;
+                                         : tangents_.pressure[i];
 }
 
 // The stiffness of the half-space as if the grid repeated, and for the mean what a uniform pressure meets; between it weights

@@ -200,6 +200,76 @@ private slots:
         QVERIFY(back < 2.0 * there && there < 0.0);
     }
 
+    /// A surface that moves on while the pad goes up and down, three times through snapping in and pulling off: what a dynamics
+    /// program asks. A loose tolerance follows the same branches as a tight one, its force within that share of the largest attraction
+    /// over the patch.
+    void followsAMovingSurface()
+    {
+        const UniformGrid grid = square(24);
+        const Adhesion law{.kind = AdhesionKind::LennardJones};
+        AdhesiveContact tight(HalfSpace(grid, modulus), law, {.tolerance = 1e-9}), loose(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
+        const double largest = tight.law().peakAttraction() * static_cast<double>(grid.cells()) * grid.cellArea();
+        int apart = 0, adhered = 0;
+        for (int k = 0; k < 90; ++k) {
+            UniformGrid moved = grid;
+            moved.x0 -= 0.3e-6 * k; // the surface runs in +x
+            const std::vector<double> s = rough(moved, 4e-9 + 4.5e-9 * std::cos(0.21 * k));
+            const AdhesiveContactSummary a = tight.solve(s), b = loose.solve(s);
+            QVERIFY(a.converged && b.converged);
+            QVERIFY2(std::abs(force(a) - force(b)) < 1e-4 * largest, qPrintable(QString("step %1").arg(k)));
+            const Balance found = balance(loose, s);
+            QVERIFY(found.signs && found.adhesive);
+            QVERIFY(b.iterations == 0 || found.gap < 1e-4);
+            (a.contactForce > 0.0 ? adhered : apart) += 1;
+        }
+        QVERIFY(apart > 10 && adhered > 10);
+    }
+    /// What adheres stays although its undeformed surfaces are so far apart that nothing would have come together there.
+    void adheresWhereTheUndeformedSurfacesAreFar()
+    {
+        const UniformGrid grid = square(24);
+        const Adhesion law{.kind = AdhesionKind::LennardJones};
+        AdhesiveContact pressed(HalfSpace(grid, modulus), law, {.tolerance = 1e-4}), above(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
+        pressed.solve(rough(grid, 0.0));
+        const AdhesiveContactSummary held = pressed.solve(rough(grid, 3e-9));
+        const AdhesiveContactSummary far = above.solve(rough(grid, 3e-9));
+        QCOMPARE(far.iterations, 0);
+        QVERIFY(force(held) < 10.0 * force(far) && force(far) < 0.0);
+    }
+    /// Many cells at once have the tangents of each alone.
+    void tangentsOfManyCells_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<double>("voltage");
+        QTest::newRow("Lennard-Jones") << static_cast<int>(AdhesionKind::LennardJones) << 0.0;
+        QTest::newRow("Lennard-Jones under a voltage") << static_cast<int>(AdhesionKind::LennardJones) << 2.0;
+        QTest::newRow("van der Waals") << static_cast<int>(AdhesionKind::VanDerWaals) << 0.0;
+        QTest::newRow("voltage alone") << static_cast<int>(AdhesionKind::None) << 2.0;
+    }
+    void tangentsOfManyCells()
+    {
+        QFETCH(int, kind);
+        QFETCH(double, voltage);
+        const AdhesionLaw law({.kind = static_cast<AdhesionKind>(kind), .voltage = voltage});
+        const AdhesiveCell cell(law, 3e-18, 2e9);
+        std::vector<double> gap, pressure, offset(203);
+        for (int k = 0; k < 203; ++k) {
+            gap.push_back(-0.2e-9 + 0.01e-9 * k);
+            pressure.push_back(3e8 * std::sin(1.3 * k) + (k % 50 == 0 ? 3e9 : 0.0));
+        }
+        cell.offsets(gap, offset);
+        AdhesiveCell::Tangents many(gap.size());
+        cell.tangents(gap, pressure, offset, many);
+        for (std::size_t i = 0; i < gap.size(); ++i) {
+            const AdhesiveCell::Tangent one = cell.tangent(gap[i], pressure[i], offset[i]);
+            QVERIFY(std::abs(offset[i] - cell.offset(gap[i])) <= 1e-12 * law.peakAttraction());
+            QCOMPARE(many.state[i], one.state);
+            QVERIFY(std::abs(many.gap[i] - one.gap) <= 1e-7 * std::max(law.peakGap(), std::abs(one.gap)));
+            QVERIFY(std::abs(many.pressure[i] - one.pressure) <= 1e-6 * (law.peakAttraction() + std::abs(one.pressure)));
+            if (one.state == AdhesiveCell::State::Contact) QVERIFY(!std::isfinite(many.stiffness[i]));
+        }
+    }
+
     void refused()
     {
         const UniformGrid grid = square(16);
