@@ -25,6 +25,39 @@ TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<cons
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
+/// Of cells as in setHistory.
+TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, double last, double before, const double* volume, const double* content1,
+                                          const double* content2, double* history)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double stored = last * content1[k] - before * content2[k];
+        history[k] = volume[k] > 0.0 ? stored : 0.0;
+    }
+}
+
+/// Of cells as in guess.
+TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, double byLast, double byBefore, const double* last, const double* before,
+                                         const double* beforeThat, double* p)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double p1 = last[k], p2 = before[k], p3 = beforeThat[k];
+        const double guess = p1 + byLast * (p1 - p2) - byBefore * (p2 - p3), least = 0.5 * p1, most = 2.0 * p1;
+        const double raised = guess < least ? least : guess;
+        p[k] = raised > most ? most : raised;
+    }
+}
+
+TOUCHDOWN_VECTOR_CLONES void setContents(std::size_t count, const double* volume, const double* p, double* pressure, double* content)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        pressure[k] = p[k];
+        content[k] = volume[k] * p[k];
+    }
+}
+
 /// out -= part v
 TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v, std::vector<double>& out)
 {
@@ -73,10 +106,7 @@ void FilmStepper::remember()
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     Past& last = past_[0];
     last.dt = dt_;
-    for (std::size_t at = 0; at < p_.size(); ++at) {
-        last.pressure[at] = p_[at];
-        last.content[at] = film_.volumes()[at] * p_[at];
-    }
+    setContents(p_.size(), film_.volumes().data(), p_.data(), last.pressure.data(), last.content.data());
     converged_ = false;
 }
 
@@ -87,8 +117,7 @@ void FilmStepper::setHistory(double dt)
     perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
     const double last = (1.0 + r) / dt, before = r * r / (1.0 + r) / dt;
     // A cell that has closed has pressed its air out; what was left is lost.
-    for (std::size_t at = 0; at < history_.size(); ++at)
-        history_[at] = film_.volumes()[at] > 0.0 ? last * past_[0].content[at] - before * past_[1].content[at] : 0.0;
+    setHistories(history_.size(), last, before, film_.volumes().data(), past_[0].content.data(), past_[1].content.data(), history_.data());
     film_.setStorage(perTime_, history_);
 }
 
@@ -100,10 +129,7 @@ void FilmStepper::guess(double dt)
     const double bend = h1 > 0.0 && h2 > 0.0 ? dt * (dt + h1) / (h1 + h2) : 0.0;
     extrapolated_ = bend > 0.0;
     const double byLast = bend > 0.0 ? slope + bend / h1 : slope, byBefore = bend > 0.0 ? bend / h2 : 0.0;
-    for (std::size_t at = 0; at < p_.size(); ++at) {
-        const double p1 = past_[0].pressure[at], p2 = past_[1].pressure[at], p3 = past_[2].pressure[at];
-        p_[at] = std::clamp(p1 + byLast * (p1 - p2) - byBefore * (p2 - p3), 0.5 * p1, 2.0 * p1);
-    }
+    extrapolate(p_.size(), byLast, byBefore, past_[0].pressure.data(), past_[1].pressure.data(), past_[2].pressure.data(), p_.data());
 }
 
 double FilmStepper::size(std::span<const double> change) const

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
-/// Takes the limited corrections off the flows of a row of faces.
+/// The flows of a row of faces less the limited corrections.
 template <bool derived>
 TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double>& slope, std::vector<double>& flow,
                                       std::size_t first, std::size_t count, std::size_t step)
 {
-    const double *after = slope.data() + first, *before = after - step;
+    const double *after = slope.data() + first, *before = after - step, *in = faces.flow.data() + first;
     const double *below = faces.below.data() + first, *above = faces.above.data() + first;
     const double* inflow = faces.inflow.data() + first;
     double *out = flow.data() + first, *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
@@ -26,7 +26,7 @@ TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double
         const double full = before[k] * below[k] + after[k] * above[k];
         const double inverse = 1.0 / std::sqrt(inflow[k] * inflow[k] + full * full + tinySquare);
         const double part = inflow[k] * inverse, rest = full * inverse;
-        out[k] -= full * part;
+        out[k] = in[k] - full * part;
         if constexpr (derived) {
             share[k] = part * part * part;
             inflowShare[k] = rest * rest * rest;
@@ -40,6 +40,14 @@ TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t coun
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
+}
+
+/// What a row of cells stores.
+TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p, const double* history,
+                                       double* stored)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
 }
 
 /// Change of the gap along each path of a row against the gap; lift falls by slope times length.
@@ -89,6 +97,10 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     flows_.resize(pad.size());
+    noStorage_.assign(pad.stride(), 0.0);
+    for (int j = 0; j <= pad.ny; ++j)
+        steppedRows_.push_back(static_cast<std::size_t>(
+            std::lower_bound(gaps_.steppedCells.begin(), gaps_.steppedCells.end(), pad.at(-PaddedGrid::rings, j)) - gaps_.steppedCells.begin()));
     for (std::size_t axis = 0; axis < 2; ++axis) {
         cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
         const FilmGaps::Faces& faces = gaps_.faces[axis];
@@ -233,40 +245,52 @@ double GasFilm::meanGap(int i, int j) const
 }
 
 template <bool derived>
-void GasFilm::completeFlows(FaceFlows<double>& flows)
+void GasFilm::completeFlows(std::size_t axis, int j)
 {
     const PaddedGrid& pad = gaps_.pad;
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        for (int j = 0; j < pad.ny + (axis == 1); ++j)
-            limitRow<derived>(faces_[axis], flows.slope[axis], flows.flow[axis], pad.at(0, j),
-                     static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)));
+    const std::size_t first = pad.at(0, j), count = static_cast<std::size_t>(pad.nx + (axis == 0));
+    if (complete())
+        limitRow<derived>(faces_[axis], flows_.slope[axis], flows_.flow[axis], first, count, pad.step(static_cast<int>(axis)));
+    else
+        std::copy_n(&faces_[axis].flow[first], count, &flows_.flow[axis][first]);
 }
 
+/// After the flows, row by row, each part where what it needs is still at hand.
 template <typename Number>
 void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {
+    constexpr bool derived = !std::is_same_v<Number, double>;
     setFaceFlows<Number>(p);
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        std::copy(faces_[axis].flow.begin(), faces_[axis].flow.end(), flows_.flow[axis].begin());
-    setStored(p, storagePerTime_, flows_);
-    for (std::size_t at = 0; at < flows_.stored.size(); ++at) flows_.stored[at] -= history_[at];
-    if (complete()) {
-        setSlopes(flows_);
-        completeFlows<!std::is_same_v<Number, double>>(flows_);
-        if constexpr (!std::is_same_v<Number, double>)
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                FilmFaces& f = faces_[axis];
-                const std::vector<double>& slope = flows_.slope[axis];
-                const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-                for (std::size_t at = step; at < slope.size(); ++at) {
-                    const double byMean =
-                        0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
-                    f.ownLower[at] = -byMean - f.inflowShare[at] * f.inflowByLower[at];
-                    f.ownUpper[at] = -byMean - f.inflowShare[at] * f.inflowByUpper[at];
-                }
-            }
+    const PaddedGrid& pad = gaps_.pad;
+    const std::size_t nx = static_cast<std::size_t>(pad.nx);
+    flows_.stored.resize(storagePerTime_ != 0.0 ? p.size() : 0);
+    for (int j = 0; j <= pad.ny; ++j) {
+        const std::size_t first = pad.at(0, j);
+        if (j < pad.ny) {
+            if (storagePerTime_ != 0.0)
+                setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], &flows_.stored[first]);
+            const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
+            if (complete())
+                setSlopes(j, flowX, flowY, flowY + pad.stride(), storedRow(flows_, j), &flows_.slope[0][first], &flows_.slope[1][first]);
+            completeFlows<derived>(0, j);
+        }
+        completeFlows<derived>(1, j);
+        if (j > 0) {
+            const double* flowY = &flows_.flow[1][first];
+            divergence<double>(j - 1, &flows_.flow[0][first - pad.stride()], flowY - pad.stride(), flowY, storedRow(flows_, j - 1), out);
+        }
     }
-    divergence<double>(flows_, out);
+    if (!derived || !complete()) return;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        FilmFaces& f = faces_[axis];
+        const std::vector<double>& slope = flows_.slope[axis];
+        const std::size_t step = pad.step(static_cast<int>(axis));
+        for (std::size_t at = step; at < slope.size(); ++at) {
+            const double byMean = 0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
+            f.ownLower[at] = -byMean - f.inflowShare[at] * f.inflowByLower[at];
+            f.ownUpper[at] = -byMean - f.inflowShare[at] * f.inflowByUpper[at];
+        }
+    }
 }
 
 void GasFilm::residual(std::span<const double> p, std::span<double> out) { evaluate<double>(p, out); }

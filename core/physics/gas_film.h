@@ -71,6 +71,7 @@ struct FaceFlows {
     {
         for (auto* pair : {&flow, &slope})
             for (auto& field : *pair) field.assign(size, T{});
+        stored.reserve(size);
     }
 };
 
@@ -227,20 +228,24 @@ private:
     void addCutCorrections(std::size_t axis, std::size_t k, std::span<const double> p,
                            const std::vector<PathFlow<ByAttitude>>& cutFlows, std::vector<double>& out) const;
     void setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime, std::vector<double>& out) const;
-    /// perTime V v.
+    /// What a row of cells stores; zeros where flows have none.
+    const double* storedRow(const FaceFlows<double>& flows, int j) const
+    {
+        return flows.stored.empty() ? noStorage_.data() : &flows.stored[gaps_.pad.at(0, j)];
+    }
+    /// Slopes of the flow along each axis in a row of cells: what leaves the one way came the other, or out of what was stored.
     template <typename T>
-    void setStored(std::span<const T> v, T perTime, FaceFlows<T>& flows) const;
-    /// Slopes of the flow along each axis in each cell: what leaves the one way came the other, or out of what was stored.
-    template <typename T>
-    void setSlopes(FaceFlows<T>& flows) const;
-    /// Takes the limited corrections off the flows; their derivatives are kept for the linear maps below.
+    void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX, T* slopeY) const;
+    void setSlopes(FaceFlows<double>& flows) const;
+    /// Takes the limited corrections off the flows through a row of faces across an axis; their derivatives are kept for the
+    /// linear maps below.
     template <bool derived>
-    void completeFlows(FaceFlows<double>& flows);
+    void completeFlows(std::size_t axis, int j);
     /// The same for small changes.
+    void completeChanges(FaceFlows<double>& flows) const;
     template <typename T>
-    void completeChanges(FaceFlows<T>& flows) const;
-    template <typename T>
-    void divergence(const FaceFlows<T>& flows, std::span<T> out) const;
+    void divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, std::span<T> out) const;
+    void divergence(const FaceFlows<double>& flows, std::span<double> out) const;
     void clearRings(std::span<double> field) const;
     bool complete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
 
@@ -256,6 +261,8 @@ private:
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
+    std::vector<double> noStorage_;         // of a row
+    std::vector<std::size_t> steppedRows_;  // the first stepped cell of each row, and the end
     std::vector<double> centreX_; // of the cells' columns [m]
     std::vector<CutCell> cutCells_;
     CutPieces cutPieces_;

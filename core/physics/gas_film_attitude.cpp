@@ -98,7 +98,7 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
             }
         }
         out[k].assign(p.size(), 0.0);
-        divergence<double>(flows, out[k]);
+        divergence(flows, out[k]);
     }
 }
 
@@ -128,7 +128,7 @@ void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::
             completeChanges(flows);
         }
         out[k].assign(p.size(), 0.0);
-        divergence<double>(flows, out[k]);
+        divergence(flows, out[k]);
     }
 }
 
