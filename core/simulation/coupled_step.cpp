@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace touchdown {
@@ -15,6 +16,18 @@ constexpr double slopeError = 0.02;         // of the stiffness of film and cont
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
+
+/// Adds the time until its end to a sum.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+    Stopwatch(const Stopwatch&) = delete;
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point begin_;
+};
 
 /// In lengths of the slider, so that an elimination weighs like with like.
 Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, double width)
@@ -48,6 +61,7 @@ CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderCont
 
 void CoupledStepper::setSurface(double time)
 {
+    const Stopwatch watch(cost_.diskSeconds);
     const bool rough = disk_ && !disk_->flat();
     if (rough) {
         if (!(surfaceTime_ == time) || deformed_) disk_->at(time, surface_);
@@ -61,13 +75,16 @@ void CoupledStepper::setSurface(double time)
 
 void CoupledStepper::askContact(const Attitude& attitude, double time)
 {
+    const Stopwatch watch(cost_.contactSeconds);
     inReach_ = contact_ && !contact_->outOfReach(attitude);
+    if (contact_) ++(inReach_ ? cost_.contactSolves : cost_.contactSkipped);
     if (inReach_) contactForces_ = contact_->at(attitude, time);
     else contactForces_ = {};
 }
 
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
 {
+    const Stopwatch watch(cost_.forceSeconds);
     const std::array<double, 3> load = film_.load(p);
     shear_ = film_.shear(p);
     return {load[0], load[1] - body_.shearArm() * shear_[0], load[2] - body_.shearArm() * shear_[1]};
@@ -111,6 +128,7 @@ void CoupledStepper::restartAcceleration()
 /// Of the film at the pressure of the last step, which the film's linearisation is near to.
 void CoupledStepper::setColumns(CoupledStepResult& result)
 {
+    const Stopwatch watch(cost_.responseSeconds);
     const std::span<const double> p = stepper_.pressure();
     film_.attitudeColumns(p, columns_);
     // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
@@ -180,6 +198,15 @@ void CoupledStepper::follow(const Vector3& change)
         for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= filmSlopes_[k][m] * change[m];
 }
 
+FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
+{
+    const Stopwatch watch(cost_.filmSeconds);
+    const FilmStepResult film = stepper_.step(dt, attitude);
+    ++cost_.filmSolves;
+    cost_.linearisations += film.linearisations;
+    return film;
+}
+
 CoupledStepResult CoupledStepper::step(double dt)
 {
     CoupledStepResult result;
@@ -201,7 +228,7 @@ CoupledStepResult CoupledStepper::step(double dt)
         askContact(attitude, time);
         if (!contactForces_.problem.empty()) return fail(CoupledFailure::Contact);
         setSurface(time);
-        const FilmStepResult film = stepper_.step(dt, attitude);
+        const FilmStepResult film = stepFilm(dt, attitude);
         result.filmIterations += film.iterations;
         result.linearisations += film.linearisations;
         result.solves += film.solves;

@@ -48,6 +48,15 @@ struct CoupledStepResult {
     bool converged() const { return failure == CoupledFailure::None; }
 };
 
+/// What the tried steps have taken so far.
+struct CoupledCost {
+    double filmSeconds = 0.0, responseSeconds = 0.0, forceSeconds = 0.0, contactSeconds = 0.0, diskSeconds = 0.0; // wall clock [s]
+    long long filmSolves = 0;      // attitudes at which the film was solved
+    long long linearisations = 0;  // of the film
+    long long contactSolves = 0;   // attitudes at which the contact was asked,
+    long long contactSkipped = 0;  // and those at which nothing was in reach
+};
+
 /// Film, body, contact and disk must last; contact and disk may be null. Allocates at construction alone.
 class CoupledStepper {
 public:
@@ -75,6 +84,7 @@ public:
     double surfaceWork() const { return surfaceWork_; }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
+    const CoupledCost& cost() const { return cost_; }
 
 private:
     struct PastForce {
@@ -89,6 +99,7 @@ private:
     void setColumns(CoupledStepResult& result);
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
+    FilmStepResult stepFilm(double dt, const Attitude& attitude);
     void follow(const Vector3& change);
     void setVelocity(double dt);
     void setTimeError(double dt, CoupledStepResult& result);

@@ -127,8 +127,13 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
     *out++ = kinetic;
     *out++ = suspension;
     *out++ = film;
-    *out++ = kinetic + suspension + film + stored;
-    *out++ = linear(from.gained, to.gained);
+    const double energy = kinetic + suspension + film + stored, gained = linear(from.gained, to.gained);
+    *out++ = energy;
+    *out++ = gained;
+    if (samples_ == 1) firstEnergy_ = leastEnergy_ = mostEnergy_ = energy;
+    leastEnergy_ = std::min(leastEnergy_, energy);
+    mostEnergy_ = std::max(mostEnergy_, energy);
+    mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - gained));
     *out++ = to.dt;
     if (touches(case_)) {
         *out++ = ofContact(&SliderContactForces::contact);
@@ -170,6 +175,12 @@ void FilmRecorder::flush()
     for (std::vector<double>& column : batch_.columns) column.clear();
     lastUpdate_ = wallClock();
     secondsOutside_ += lastUpdate_ - begin;
+}
+
+double FilmRecorder::energyImbalance() const
+{
+    const double range = mostEnergy_ - leastEnergy_;
+    return range > 0.0 ? mostMissing_ / range : 0.0;
 }
 
 void FilmRecorder::finish(Summary& summary) const

@@ -45,6 +45,8 @@ public:
     bool stopped() const { return stopped_; }
     double secondsOutside() const { return secondsOutside_; }
 
+    /// The largest difference so far between the change of the energy and what was gained, against the energy's range [-].
+    double energyImbalance() const;
     /// Sets final values, tail, peaks, events.
     void finish(Summary& summary) const;
 
@@ -61,6 +63,7 @@ private:
     double headRecess_ = 0.0;
     FilmPoint last_;
     long long samples_ = 0;
+    double firstEnergy_ = 0.0, leastEnergy_ = 0.0, mostEnergy_ = 0.0, mostMissing_ = 0.0; // [J]
     std::vector<double> values_;
     SampleBatch batch_;
     std::vector<RunEvent> events_, newEvents_;

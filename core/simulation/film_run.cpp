@@ -78,12 +78,31 @@ public:
         summary.warnings = warnings_;
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
+        if (stepper_) addCost(summary);
         summary.wallSeconds = wallClock() - begin;
         summary.solverSeconds = summary.wallSeconds - (recorder_ ? recorder_->secondsOutside() : 0.0);
         return summary;
     }
 
 private:
+    void addCost(Summary& summary) const
+    {
+        const CoupledCost& cost = stepper_->cost();
+        const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
+            summary.figures.push_back({{name, unit, unit, longName}, value});
+        };
+        add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
+        add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
+        add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
+        add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
+        add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
+        add("film_solves", "1", "Attitudes at which the film was solved", static_cast<double>(cost.filmSolves));
+        add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
+        add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
+        add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
+        add("energy_balance", "1", "Energy that the books miss, against its largest change", recorder_->energyImbalance());
+    }
+
     /// Static state, initial state, film. False when the run ends here.
     bool prepare()
     {
