@@ -14,7 +14,7 @@ constexpr double nearAmbient = 1e3;  // likewise, of air [Pa]
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::RunMaps", text); }
 
-bool isAir(const Quantity& quantity) { return quantity.name == "pressure"; }
+bool isAir(const Quantity& quantity) { return quantity.name == "air_pressure"; }
 
 MapKind kindOf(const Quantity& quantity, bool film)
 {

@@ -26,7 +26,7 @@ bool sameRectangle(const CellGrid& grid, const SliderCase& slider)
 /// What one looks for: the pressure of the air, or of the contact where there is no air.
 QString firstWanted(const std::vector<RecordedFields>& sets)
 {
-    for (const char* name : {"pressure", "contact_pressure"})
+    for (const char* name : {"air_pressure", "contact_pressure"})
         for (const RecordedFields& set : sets)
             for (const Quantity& quantity : set.quantities)
                 if (quantity.name == name) return QString::fromStdString(quantity.longName);

@@ -55,7 +55,8 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
-    const bool maps = !recordedFields(c).empty();
+    // The patches of a film's contact take longer to find than a key press may.
+    const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool disk = findField("disk.surface.kind")->used(c);
     const bool side = c.model == ModelKind::Film;
     tabs_->setTabVisible(static_cast<int>(Page::Side), side);

@@ -262,7 +262,7 @@ std::unique_ptr<RunRecord> filmRun()
     const Case c = sampleFilmCase();
     const double L = c.slider.length, W = c.slider.width;
     const std::vector<RecordedFields> sets{
-        {"fields", {{0.0, 0.5 * L, L}, {0.0, W}}, {{"gap", "m", "nm", "Gap"}, {"pressure", "Pa", "kPa", "Air pressure, absolute"}}},
+        {"fields", {{0.0, 0.5 * L, L}, {0.0, W}}, {{"gap", "m", "nm", "Gap"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}}},
         {"contact_fields",
          {{0.8e-3, 0.81e-3, 0.82e-3, 0.83e-3}, {0.3e-3, 0.31e-3}},
          {{"gap", "m", "nm", "Gap of the contact"}, {"contact_pressure", "Pa", "MPa", "Contact pressure"}}}};
