@@ -26,10 +26,13 @@ struct ForceLanes {
     Lanes<Number> a, b, byEnd, byFlow, R, weighted; // A, B: integral of the pressure, by p2 and by F
 
     ForceLanes(double* first, std::size_t rows)
-        : a(first, rows), b(first + a.parts * rows, rows), byEnd(first + 2 * a.parts * rows, rows),
-          byFlow(first + 3 * a.parts * rows, rows), R(first + 4 * a.parts * rows, rows), weighted(first + 5 * a.parts * rows, rows)
-    {
-    }
+        : a(first, rows),
+          b(first + a.parts * rows, rows),
+          byEnd(first + 2 * a.parts * rows, rows),
+          byFlow(first + 3 * a.parts * rows, rows),
+          R(first + 4 * a.parts * rows, rows),
+          weighted(first + 5 * a.parts * rows, rows)
+    {}
 };
 
 /// The same piece of many rows.
@@ -39,10 +42,11 @@ struct PieceLanes {
 };
 
 template <bool layers, typename Number>
-TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const PieceLanes piece, double* open, std::size_t rows,
-                                       double viscosity)
+TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const PieceLanes piece, double* open,
+                                       std::size_t rows, double viscosity)
 {
-    const double *gap = piece.gap, *G = piece.mobility, *byProduct = piece.byProduct, *byGap = piece.byGap, *mean = piece.mean;
+    const double *gap = piece.gap, *G = piece.mobility, *byProduct = piece.byProduct, *byGap = piece.byGap,
+                 *mean = piece.mean;
     const double *x = piece.x, *y = piece.y, *extent = piece.extent, *speed = piece.speed;
     const double length = piece.length, halfWidth = piece.halfWidth;
 #pragma GCC ivdep
@@ -77,7 +81,8 @@ struct RowLanes {
 /// In place of the sums: the excess in `byEnd`, the drag in `R`, with their derivatives at constant end pressures; and in the first
 /// parts of `a` and `b`, the excess's derivatives by the pressures upstream and downstream.
 template <bool layers, typename Number>
-TOUCHDOWN_VECTOR_CLONES void finish(const ForceLanes<Number> path, const RowLanes row, const double* open, std::size_t rows)
+TOUCHDOWN_VECTOR_CLONES void finish(const ForceLanes<Number> path, const RowLanes row, const double* open,
+                                    std::size_t rows)
 {
     const double *before = row.before, *beyond = row.beyond, *upstream = row.upstream, *downstream = row.downstream;
     const double *width = row.width, *direction = row.direction;
@@ -126,15 +131,21 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
         std::fill_n(path.a.part[0], rows, 1.0);
         for (std::size_t n = group.depth; n-- > 0;) {
             const std::size_t in = n * rows, from = group.piece + in;
-            const PieceLanes piece{&work.gap_[in], &work.mobility_[in], &work.mobilityBy_[in], &work.byGap_[in], work.mean_.data(),
-                                   &x_[from], &y_[from], &extent_[from], &speed_[group.row], gaps_->length, 0.5 * gaps_->width};
-            if (layers) addPieces<true, Sum>(path, piece, work.open_.data(), rows, viscosity);
-            else addPieces<false, Sum>(path, piece, work.open_.data(), rows, viscosity);
+            const PieceLanes piece{&work.gap_[in],   &work.mobility_[in], &work.mobilityBy_[in],
+                                   &work.byGap_[in], work.mean_.data(),   &x_[from],
+                                   &y_[from],        &extent_[from],      &speed_[group.row],
+                                   gaps_->length,    0.5 * gaps_->width};
+            if (layers)
+                addPieces<true, Sum>(path, piece, work.open_.data(), rows, viscosity);
+            else
+                addPieces<false, Sum>(path, piece, work.open_.data(), rows, viscosity);
         }
-        const RowLanes row{work.before_.data(), work.beyond_.data(), &upstream_[group.row], &downstream_[group.row],
-                           &width_[group.row], &direction_[group.row]};
-        if (layers) finish<true, Sum>(path, row, work.open_.data(), rows);
-        else finish<false, Sum>(path, row, work.open_.data(), rows);
+        const RowLanes row{work.before_.data(),     work.beyond_.data(), &upstream_[group.row],
+                           &downstream_[group.row], &width_[group.row],  &direction_[group.row]};
+        if (layers)
+            finish<true, Sum>(path, row, work.open_.data(), rows);
+        else
+            finish<false, Sum>(path, row, work.open_.data(), rows);
         for (std::size_t k = 0; k < rows; ++k) {
             CutForces<Number>& force = out[face_[group.row + k]];
             const Sum excess = path.byEnd.get(k), drag = path.R.get(k);
@@ -159,9 +170,9 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
     }
 }
 
-template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
-                               std::vector<CutForces<double>>&) const;
-template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
-                               std::vector<CutForces<Dual<5>>>&) const;
+template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>,
+                               const FlowTable&, double, Work&, std::vector<CutForces<double>>&) const;
+template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>,
+                               const FlowTable&, double, Work&, std::vector<CutForces<Dual<5>>>&) const;
 
 } // namespace touchdown

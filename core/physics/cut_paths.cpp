@@ -32,8 +32,9 @@ struct PieceLanes {
 };
 
 /// Gaps, and their products with the mean pressure; any number where they are closed.
-TOUCHDOWN_VECTOR_CLONES void setGaps(const Attitude& attitude, std::size_t rows, const double* lift, const double* recess,
-                                     const double* x, const double* y, const double* mean, double* gap, double* product)
+TOUCHDOWN_VECTOR_CLONES void setGaps(const Attitude& attitude, std::size_t rows, const double* lift,
+                                     const double* recess, const double* x, const double* y, const double* mean,
+                                     double* gap, double* product)
 {
     const double pitch = attitude.pitch, roll = attitude.roll;
 #pragma GCC ivdep
@@ -153,8 +154,8 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
     }
 }
 
-void CutPaths::setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
-                             const FlowTable& table, Work& work) const
+void CutPaths::setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude,
+                             std::span<const double> surface, const FlowTable& table, Work& work) const
 {
     const std::vector<CutPlace>& cut = gaps_->faces[axis_].cut;
     const std::size_t step = gaps_->pad.step(static_cast<int>(axis_)), rows = group.rows;
@@ -167,15 +168,15 @@ void CutPaths::setMobilities(const Group& group, std::span<const double> p, cons
     }
     for (std::size_t n = 0; n < group.depth; ++n) {
         const std::size_t in = n * rows, from = group.piece + in;
-        setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(), &work.gap_[in],
-                &work.product_[in]);
+        setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(),
+                &work.gap_[in], &work.product_[in]);
     }
     table.at({work.product_.data(), rows * group.depth}, work.gap_, work.mobility_, work.mobilityBy_);
 }
 
 template <typename Number>
-void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface, const FlowTable& table,
-                     double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const
+void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
+                     const FlowTable& table, double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const
 {
     constexpr std::size_t parts = Lanes<Number>::parts;
     out.assign(gaps_->faces[axis_].cut.size(), {});
@@ -212,11 +213,11 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
     }
 }
 
-template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
-                              std::vector<PathFlow<double>>&) const;
-template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
-                              std::vector<PathFlow<Dual<1>>>&) const;
-template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&, double, Work&,
-                              std::vector<PathFlow<Dual<3>>>&) const;
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
+                              double, Work&, std::vector<PathFlow<double>>&) const;
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
+                              double, Work&, std::vector<PathFlow<Dual<1>>>&) const;
+template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
+                              double, Work&, std::vector<PathFlow<Dual<3>>>&) const;
 
 } // namespace touchdown

@@ -35,8 +35,8 @@ public:
     /// FilmGaps: as numbers, with the derivative by the mean pressure along the path (Dual<1>), or with those by height, pitch and
     /// roll (Dual<3>).
     template <typename Number>
-    void flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface, const FlowTable& table,
-               double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const;
+    void flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
+               const FlowTable& table, double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const;
 
     /// Forces at each cut face in the same way: as numbers, or with derivatives by the pressure below, above, and by height, pitch
     /// and roll (Dual<5>). Without layers, the excess is zero.
@@ -51,8 +51,8 @@ private:
     };
 
     /// Of the pieces of a group, with derivatives by the product of pressure and gap; of its rows, the mean pressures.
-    void setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
-                       const FlowTable& table, Work& work) const;
+    void setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude,
+                       std::span<const double> surface, const FlowTable& table, Work& work) const;
 
     const FilmGaps* gaps_ = nullptr;
     std::size_t axis_ = 0;

@@ -26,8 +26,8 @@ TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<cons
 }
 
 /// Of cells as in setHistory.
-TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, double last, double before, const double* volume, const double* content1,
-                                          const double* content2, double* history)
+TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, double last, double before, const double* volume,
+                                          const double* content1, const double* content2, double* history)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -37,8 +37,8 @@ TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, double last, double
 }
 
 /// Of cells as in guess.
-TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, double byLast, double byBefore, const double* last, const double* before,
-                                         const double* beforeThat, double* p)
+TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, double byLast, double byBefore, const double* last,
+                                         const double* before, const double* beforeThat, double* p)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -49,7 +49,8 @@ TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, double byLast, doubl
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES void setContents(std::size_t count, const double* volume, const double* p, double* pressure, double* content)
+TOUCHDOWN_VECTOR_CLONES void setContents(std::size_t count, const double* volume, const double* p, double* pressure,
+                                         double* content)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -117,7 +118,8 @@ void FilmStepper::setHistory(double dt)
     perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
     const double last = (1.0 + r) / dt, before = r * r / (1.0 + r) / dt;
     // A cell that has closed has pressed its air out; what was left is lost.
-    setHistories(history_.size(), last, before, film_.volumes().data(), past_[0].content.data(), past_[1].content.data(), history_.data());
+    setHistories(history_.size(), last, before, film_.volumes().data(), past_[0].content.data(),
+                 past_[1].content.data(), history_.data());
     film_.setStorage(perTime_, history_);
 }
 
@@ -129,7 +131,8 @@ void FilmStepper::guess(double dt)
     const double bend = h1 > 0.0 && h2 > 0.0 ? dt * (dt + h1) / (h1 + h2) : 0.0;
     extrapolated_ = bend > 0.0;
     const double byLast = bend > 0.0 ? slope + bend / h1 : slope, byBefore = bend > 0.0 ? bend / h2 : 0.0;
-    extrapolate(p_.size(), byLast, byBefore, past_[0].pressure.data(), past_[1].pressure.data(), past_[2].pressure.data(), p_.data());
+    extrapolate(p_.size(), byLast, byBefore, past_[0].pressure.data(), past_[1].pressure.data(),
+                past_[2].pressure.data(), p_.data());
 }
 
 double FilmStepper::size(std::span<const double> change) const

@@ -43,8 +43,8 @@ TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t coun
 }
 
 /// What a row of cells stores.
-TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p, const double* history,
-                                       double* stored)
+TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
+                                       const double* history, double* stored)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
@@ -100,7 +100,8 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     noStorage_.assign(pad.stride(), 0.0);
     for (int j = 0; j <= pad.ny; ++j)
         steppedRows_.push_back(static_cast<std::size_t>(
-            std::lower_bound(gaps_.steppedCells.begin(), gaps_.steppedCells.end(), pad.at(-PaddedGrid::rings, j)) - gaps_.steppedCells.begin()));
+            std::lower_bound(gaps_.steppedCells.begin(), gaps_.steppedCells.end(), pad.at(-PaddedGrid::rings, j)) -
+            gaps_.steppedCells.begin()));
     for (std::size_t axis = 0; axis < 2; ++axis) {
         cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
         const FilmGaps::Faces& faces = gaps_.faces[axis];
@@ -115,7 +116,8 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const std::size_t mostCut = std::max(gaps_.faces[0].cut.size(), gaps_.faces[1].cut.size());
     cutFlows_.resize(mostCut);
     cutFlowsByPressure_.resize(mostCut);
-    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_, &rowRise_, &rowByGap_})
+    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_,
+                      &rowRise_, &rowByGap_})
         row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
@@ -145,13 +147,15 @@ void GasFilm::setRowOverSurface(std::size_t axis, int j)
 {
     const PaddedGrid& pad = gaps_.pad;
     const FilmGaps::Faces& faces = gaps_.faces[axis];
-    const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx), step = pad.step(static_cast<int>(axis));
+    const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx),
+                      step = pad.step(static_cast<int>(axis));
     const auto set = [&](std::size_t k, double below, double above) {
         rowRecess_[k] = faces.recess[first + k] - 0.5 * (below + above);
         rowRise_[k] = faces.rise[first + k] - (above - below);
     };
     const bool lowest = axis == 1 && j == 0, highest = axis == 1 && j == pad.ny;
-    const double *above = surface_.data() + (highest ? first - step : first), *below = lowest ? above : surface_.data() + first - step;
+    const double *above = surface_.data() + (highest ? first - step : first),
+                 *below = lowest ? above : surface_.data() + first - step;
     for (std::size_t k = 0; k < nx; ++k) set(k, below[k], above[k]);
     if (axis == 1) return;
     set(0, surface_[first], surface_[first]);
@@ -167,7 +171,8 @@ void GasFilm::setCutSurface(std::size_t axis)
     for (std::size_t n = 0; !surface_.empty() && n < cut.size(); ++n) {
         // The rings' cells have no area.
         const std::size_t above = cut[n].at, below = above - step;
-        heights[n] = 0.5 * (surface_[area_[below] > 0.0 ? below : above] + surface_[area_[above] > 0.0 ? above : below]);
+        heights[n] =
+            0.5 * (surface_[area_[below] > 0.0 ? below : above] + surface_[area_[above] > 0.0 ? above : below]);
     }
 }
 
@@ -186,7 +191,8 @@ void GasFilm::setAttitude(const Attitude& attitude)
             const double y = axis == 0 ? grid.centreY(j) : faces.pathMid[line];
             if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
             if (!surface_.empty()) setRowOverSurface(axis, j);
-            setGaps(base - attitude.roll * y, attitude.pitch, nx + (axis == 0), axis == 0 ? faces.pathMid.data() : centreX_.data(),
+            setGaps(base - attitude.roll * y, attitude.pitch, nx + (axis == 0),
+                    axis == 0 ? faces.pathMid.data() : centreX_.data(),
                     surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
             setTilts(axis == 0 ? attitude.pitch : attitude.roll, nx + (axis == 0),
                      axis == 0 ? faces.pathLength.data() : rowLength_.data(),
@@ -250,7 +256,8 @@ void GasFilm::completeFlows(std::size_t axis, int j)
     const PaddedGrid& pad = gaps_.pad;
     const std::size_t first = pad.at(0, j), count = static_cast<std::size_t>(pad.nx + (axis == 0));
     if (complete())
-        limitRow<derived>(faces_[axis], flows_.slope[axis], flows_.flow[axis], first, count, pad.step(static_cast<int>(axis)));
+        limitRow<derived>(faces_[axis], flows_.slope[axis], flows_.flow[axis], first, count,
+                          pad.step(static_cast<int>(axis)));
     else
         std::copy_n(&faces_[axis].flow[first], count, &flows_.flow[axis][first]);
 }
@@ -271,13 +278,15 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
                 setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], &flows_.stored[first]);
             const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
             if (complete())
-                setSlopes(j, flowX, flowY, flowY + pad.stride(), storedRow(flows_, j), &flows_.slope[0][first], &flows_.slope[1][first]);
+                setSlopes(j, flowX, flowY, flowY + pad.stride(), storedRow(flows_, j), &flows_.slope[0][first],
+                          &flows_.slope[1][first]);
             completeFlows<derived>(0, j);
         }
         completeFlows<derived>(1, j);
         if (j > 0) {
             const double* flowY = &flows_.flow[1][first];
-            divergence<double>(j - 1, &flows_.flow[0][first - pad.stride()], flowY - pad.stride(), flowY, storedRow(flows_, j - 1), out);
+            divergence<double>(j - 1, &flows_.flow[0][first - pad.stride()], flowY - pad.stride(), flowY,
+                               storedRow(flows_, j - 1), out);
         }
     }
     if (!derived || !complete()) return;
@@ -286,7 +295,8 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
         const std::vector<double>& slope = flows_.slope[axis];
         const std::size_t step = pad.step(static_cast<int>(axis));
         for (std::size_t at = step; at < slope.size(); ++at) {
-            const double byMean = 0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
+            const double byMean =
+                0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
             f.ownLower[at] = -byMean - f.inflowShare[at] * f.inflowByLower[at];
             f.ownUpper[at] = -byMean - f.inflowShare[at] * f.inflowByUpper[at];
         }

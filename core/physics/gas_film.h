@@ -160,17 +160,18 @@ private:
         std::vector<double> width; // of the face by cross index [m]
         std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
         std::vector<double> cutSurface; // height of the disk under the cut faces, in their order [m]
-        std::vector<std::array<double, 2>> cutArms; // of the cut faces' forces, for pitch and roll torque about the centre [m]
+        std::vector<std::array<double, 2>>
+            cutArms; // of the cut faces' forces, for pitch and roll torque about the centre [m]
     };
     /// Sums over a cut cell's pieces, and what they lie within.
     struct CutCell {
         double area = 0.0, recess = 0.0, x = 0.0, y = 0.0; // [m^2], of area times recess, x, y [m^3]
         double lowest = 1e300, x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300; // of recess, x, y [m]
-        bool open = false; // all of it
+        bool open = false;                                                       // all of it
     };
     /// The pieces of all cut cells, each with its cell.
     struct CutPieces {
-        std::vector<double> recess, x, y; // [m]
+        std::vector<double> recess, x, y;           // [m]
         std::array<std::vector<double>, 2> couette; // viscosity times area times speed of the disk, along x, y [N m]
         std::vector<std::size_t> at;
     };
@@ -195,7 +196,10 @@ private:
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
     /// The gap of a piece above this height of the disk [m].
-    double gapOf(const GapPiece& piece, double surface) const { return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y); }
+    double gapOf(const GapPiece& piece, double surface) const
+    {
+        return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y);
+    }
 
     void addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const;
     /// Of cut faces, what layers make and the shear of the pressure gradient.
@@ -223,8 +227,8 @@ private:
     template <ConvectionScheme scheme>
     void setGapSlopes(std::size_t axis, std::span<const double> p, GapSlopes& out) const;
     void setGapSlopes(std::span<const double> p, std::array<GapSlopes, 2>& out) const;
-    void addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap, const std::vector<double>& byRise,
-                       std::vector<double>& out) const;
+    void addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap,
+                       const std::vector<double>& byRise, std::vector<double>& out) const;
     void addCutCorrections(std::size_t axis, std::size_t k, std::span<const double> p,
                            const std::vector<PathFlow<ByAttitude>>& cutFlows, std::vector<double>& out) const;
     void setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime, std::vector<double>& out) const;
@@ -235,7 +239,8 @@ private:
     }
     /// Slopes of the flow along each axis in a row of cells: what leaves the one way came the other, or out of what was stored.
     template <typename T>
-    void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX, T* slopeY) const;
+    void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
+                   T* slopeY) const;
     void setSlopes(FaceFlows<double>& flows) const;
     /// Takes the limited corrections off the flows through a row of faces across an axis; their derivatives are kept for the
     /// linear maps below.
@@ -244,7 +249,8 @@ private:
     /// The same for small changes.
     void completeChanges(FaceFlows<double>& flows) const;
     template <typename T>
-    void divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, std::span<T> out) const;
+    void divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
+                    std::span<T> out) const;
     void divergence(const FaceFlows<double>& flows, std::span<double> out) const;
     void clearRings(std::span<double> field) const;
     bool complete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
@@ -261,8 +267,8 @@ private:
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
-    std::vector<double> noStorage_;         // of a row
-    std::vector<std::size_t> steppedRows_;  // the first stepped cell of each row, and the end
+    std::vector<double> noStorage_;        // of a row
+    std::vector<std::size_t> steppedRows_; // the first stepped cell of each row, and the end
     std::vector<double> centreX_; // of the cells' columns [m]
     std::vector<CutCell> cutCells_;
     CutPieces cutPieces_;
@@ -271,9 +277,10 @@ private:
 
     // Work space, also of const functions.
     mutable std::vector<double> mobility_, mobilityByProduct_; // of a row of faces [Pa m], [-]
-    mutable std::vector<double> rowProduct_; // of mean pressure and gap [Pa m]
-    mutable std::vector<double> rowWidth_, rowLength_, rowShare_; // of the paths of a row where all are alike [m], [m], [-]
-    mutable std::vector<double> rowByGap_; // the mobility's own derivative [Pa]
+    mutable std::vector<double> rowProduct_;                   // of mean pressure and gap [Pa m]
+    mutable std::vector<double> rowWidth_, rowLength_,
+        rowShare_;                            // of the paths of a row where all are alike [m], [m], [-]
+    mutable std::vector<double> rowByGap_;    // the mobility's own derivative [Pa]
     std::vector<double> rowRecess_, rowRise_; // of a row over a disk that is not flat [m]
     mutable CutPaths::Work cutWork_;
     mutable std::vector<CutForces<double>> cutForces_;

@@ -13,12 +13,13 @@ void GasFilm::AttitudeWork::resize(std::size_t size)
     flows.resize(size);
     flows.stored.assign(size, 0.0);
     for (GapSlopes& axis : slopes)
-        for (auto* field : {&axis.flowByGap, &axis.flowByRise, &axis.ownByGap, &axis.ownByRise}) field->assign(size, 0.0);
+        for (auto* field : {&axis.flowByGap, &axis.flowByRise, &axis.ownByGap, &axis.ownByRise})
+            field->assign(size, 0.0);
 }
 
 /// out[at] += what the faces have by the gap and its rise, for the attitude's number k.
-void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap, const std::vector<double>& byRise,
-                            std::vector<double>& out) const
+void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap,
+                            const std::vector<double>& byRise, std::vector<double>& out) const
 {
     const PaddedGrid& pad = gaps_.pad;
     const FilmGaps::Faces& paths = gaps_.faces[axis];
@@ -41,7 +42,8 @@ void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<d
     }
 }
 
-void GasFilm::setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime, std::vector<double>& out) const
+void GasFilm::setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime,
+                                 std::vector<double>& out) const
 {
     const PaddedGrid& pad = gaps_.pad;
     out.resize(p.size());
@@ -49,7 +51,8 @@ void GasFilm::setAttitudeStorage(std::size_t k, std::span<const double> p, doubl
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
             const double area = volume_[at] > 0.0 ? area_[at] : 0.0;
-            out[at] = perTime * p[at] * area * liftDirections(centreX_[static_cast<std::size_t>(i)], gaps_.grid.centreY(j))[k];
+            out[at] = perTime * p[at] * area *
+                      liftDirections(centreX_[static_cast<std::size_t>(i)], gaps_.grid.centreY(j))[k];
         }
     for (std::size_t n = 0; n < cutCells_.size(); ++n) {
         const CutCell& cell = cutCells_[n];
@@ -76,7 +79,8 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
     auto& [slopes, flows, cutFlows] = attitudeWork_;
     setGapSlopes(p, slopes);
     for (std::size_t axis = 0; axis < 2; ++axis)
-        cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_, cutFlows[axis]);
+        cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_,
+                              cutFlows[axis]);
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
@@ -87,8 +91,10 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
                 flows.flow[axis][at] = cutFlows[axis][n].A.by[k] * p[at - step] - cutFlows[axis][n].B.by[k] * p[at];
             }
         }
-        if (storagePerTime_ != 0.0) setAttitudeStorage(k, p, storagePerTime_, flows.stored);
-        else flows.stored.clear();
+        if (storagePerTime_ != 0.0)
+            setAttitudeStorage(k, p, storagePerTime_, flows.stored);
+        else
+            flows.stored.clear();
         if (complete()) {
             setSlopes(flows);
             completeChanges(flows);
@@ -111,7 +117,8 @@ void GasFilm::addCutCorrections(std::size_t axis, std::size_t k, std::span<const
         const std::size_t at = gaps_.faces[axis].cut[n].at;
         const PathFlow<ByAttitude>& flow = cutFlows[n];
         const double inflow = axes_[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
-        out[at] -= f.share[at] * (flows_.slope[axis][at - step] * flow.below.by[k] + flows_.slope[axis][at] * flow.above.by[k]) +
+        out[at] -= f.share[at] *
+                       (flows_.slope[axis][at - step] * flow.below.by[k] + flows_.slope[axis][at] * flow.above.by[k]) +
                    f.inflowShare[at] * inflow;
     }
 }

@@ -13,7 +13,8 @@ namespace {
 
 /// Flows through a row of faces, by the cells below and above.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void setFlows(std::size_t count, const double* lower, const double* upper, const T* below, const T* above, T* flow)
+TOUCHDOWN_VECTOR_CLONES void setFlows(std::size_t count, const double* lower, const double* upper, const T* below,
+                                      const T* above, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) flow[k] = lower[k] * below[k] + upper[k] * above[k];
@@ -30,8 +31,9 @@ TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const do
 /// A row of cells: what leaves the one way came the other, or out of what was stored. Both slopes in full would take a cell's
 /// storage from it twice: each axis counts what is its own of the motion's square.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross, double shareX, double shareY,
-                                         const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX, T* slopeY)
+TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross,
+                                         double shareX, double shareY, const T* flowX, const T* flowY,
+                                         const T* flowYAbove, const T* stored, T* slopeX, T* slopeY)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -42,8 +44,8 @@ TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWid
 
 /// Takes off the flows through a row of faces what the slopes in the cells below and above correct.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share, const double* below, const double* above,
-                                         const T* slopeBelow, const T* slopeAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share, const double* below,
+                                         const double* above, const T* slopeBelow, const T* slopeAbove, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) flow[k] -= share[k] * (slopeBelow[k] * below[k] + slopeAbove[k] * above[k]);
@@ -51,9 +53,9 @@ TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share,
 
 /// Besides, adds the corrections' own change, by the cells below and above.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share, const double* below, const double* above,
-                                         const double* ownLower, const double* ownUpper, const T* slopeBelow, const T* slopeAbove,
-                                         const T* vBelow, const T* vAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void
+completeRow(std::size_t count, const double* share, const double* below, const double* above, const double* ownLower,
+            const double* ownUpper, const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
@@ -62,19 +64,23 @@ TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share,
 }
 
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void divergeRow(std::size_t count, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* out)
+TOUCHDOWN_VECTOR_CLONES void divergeRow(std::size_t count, const T* flowX, const T* flowY, const T* flowYAbove,
+                                        const T* stored, T* out)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) out[k] = ((flowX[k + 1] - flowX[k]) + (flowYAbove[k] - flowY[k])) + stored[k];
+    for (std::size_t k = 0; k < count; ++k)
+        out[k] = ((flowX[k + 1] - flowX[k]) + (flowYAbove[k] - flowY[k])) + stored[k];
 }
 
 } // namespace
 
 template <typename T>
-void GasFilm::setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX, T* slopeY) const
+void GasFilm::setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
+                        T* slopeY) const
 {
-    setSlopeRow(static_cast<std::size_t>(gaps_.pad.nx), axes_[0].perWidth.data(), axes_[1].perWidth[static_cast<std::size_t>(j)],
-                motionShare_[0], motionShare_[1], flowX, flowY, flowYAbove, stored, slopeX, slopeY);
+    setSlopeRow(static_cast<std::size_t>(gaps_.pad.nx), axes_[0].perWidth.data(),
+                axes_[1].perWidth[static_cast<std::size_t>(j)], motionShare_[0], motionShare_[1], flowX, flowY,
+                flowYAbove, stored, slopeX, slopeY);
     // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
     const std::size_t first = gaps_.pad.at(0, j), row = static_cast<std::size_t>(j);
     for (std::size_t n = steppedRows_[row]; n < steppedRows_[row + 1]; ++n)
@@ -107,7 +113,8 @@ void GasFilm::completeChanges(FaceFlows<double>& flows) const
 }
 
 template <typename T>
-void GasFilm::divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, std::span<T> out) const
+void GasFilm::divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
+                         std::span<T> out) const
 {
     divergeRow(static_cast<std::size_t>(gaps_.pad.nx), flowX, flowY, flowYAbove, stored, &out[gaps_.pad.at(0, j)]);
 }
@@ -121,8 +128,10 @@ void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) 
     }
 }
 
-template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*, double*) const;
-template void GasFilm::divergence(int, const double*, const double*, const double*, const double*, std::span<double>) const;
+template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*,
+                                 double*) const;
+template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
+                                  std::span<double>) const;
 
 void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const
 {
@@ -154,9 +163,12 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     const PaddedGrid& pad = gaps_.pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx), ring = PaddedGrid::rings;
     // Of the last rows: their places in the work space are used again and again.
-    const auto row = [&](std::vector<T>& field, int j) { return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring; };
+    const auto row = [&](std::vector<T>& field, int j) {
+        return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
+    };
     work.stored.resize(3 * up);
-    for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]}) std::fill_n(slope->begin(), 3 * up, T{}); // the rings'
+    for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})
+        std::fill_n(slope->begin(), 3 * up, T{}); // the rings'
     const auto start = [&](std::size_t axis, int j) {
         const FilmFaces& f = faces_[axis];
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis));
@@ -168,8 +180,8 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis)), count = nx + (axis == 0);
         T* flow = row(work.flow[axis], j);
         const T *slope = row(work.slope[axis], j), *before = axis == 0 ? slope - 1 : row(work.slope[axis], j - 1);
-        completeRow(count, &f.share[at], &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope, &v[at - step],
-                    &v[at], flow);
+        completeRow(count, &f.share[at], &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope,
+                    &v[at - step], &v[at], flow);
     };
     start(1, 0);
     for (int j = 0; j <= pad.ny; ++j) {
@@ -187,7 +199,8 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         }
         finish(1, j);
         if (j > 0)
-            divergence<T>(j - 1, row(work.flow[0], j - 1), row(work.flow[1], j - 1), row(work.flow[1], j), row(work.stored, j - 1), out);
+            divergence<T>(j - 1, row(work.flow[0], j - 1), row(work.flow[1], j - 1), row(work.flow[1], j),
+                          row(work.stored, j - 1), out);
     }
 }
 

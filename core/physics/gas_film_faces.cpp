@@ -78,8 +78,8 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
 
 /// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the gap.
 template <ConvectionScheme scheme>
-TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope, const double* byGap,
-                                             const FaceRow& row)
+TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope,
+                                             const double* byGap, const FaceRow& row)
 {
     using Number = Dual<2>; // gap, its change
     const std::size_t step = row.step, first = row.first;
@@ -100,7 +100,8 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& fa
         h.by = {1.0, 0.0};
         e.by = {-tilt[k] * perGap, perGap};
         mobility.by[0] = byProduct[k] * (0.5 * (p1 + p2)) + byGap[k];
-        const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k], h, e, mobility);
+        const PathFlow<Number> flow =
+            smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k], h, e, mobility);
         const Number passed = flow.A * Number(p1) - flow.B * Number(p2);
         const Number inflow = select(speed[k] < 0.0, flow.B * Number(p2), flow.A * Number(p1));
         const Number correction = share[k] * (before[k] * flow.below + slope[k] * flow.above) + inflowShare[k] * inflow;

@@ -34,8 +34,8 @@ std::array<double, N> sums(std::size_t count, const Terms& terms)
 }
 
 /// Force of a row of cells per width across, and its moment about x = 0.
-TOUCHDOWN_VECTOR_CLONES std::array<double, 2> rowLoad(std::size_t count, const double* p, double ambient, const double* width,
-                                                      const double* x)
+TOUCHDOWN_VECTOR_CLONES std::array<double, 2> rowLoad(std::size_t count, const double* p, double ambient,
+                                                      const double* width, const double* x)
 {
     return sums<2>(count, [=](std::size_t k) -> std::array<double, 2> {
         const double force = (p[k] - ambient) * width[k];
@@ -44,7 +44,8 @@ TOUCHDOWN_VECTOR_CLONES std::array<double, 2> rowLoad(std::size_t count, const d
 }
 
 /// Sum of h w (p2 - p1) of a row of faces; nothing where the gap is closed.
-TOUCHDOWN_VECTOR_CLONES double rowDrop(std::size_t count, const double* below, const double* above, const double* gap, const double* width)
+TOUCHDOWN_VECTOR_CLONES double rowDrop(std::size_t count, const double* below, const double* above, const double* gap,
+                                       const double* width)
 {
     return sums<1>(count, [=](std::size_t k) -> std::array<double, 1> {
         const double h = gap[k] > closedGap ? gap[k] : 0.0;
@@ -53,8 +54,8 @@ TOUCHDOWN_VECTOR_CLONES double rowDrop(std::size_t count, const double* below, c
 }
 
 /// Couette: the weights over h + s/p, s = 2 a lambda p; nothing where the gap is closed.
-TOUCHDOWN_VECTOR_CLONES std::array<double, 2> couette(std::size_t count, const double* gap, const double* p, const double* weightX,
-                                                      const double* weightY, double slip)
+TOUCHDOWN_VECTOR_CLONES std::array<double, 2> couette(std::size_t count, const double* gap, const double* p,
+                                                      const double* weightX, const double* weightY, double slip)
 {
     return sums<2>(count, [=](std::size_t k) -> std::array<double, 2> {
         const bool open = gap[k] > closedGap;
@@ -63,8 +64,8 @@ TOUCHDOWN_VECTOR_CLONES std::array<double, 2> couette(std::size_t count, const d
     });
 }
 
-TOUCHDOWN_VECTOR_CLONES void setGapsOfVolumes(std::size_t count, const double* volume, const double* perWidth, double perWidthAcross,
-                                              double* gap)
+TOUCHDOWN_VECTOR_CLONES void setGapsOfVolumes(std::size_t count, const double* volume, const double* perWidth,
+                                              double perWidthAcross, double* gap)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) gap[k] = volume[k] * (perWidth[k] * perWidthAcross);
@@ -77,13 +78,15 @@ void GasFilm::setCouettePlaces()
 {
     const PaddedGrid& pad = gaps_.pad;
     const auto weights = [&](int i, int j) {
-        const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+        const Velocity v =
+            diskVelocity(setting_.disk, gaps_.length, gaps_.width, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
         return std::array{setting_.air.viscosity * v.x, setting_.air.viscosity * v.y};
     };
     for (auto& field : couette_) field.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i)
-            for (std::size_t axis = 0; axis < 2; ++axis) couette_[axis][pad.at(i, j)] = weights(i, j)[axis] * area_[pad.at(i, j)];
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                couette_[axis][pad.at(i, j)] = weights(i, j)[axis] * area_[pad.at(i, j)];
     for (const CutPlace& place : gaps_.cutCells) {
         const std::array<double, 2> weight = weights(pad.column(place.at), pad.row(place.at));
         for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
@@ -91,7 +94,8 @@ void GasFilm::setCouettePlaces()
             cutPieces_.recess.push_back(piece.recess);
             cutPieces_.x.push_back(piece.x);
             cutPieces_.y.push_back(piece.y);
-            for (std::size_t axis = 0; axis < 2; ++axis) cutPieces_.couette[axis].push_back(weight[axis] * piece.extent);
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                cutPieces_.couette[axis].push_back(weight[axis] * piece.extent);
             cutPieces_.at.push_back(place.at);
         }
         for (auto& field : couette_) field[place.at] = 0.0;
@@ -102,7 +106,8 @@ void GasFilm::setCouettePlaces()
 
 double GasFilm::slipLength() const
 {
-    return 2.0 * (2.0 - setting_.slip.accommodation) / setting_.slip.accommodation * setting_.air.meanFreePath * ambient();
+    return 2.0 * (2.0 - setting_.slip.accommodation) / setting_.slip.accommodation * setting_.air.meanFreePath *
+           ambient();
 }
 
 void GasFilm::setCellRow(int j, std::span<const double> p) const
@@ -129,8 +134,8 @@ std::size_t GasFilm::setCutPieces(std::size_t first, std::span<const double> p) 
 void GasFilm::addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const
 {
     for (int j = 0; j < gaps_.pad.ny; ++j) {
-        const std::array<double, 2> row = rowLoad(static_cast<std::size_t>(gaps_.pad.nx), &p[gaps_.pad.at(0, j)], ambient(),
-                                                  axes_[1].width.data(), centreX_.data());
+        const std::array<double, 2> row = rowLoad(static_cast<std::size_t>(gaps_.pad.nx), &p[gaps_.pad.at(0, j)],
+                                                  ambient(), axes_[1].width.data(), centreX_.data());
         const double width = gaps_.grid.widthY(j), force = width * row[0];
         sum[0] += force;
         sum[1] += 0.5 * gaps_.length * force - width * row[1];
@@ -145,7 +150,8 @@ void GasFilm::addCutForces(bool layers, bool drags, std::span<const double> p, s
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const bool hasLayers = layers && motionShare_[axis] > 0.0;
         if (!hasLayers && !drags) continue;
-        cutPaths_[axis].forces(hasLayers, p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_, cutForces_);
+        cutPaths_[axis].forces(hasLayers, p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity,
+                               cutWork_, cutForces_);
         double drag = 0.0;
         std::array<double, 3> load{};
         for (std::size_t n = 0; n < cutForces_.size(); ++n) {
@@ -164,9 +170,10 @@ void GasFilm::addShear(std::span<const double> p, std::array<double, 5>& sum) co
 {
     const PaddedGrid& pad = gaps_.pad;
     const double slip = slipLength();
-    const auto addCouette = [&](const std::array<std::vector<double>, 2>& weights, std::size_t first, std::size_t count) {
-        const std::array<double, 2> drag =
-            couette(count, forceWork_.gap.data(), forceWork_.pressure.data(), &weights[0][first], &weights[1][first], slip);
+    const auto addCouette = [&](const std::array<std::vector<double>, 2>& weights, std::size_t first,
+                                std::size_t count) {
+        const std::array<double, 2> drag = couette(count, forceWork_.gap.data(), forceWork_.pressure.data(),
+                                                   &weights[0][first], &weights[1][first], slip);
         sum[3] += drag[0];
         sum[4] += drag[1];
     };
@@ -177,7 +184,8 @@ void GasFilm::addShear(std::span<const double> p, std::array<double, 5>& sum) co
     for (std::size_t first = 0; first < cutPieces_.at.size(); first += ForceWork::pieces)
         addCouette(cutPieces_.couette, first, setCutPieces(first, p));
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const std::size_t step = pad.step(static_cast<int>(axis)), count = static_cast<std::size_t>(pad.nx + (axis == 0));
+        const std::size_t step = pad.step(static_cast<int>(axis)),
+                          count = static_cast<std::size_t>(pad.nx + (axis == 0));
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
             const std::size_t first = pad.at(0, j);
             if (axis == 0) std::fill(rowWidth_.begin(), rowWidth_.end(), axes_[0].width[static_cast<std::size_t>(j)]);
@@ -241,9 +249,11 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     result.shearX = total[3];
     result.shearY = total[4];
     for (int j = 0; j < pad.ny; ++j)
-        result.massFlow += std::max(0.0, flows_.flow[0][pad.at(0, j)]) + std::max(0.0, -flows_.flow[0][pad.at(pad.nx, j)]);
+        result.massFlow +=
+            std::max(0.0, flows_.flow[0][pad.at(0, j)]) + std::max(0.0, -flows_.flow[0][pad.at(pad.nx, j)]);
     for (int i = 0; i < pad.nx; ++i)
-        result.massFlow += std::max(0.0, flows_.flow[1][pad.at(i, 0)]) + std::max(0.0, -flows_.flow[1][pad.at(i, pad.ny)]);
+        result.massFlow +=
+            std::max(0.0, flows_.flow[1][pad.at(i, 0)]) + std::max(0.0, -flows_.flow[1][pad.at(i, pad.ny)]);
     return result;
 }
 

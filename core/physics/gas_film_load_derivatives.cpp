@@ -11,8 +11,8 @@ namespace touchdown {
 namespace {
 
 /// Derivatives of 1/(h + s/p) by h, in place of the gaps, and by p, in place of the pressures.
-TOUCHDOWN_VECTOR_CLONES void couetteSlopes(std::size_t count, const double* gap, const double* p, double slip, double* byGap,
-                                           double* byPressure)
+TOUCHDOWN_VECTOR_CLONES void couetteSlopes(std::size_t count, const double* gap, const double* p, double slip,
+                                           double* byGap, double* byPressure)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -49,7 +49,8 @@ void GasFilm::addCouetteSlopes(std::span<const double> p, ForceDerivatives& out)
     const double slip = slipLength();
     std::array<GapSums, 2> sums;
     const auto setSlopes = [&](std::size_t count) {
-        couetteSlopes(count, forceWork_.gap.data(), forceWork_.pressure.data(), slip, forceWork_.byGap.data(), forceWork_.byPressure.data());
+        couetteSlopes(count, forceWork_.gap.data(), forceWork_.pressure.data(), slip, forceWork_.byGap.data(),
+                      forceWork_.byPressure.data());
     };
     for (int j = 0; j < pad.ny; ++j) {
         setCellRow(j, p);
@@ -103,8 +104,8 @@ void GasFilm::addPoiseuilleSlopes(std::size_t axis, std::span<const double> p, F
 void GasFilm::addCutSlopes(std::size_t axis, std::span<const double> p, ForceDerivatives& out) const
 {
     const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-    cutPaths_[axis].forces(motionShare_[axis] > 0.0, p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_,
-                           cutForcesByAll_);
+    cutPaths_[axis].forces(motionShare_[axis] > 0.0, p, attitude_, axes_[axis].cutSurface, table_,
+                           setting_.air.viscosity, cutWork_, cutForcesByAll_);
     for (std::size_t n = 0; n < cutForcesByAll_.size(); ++n) {
         const std::size_t at = gaps_.faces[axis].cut[n].at;
         const auto addTo = [&](std::size_t k, double share, const ByAll& force) {

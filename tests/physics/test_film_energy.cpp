@@ -25,7 +25,8 @@ AirBearingSurface steppedSurface()
 {
     AirBearingSurface surface;
     surface.baseRecess = 0.3e-6;
-    surface.rails = {{.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
+    surface.rails = {
+        {.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
     return surface;
 }
 
@@ -38,7 +39,10 @@ FilmSetting moving()
 
 /// Two cycles of 50 kHz that set in with zero velocity and acceleration.
 double risen(double t) { return std::pow(std::sin(2 * std::numbers::pi * 25e3 * t), 4); }
-Attitude moved(double t) { return {rest.height * (1.0 + 0.3 * risen(t)), rest.pitch * (1.0 - 0.1 * risen(t)), rest.roll}; }
+Attitude moved(double t)
+{
+    return {rest.height * (1.0 + 0.3 * risen(t)), rest.pitch * (1.0 - 0.1 * risen(t)), rest.roll};
+}
 
 constexpr FilmStepOptions tight{.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30};
 
@@ -62,7 +66,8 @@ private slots:
     void airInAVessel_data()
     {
         QTest::addColumn<double>("ratio");
-        for (const double ratio : {1e-3, 0.2, 0.7072, 0.999, 1.0001, 1.4143, 3.0, 700.0}) QTest::addRow("%g", ratio) << ratio;
+        for (const double ratio : {1e-3, 0.2, 0.7072, 0.999, 1.0001, 1.4143, 3.0, 700.0})
+            QTest::addRow("%g", ratio) << ratio;
     }
     /// Air compressed from V to V/r at constant temperature takes up p0 V (ln r - (1 - 1/r)) beyond what the ambient does.
     void airInAVessel()
@@ -73,7 +78,8 @@ private slots:
         level.film.residual(level.p, residual);
         for (int j = 0; j < 7; ++j)
             for (int i = 0; i < 9; ++i) level.p[level.gaps.pad.at(i, j)] *= ratio;
-        const double ambient = level.film.ambient(), expected = ambient * 50e-9 * L * W * ratio * (std::log(ratio) - (1.0 - 1.0 / ratio));
+        const double ambient = level.film.ambient(),
+                     expected = ambient * 50e-9 * L * W * ratio * (std::log(ratio) - (1.0 - 1.0 / ratio));
         const double stored = FilmEnergy(level.film).at(level.p).stored;
         QVERIFY2(std::abs(stored - expected) < 1e-13 * expected + 3e-16 * ambient * 50e-9 * L * W * ratio,
                  qPrintable(QString::number(stored / expected - 1.0)));
@@ -85,15 +91,19 @@ private slots:
     {
         constexpr double length = 1e-3, Lambda = 40.0, knudsen = 0.6;
         const Air air{};
-        const double h0 = air.meanFreePath / knudsen, speed = Lambda * air.pressure * h0 * h0 / (6.0 * air.viscosity * length);
+        const double h0 = air.meanFreePath / knudsen,
+                     speed = Lambda * air.pressure * h0 * h0 / (6.0 * air.viscosity * length);
         const auto mobility = [](double w) { return w * flowFactor({.model = SlipModel::FirstOrder}, knudsen / w); };
         const double flow = wideSlider(Lambda, mobility, 8000).flow;
         double dissipated = 0.0, input = 0.0, P = 1.0;
         constexpr int steps = 100000;
         const double dx = 1.0 / steps;
-        const auto slope = [&](double x, double p) { return (Lambda * p * (2.0 - x) + flow) / ((2.0 - x) * (2.0 - x) * mobility(p * (2.0 - x))); };
+        const auto slope = [&](double x, double p) {
+            return (Lambda * p * (2.0 - x) + flow) / ((2.0 - x) * (2.0 - x) * mobility(p * (2.0 - x)));
+        };
         for (int i = steps; i > 0; --i) { // from the outlet, by the middle of each interval
-            const double middle = (i - 0.5) * dx, p = P - 0.5 * dx * slope(i * dx, P), s = slope(middle, p), h = 2.0 - middle;
+            const double middle = (i - 0.5) * dx, p = P - 0.5 * dx * slope(i * dx, P), s = slope(middle, p),
+                         h = 2.0 - middle;
             dissipated += dx * h * h * mobility(p * h) * s * s / p;
             input += dx * Lambda * h * s;
             P -= dx * s;
@@ -102,9 +112,10 @@ private slots:
         const auto error = [&](int cells) {
             CellGrid grid;
             grid.y = {0.0, 1e6, 2e6, 3e6};
-            for (int i = 0; i <= cells; ++i) grid.x.push_back(length * (1.0 - std::pow(1.0 - static_cast<double>(i) / cells, 1.6)));
-            FilmProblem wide(planeSurface(), length, 3e6, grid, {air, {.model = SlipModel::FirstOrder}, uniformMotion(speed)},
-                             {h0, h0 / length, 0.0});
+            for (int i = 0; i <= cells; ++i)
+                grid.x.push_back(length * (1.0 - std::pow(1.0 - static_cast<double>(i) / cells, 1.6)));
+            FilmProblem wide(planeSurface(), length, 3e6, grid,
+                             {air, {.model = SlipModel::FirstOrder}, uniformMotion(speed)}, {h0, h0 / length, 0.0});
             if (!wide.solve({.tolerance = 1e-11}).converged) return std::nan("");
             std::vector<double> residual(wide.p.size());
             wide.film.residual(wide.p, residual);
@@ -135,7 +146,8 @@ private slots:
         QFETCH(double, waves);
         double dissipated = 0.0;
         const auto left = [&](int count) {
-            FilmProblem film(stepped ? steppedSurface() : planeSurface(), L, W, uniformGrid(L, W, 17, 14), moving(), rest);
+            FilmProblem film(stepped ? steppedSurface() : planeSurface(), L, W, uniformGrid(L, W, 17, 14), moving(),
+                             rest);
             const PaddedGrid& pad = film.gaps.pad;
             std::vector<double> disk(pad.size(), 0.0), diskBefore;
             if (waves > 0.0) film.film.setSurface(disk);
@@ -172,13 +184,15 @@ private slots:
                 const std::array<double, 3> loadBefore = std::exchange(load, film.film.load(stepper.pressure()));
                 const Attitude from = moved((k - 1) * dt), to = moved(k * dt);
                 const double pitched = to.pitch - from.pitch;
-                const std::array<double, 3> motion{to.height - from.height + 0.5 * L * pitched, pitched, to.roll - from.roll};
+                const std::array<double, 3> motion{to.height - from.height + 0.5 * L * pitched, pitched,
+                                                   to.roll - from.roll};
                 for (std::size_t n = 0; n < 3; ++n) workApart -= 0.5 * (loadBefore[n] + load[n]) * motion[n];
                 before.assign(stepper.pressure().begin(), stepper.pressure().end());
                 volumes = film.film.volumes();
                 last = now;
             }
-            return stepped || std::abs(work - workApart) < 1e-10 * dissipated ? last.stored - start - gained - work : std::nan("");
+            return stepped || std::abs(work - workApart) < 1e-10 * dissipated ? last.stored - start - gained - work
+                                                                              : std::nan("");
         };
         const double coarse = left(40), middle = left(80), fine = left(160);
         const QString all = QStringLiteral("%1, %2, %3 of %4").arg(coarse).arg(middle).arg(fine).arg(dissipated);

@@ -32,15 +32,16 @@ struct WideFilm {
     std::vector<double> disk;
 
     explicit WideFilm(int cells)
-        : problem(planeSurface(), L, 3e6, grid(cells), {air, {.model = model}, uniformMotion(speed), ConvectionScheme::CompleteFlux}, attitude),
+        : problem(planeSurface(), L, 3e6, grid(cells),
+                  {air, {.model = model}, uniformMotion(speed), ConvectionScheme::CompleteFlux}, attitude),
           disk(problem.gaps.pad.size(), 0.0)
-    {
-    }
+    {}
     static CellGrid grid(int cells)
     {
         CellGrid result;
         result.y = {0.0, 1e6, 2e6, 3e6};
-        for (int i = 0; i <= cells; ++i) result.x.push_back(L * (1.0 - std::pow(1.0 - static_cast<double>(i) / cells, 1.6)));
+        for (int i = 0; i <= cells; ++i)
+            result.x.push_back(L * (1.0 - std::pow(1.0 - static_cast<double>(i) / cells, 1.6)));
         return result;
     }
     /// Means over the cells of h0 amplitude sin(waves 2 pi X - phase).
@@ -52,7 +53,8 @@ struct WideFilm {
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
                 const double a = x[static_cast<std::size_t>(i)], b = x[static_cast<std::size_t>(i) + 1];
-                disk[pad.at(i, j)] = h0 * amplitude * (std::cos(k * a - phase) - std::cos(k * b - phase)) / (k * (b - a));
+                disk[pad.at(i, j)] =
+                    h0 * amplitude * (std::cos(k * a - phase) - std::cos(k * b - phase)) / (k * (b - a));
             }
         problem.film.setSurface(disk);
     }
@@ -86,7 +88,8 @@ Complex waveLoad(double waves, int steps)
             const Complex P = s[0], p = s[1], c = s[2], h = -forced * std::exp(Complex(0.0, k * x));
             const Complex G = P * H + 6.0 * WideFilm::knudsen, w = p * H + P * h;
             const Complex dP = (Lambda * P * H + flow) / (H * H * G);
-            return {dP, (c - (2.0 * H * h * G + H * H * w) * dP + Lambda * w) / (H * H * G), Complex(0.0, -sigma) * w, p};
+            return {dP, (c - (2.0 * H * h * G + H * H * w) * dP + Lambda * w) / (H * H * G), Complex(0.0, -sigma) * w,
+                    p};
         };
         State s{1.0, 0.0, outflow, 0.0};
         const double dx = -1.0 / steps;
@@ -97,8 +100,8 @@ Complex waveLoad(double waves, int steps)
         };
         for (int i = 0; i < steps; ++i) {
             const double x = 1.0 + i * dx;
-            const State k1 = slope(x, s), k2 = slope(x + 0.5 * dx, ahead(k1, 0.5)), k3 = slope(x + 0.5 * dx, ahead(k2, 0.5)),
-                        k4 = slope(x + dx, ahead(k3, 1.0));
+            const State k1 = slope(x, s), k2 = slope(x + 0.5 * dx, ahead(k1, 0.5)),
+                        k3 = slope(x + 0.5 * dx, ahead(k2, 0.5)), k4 = slope(x + dx, ahead(k3, 1.0));
             for (std::size_t n = 0; n < 4; ++n) s[n] += dx / 6.0 * (k1[n] + 2.0 * k2[n] + 2.0 * k3[n] + k4[n]);
         }
         return s;
@@ -117,9 +120,11 @@ AirBearingSurface richSurface()
     surface.taperLength = 0.1e-3;
     surface.taperAngle = 1e-3;
     surface.walls = {{.distance = {0.0, 20e-6}, .recess = {0.0, 1.2e-6}}};
-    surface.rails = {{.points = {{0.05e-3, 0.08e-3, 1}, {0.62e-3, 0.11e-3, 1}, {0.58e-3, 0.31e-3, 1}, {0.05e-3, 0.27e-3, 1}}, .recess = {0.0}},
-                     {.points = {{0.0, 0.4e-3}, {0.33e-3, 0.4e-3}, {0.33e-3, 0.7e-3}, {0.0, 0.7e-3}}, .recess = {150e-9}},
-                     {.points = {{0.66e-3, 0.3e-3}, {0.87e-3, 0.3e-3}, {0.87e-3, 0.52e-3}, {0.66e-3, 0.52e-3}}, .recess = {0.0}}};
+    surface.rails = {
+        {.points = {{0.05e-3, 0.08e-3, 1}, {0.62e-3, 0.11e-3, 1}, {0.58e-3, 0.31e-3, 1}, {0.05e-3, 0.27e-3, 1}},
+         .recess = {0.0}},
+        {.points = {{0.0, 0.4e-3}, {0.33e-3, 0.4e-3}, {0.33e-3, 0.7e-3}, {0.0, 0.7e-3}}, .recess = {150e-9}},
+        {.points = {{0.66e-3, 0.3e-3}, {0.87e-3, 0.3e-3}, {0.87e-3, 0.52e-3}, {0.66e-3, 0.52e-3}}, .recess = {0.0}}};
     return surface;
 }
 
@@ -154,7 +159,8 @@ private slots:
         FilmSetting setting;
         setting.disk = {.speed = 600.0, .radius = 22e-3, .skew = 0.2};
         const auto make = [&](double lift) {
-            return std::make_unique<FilmProblem>(richSurface(), L, W, uniformGrid(L, W, 31, 26), setting, Attitude{22e-9 + lift, 150e-6, 8e-6});
+            return std::make_unique<FilmProblem>(richSurface(), L, W, uniformGrid(L, W, 31, 26), setting,
+                                                 Attitude{22e-9 + lift, 150e-6, 8e-6});
         };
         const auto over = make(0.0), lower = make(-height);
         const PaddedGrid& pad = over->gaps.pad;
@@ -218,7 +224,8 @@ private slots:
             WideFilm wide(cells);
             wide.setWaves(0.1, 2.5, 0.7);
             wide.problem.film.setAttitude(wide.attitude);
-            return wide.problem.solve({.tolerance = 1e-11}).converged ? wide.load(wide.problem.p) / expected - 1.0 : std::nan("");
+            return wide.problem.solve({.tolerance = 1e-11}).converged ? wide.load(wide.problem.p) / expected - 1.0
+                                                                      : std::nan("");
         };
         const double coarse = error(100), fine = error(200);
         const QString both = QStringLiteral("%1, %2").arg(coarse).arg(fine);
@@ -261,7 +268,8 @@ private slots:
                 if (!stepper.accept()) return std::nan("");
                 // sin(2 pi n X - T) is the real part of -i exp(i (2 pi n X - T)).
                 if (n > before)
-                    harmonic += wide.load(stepper.pressure()) * std::exp(Complex(0.0, phase)) * Complex(0.0, 1.0) * (2.0 / steps / amplitude);
+                    harmonic += wide.load(stepper.pressure()) * std::exp(Complex(0.0, phase)) * Complex(0.0, 1.0) *
+                                (2.0 / steps / amplitude);
             }
             return std::abs(harmonic - expected) / std::abs(expected);
         };
