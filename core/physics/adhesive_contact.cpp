@@ -22,7 +22,8 @@ std::string sentence(const char* format, Values... values)
 }
 
 constexpr double nearMinimum = 0.2;   // error below which Newton's method is tried [-]
-constexpr int mostNewtonIterations = 16;
+constexpr int mostNewtonIterations = 12;
+constexpr int longestPause = 8;
 
 /// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence coefficients.
 double reachOf(HalfSpace& space)
@@ -163,7 +164,7 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     }
     if (!now_.displaced) displace();
     ahead_ = 0.0;
-    bool newtons = true; // tried again a descent after one that did not help
+    int untilNewton = 0, pause = 1; // descents before Newton's method is tried, more after each time that it does not help
     double movedBefore = 0.0;
     double least = infinity;
     for (;;) {
@@ -174,12 +175,12 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
             summary.converged = summary.error <= options_.tolerance;
         }
         if (summary.converged || spent() || !std::isfinite(summary.error)) return;
-        if (summary.error < nearMinimum && newtons) {
+        if (summary.error < nearMinimum && --untilNewton <= 0 && !snaps()) {
             if (newtonStep(summary.error)) continue;
             setOffsets();
             linearise();
-            newtons = false;
-        } else newtons = true;
+            untilNewton = pause = std::min(2 * pause, longestPause);
+        }
         const bool elsewhere = setTangents(summary.descents == 0 && before_.exists && before_.displaced);
         const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;

@@ -113,6 +113,7 @@ private:
     void solveTangents();
     void precondition(std::span<const double> in, std::span<double> out);
     bool cutStep();
+    bool snaps() const;
     bool newtonStep(double error);
 
     std::optional<HalfSpace> space_;        // unless elastic_ has it

@@ -15,10 +15,19 @@
 namespace touchdown {
 namespace {
 
+constexpr int mostIterations = 12;     // more are needed where it is nearly singular: a cell is about to snap
 constexpr double residualShare = 0.03; // to which the linear system is solved
 constexpr double mostSoftening = 0.9; // of a cell against its own compliance, that its preconditioner knows [-]
 
 } // namespace
+
+// Whether a cell softens by more than the half-space alone would hold it with all others at rest: no minimum is there.
+bool AdhesiveContact::snaps() const
+{
+    for (std::size_t i = 0; i < present_.size(); ++i)
+        if (tangents_.state[i] == AdhesiveCell::State::Far && cell_.law().derivative(tangents_.gap[i]) >= space_->ownStiffness()) return true;
+    return false;
+}
 
 // From the tangents that linearise() has set, whose error is given. Whether it halved it; otherwise all is as it was.
 bool AdhesiveContact::newtonStep(double error)
@@ -54,7 +63,7 @@ bool AdhesiveContact::newtonStep(double error)
     std::fill(change_.begin(), change_.end(), 0.0);
     const double tolerance = std::max(residualShare, 0.3 * options_.tolerance / error);
     gmres_->solve(apply, preconditioned, std::span<const double>(residual_), std::span<double>(change_),
-                  {.tolerance = tolerance, .maximumIterations = 16});
+                  {.tolerance = tolerance, .maximumIterations = mostIterations});
 
     totalBefore_ = now_.total;
     displacementBefore_ = now_.displacement;
