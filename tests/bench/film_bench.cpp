@@ -2,6 +2,7 @@
 #include "tests/bench/film_bench.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/physics/film_energy.h"
 #include "core/physics/film_step.h"
 #include "core/simulation/case_file.h"
 #include "core/simulation/film_setup.h"
@@ -29,10 +31,10 @@ void row(const std::string& name, Case c, FilmSolver solver, int nodes, int repe
     for (int k = 0; k < repeats; ++k) seconds.push_back((result = steady(c)).wallSeconds);
     std::sort(seconds.begin(), seconds.end());
     std::printf("%s,%s,%s,%d,%.2f,%.2f,%d,%d,%.6f,%.3g,%.5f,%.5f,%.5f,%.3g,%s\n", name.c_str(),
-                c.steady.fixedAttitude ? "fixed" : "flying", solver == FilmSolver::Newton ? "newton" : "line-multigrid", nodes,
-                seconds.front() * 1e3, seconds[seconds.size() / 2] * 1e3, result.iterations, result.solves,
-                result.forces.net / 9.80665e-3, result.discretisationError.load / 9.80665e-3, result.minimumSpacing * 1e9,
-                result.attitude.pitch * 1e6, result.attitude.roll * 1e6, result.residual,
+                c.steady.fixedAttitude ? "fixed" : "flying", solver == FilmSolver::Newton ? "newton" : "line-multigrid",
+                nodes, seconds.front() * 1e3, seconds[seconds.size() / 2] * 1e3, result.iterations, result.solves,
+                result.forces.net / 9.80665e-3, result.discretisationError.load / 9.80665e-3,
+                result.minimumSpacing * 1e9, result.attitude.pitch * 1e6, result.attitude.roll * 1e6, result.residual,
                 std::string(touchdown::name(result.status)).c_str());
     std::fflush(stdout);
 }
@@ -40,7 +42,8 @@ void row(const std::string& name, Case c, FilmSolver solver, int nodes, int repe
 void rows(const std::string& name, const Case& c, int repeats)
 {
     for (const FilmSolver solver : {FilmSolver::Newton, FilmSolver::LineMultigrid}) {
-        if (solver == FilmSolver::LineMultigrid && !c.steady.fixedAttitude) continue; // it solves films at a given attitude
+        if (solver == FilmSolver::LineMultigrid && !c.steady.fixedAttitude)
+            continue; // it solves films at a given attitude
         for (const int nodes : {97, 193, 385}) row(name, c, solver, nodes, repeats);
     }
 }
@@ -51,7 +54,8 @@ Case fixedCase(Case c)
     c.film.scheme = ConvectionScheme::CompleteFlux;
     c.steady.fixedAttitude = true;
     c.steady.stiffness = false;
-    c.initial = {.flyingHeight = c.initial.flyingHeight, .pitch = 118e-6, .nominalTrailingEdgeHeight = 7.2e-9, .roll = -2e-6};
+    c.initial = {
+        .flyingHeight = c.initial.flyingHeight, .pitch = 118e-6, .nominalTrailingEdgeHeight = 7.2e-9, .roll = -2e-6};
     c.air.source = AirSource::Given;
     return c;
 }
@@ -73,7 +77,9 @@ struct MovingFilm {
     std::vector<double> pressure; // padded [Pa]
 
     MovingFilm(const Case& c, const SteadyResult& steady)
-        : gaps(Recess(c.surface, c.slider.length, c.slider.width), steady.grid), film(gaps, filmSetting(c)), rest(steady.attitude),
+        : gaps(Recess(c.surface, c.slider.length, c.slider.width), steady.grid),
+          film(gaps, filmSetting(c)),
+          rest(steady.attitude),
           pressure(gaps.pad.size(), film.ambient())
     {
         film.setAttitude(rest);
@@ -121,7 +127,7 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
 /// Time of implicit steps, and what they leave: against the same steps solved to round-off, beside the error of these in time.
 void stepRow(const std::string& name, Case c, int repeats)
 {
-    constexpr double dt = 1e-7; // [s]
+    constexpr double dt = 1e-7;             // [s]
     constexpr int nodes = 195, count = 100; // 194 x 194 cells
     c.film.nodes = {nodes, nodes};
     c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
@@ -137,12 +143,46 @@ void stepRow(const std::string& name, Case c, int repeats)
         mean.push_back(std::accumulate(result.seconds.begin(), result.seconds.end(), 0.0) / count);
     }
     const double gramForce = 9.80665e-3;
-    std::printf("%s,%g,%.3f,%.3f,%.2f,%.2f,%.2f,%.2e,%.2e,%.2e,%.2e,%d\n", name.c_str(), dt * 1e6,
-                *std::min_element(mean.begin(), mean.end()) * 1e3, *std::min_element(median.begin(), median.end()) * 1e3,
-                double(result.iterations) / count, double(result.solves) / count, double(result.linearisations) / count,
-                largestDifference(result.load, inTime.load) / gramForce, largestDifference(inTime.load, exact.load) / gramForce,
-                largestDifference(result.end, inTime.end) / moving.film.ambient(),
-                largestDifference(inTime.end, exact.end) / moving.film.ambient(), result.failures);
+    std::printf(
+        "%s,%g,%.3f,%.3f,%.2f,%.2f,%.2f,%.2e,%.2e,%.2e,%.2e,%d\n", name.c_str(), dt * 1e6,
+        *std::min_element(mean.begin(), mean.end()) * 1e3, *std::min_element(median.begin(), median.end()) * 1e3,
+        double(result.iterations) / count, double(result.solves) / count, double(result.linearisations) / count,
+        largestDifference(result.load, inTime.load) / gramForce, largestDifference(inTime.load, exact.load) / gramForce,
+        largestDifference(result.end, inTime.end) / moving.film.ambient(),
+        largestDifference(inTime.end, exact.end) / moving.film.ambient(), result.failures);
+    std::fflush(stdout);
+}
+
+/// Time of the parts of a step that moves the slider too, each the least of many.
+void partRow(const std::string& name, Case c, int repeats)
+{
+    c.film.nodes = {195, 195}; // 194 x 194 cells
+    c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
+    MovingFilm moving(c, steady(c));
+    GasFilm& film = moving.film;
+    const std::vector<double>& p = moving.pressure;
+    std::vector<double> residual(p.size());
+    std::array<std::vector<double>, 3> columns;
+    GasFilm::ForceDerivatives slopes;
+    FilmEnergy energy(film);
+    const auto tell = [repeats](const auto& part) {
+        double least = 1e9;
+        for (int k = 0; k < 20 * repeats; ++k) {
+            const auto begin = std::chrono::steady_clock::now();
+            part();
+            least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        }
+        std::printf(",%.3f", least * 1e3);
+    };
+    std::printf("%s", name.c_str());
+    tell([&] { film.setAttitude(moving.rest); });
+    tell([&] { film.residual(p, residual); });
+    tell([&] { film.loadAndShear(p); });
+    tell([&] { energy.at(p); });
+    tell([&] { film.linearise(p, residual); });
+    tell([&] { film.forceDerivatives(p, slopes); });
+    tell([&] { film.attitudeColumns(p, columns); });
+    std::printf("\n");
     std::fflush(stdout);
 }
 
@@ -151,7 +191,8 @@ void stepRow(const std::string& name, Case c, int repeats)
 int benchmarkFilm(const std::string& fileOrFolder, int repeats)
 {
     std::printf("# one thread used; minimum and median of %d runs after a warm-up\n", repeats);
-    std::printf("case,attitude,solver,nodes,minimum [ms],median [ms],iterations,linear iterations,net force [gf],its estimated error [gf],"
+    std::printf("case,attitude,solver,nodes,minimum [ms],median [ms],iterations,linear iterations,net force [gf],its "
+                "estimated error [gf],"
                 "minimum spacing [nm],pitch [urad],roll [urad],residual,status\n");
     rows("film_plane", openCase("film_plane").value, repeats);
     CaseDocument document;
@@ -161,11 +202,18 @@ int benchmarkFilm(const std::string& fileOrFolder, int repeats)
         if (!document.valid() || document.value.model != ModelKind::Film) return 2;
         caseRows(fileOrFolder, document.value, repeats);
     }
-    std::printf("# implicit steps of the film of a moving slider, 194 x 194 cells; minimum over %d runs of 100 steps\n", repeats);
-    std::printf("case,step [us],mean [ms],median [ms],residuals a step,factor solves or cycles,linearisations,largest load error of the "
+    std::printf("# implicit steps of the film of a moving slider, 194 x 194 cells; minimum over %d runs of 100 steps\n",
+                repeats);
+    std::printf("case,step [us],mean [ms],median [ms],residuals a step,factor solves or cycles,linearisations,largest "
+                "load error of the "
                 "solver [gf],of the step [gf],largest pressure error of the solver [-],of the step [-],failures\n");
     for (const char* name : {"film_plane", "film_pico", "film_femto"}) stepRow(name, openCase(name).value, repeats);
     if (!fileOrFolder.empty()) stepRow(fileOrFolder, fixedCase(document.value), repeats);
+    std::printf("# parts of the step of a slider on its film, 194 x 194 cells; the first four at each step, the others "
+                "at some [ms]\n");
+    std::printf("case,gaps,residual,forces,energy,linearisation,derivatives of forces,of the residual by attitude\n");
+    for (const char* name : {"film_plane", "film_pico", "film_femto"}) partRow(name, openCase(name).value, repeats);
+    if (!fileOrFolder.empty()) partRow(fileOrFolder, fixedCase(document.value), repeats);
     return 0;
 }
 
