@@ -26,14 +26,14 @@ void addCase(CLI::App& command, CaseArguments& arguments)
 }
 
 // `--set a=1 fig10a`: the option takes all that follows, so the last one may be the case.
-void findCase(const CLI::App& command, CaseArguments& arguments)
+void findCase(const CLI::App& command, CaseArguments& arguments, const char* wanted = "CASE")
 {
     if (arguments.name.empty() && !arguments.settings.empty() &&
         arguments.settings.back().find('=') == std::string::npos) {
         arguments.name = arguments.settings.back();
         arguments.settings.pop_back();
     }
-    if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": CASE");
+    if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
 }
 
 // A full disk or a closed pipe behind standard output is found out at the last moment.
@@ -98,6 +98,15 @@ int commandLine(int argc, char** argv)
         ->check(CLI::Range(fewestLevels, mostLevels));
     convergence.add_option("--jobs", studyArguments.options.jobs, "Levels that are solved at a time")->check(CLI::Range(1, 64));
     addJson(convergence);
+    DesignArguments designArguments;
+    CLI::App& design = *study.add_subcommand("design", "Searches for values of a film case with which it flies as wanted");
+    design.add_option("FILE", designArguments.study.name, "A study: its case, what may change, and what is wanted");
+    design.add_option("--set", designArguments.study.settings, "Changes a value of the case, such as film.nodes=\"97, 97\"")
+        ->type_name("KEY=VALUE");
+    design.add_option("--out", designArguments.out, "Writes the case with the values that were found")->type_name("FILE.toml");
+    design.add_option("--csv", designArguments.csv, "Writes the steps of the search as CSV")->type_name("FILE.csv");
+    design.add_flag("--progress", designArguments.progress, "Shows progress even when standard error is no terminal");
+    addJson(design);
 
     std::string from;
     std::string to;
@@ -125,17 +134,19 @@ int commandLine(int argc, char** argv)
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
-        if (study.parsed() && !convergence.parsed()) throw CLI::RequiredError("study: convergence");
+        if (study.parsed() && study.get_subcommands().empty()) throw CLI::RequiredError("study: convergence or design");
         if (convergence.parsed()) findCase(convergence, studyArguments.caseArguments);
+        if (design.parsed()) findCase(design, designArguments.study, "FILE");
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = designArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
     if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
     if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
-    if (study.parsed()) return finishOutput(convergenceCommand(studyArguments));
+    if (convergence.parsed()) return finishOutput(convergenceCommand(studyArguments));
+    if (design.parsed()) return finishOutput(designCommand(designArguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));

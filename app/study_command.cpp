@@ -1,26 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_command.h"
 
+#include <filesystem>
+
 #include "app/case_commands.h"
+#include "app/design_report.h"
+#include "app/live_line.h"
 #include "app/output_target.h"
+#include "app/progress_line.h"
 #include "app/stop_signal.h"
 #include "app/study_report.h"
 #include "core/simulation/results_file.h"
 #include "core/studies/convergence_file.h"
+#include "core/studies/design_file.h"
 
 namespace touchdown {
 namespace {
 
-bool targetsAreGood(const StudyArguments& arguments)
+bool targetsAreGood(const std::string& out, const std::string& csv, const std::string& input)
 {
-    const std::string& name = arguments.caseArguments.name;
-    bool good = targetIsGood("--out", arguments.out, checkResultsTarget(arguments.out), name);
-    good = targetIsGood("--csv", arguments.csv, checkResultsTarget(arguments.csv), name) && good;
-    if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
-        complain("--out and --csv: both name " + arguments.out);
+    bool good = targetIsGood("--out", out, checkResultsTarget(out), input);
+    good = targetIsGood("--csv", csv, checkResultsTarget(csv), input) && good;
+    if (!out.empty() && !csv.empty() && sameFile(out, csv)) {
+        complain("--out and --csv: both name " + out);
         good = false;
     }
     return good;
+}
+
+class DesignLine {
+public:
+    explicit DesignLine(bool always) : line_(always) {}
+    void show(const DesignProgress& progress)
+    {
+        last_ = progress;
+        line_.show([this] { return text(); });
+    }
+    void end()
+    {
+        line_.end([this] { return text(); });
+    }
+
+private:
+    std::string text() const
+    {
+        return "iteration " + std::to_string(last_.iteration) + ", " + std::to_string(last_.solves) +
+               " static states, the best misses by " + displayed(last_.misfit, "", 3) + " tolerances";
+    }
+
+    LiveLine line_;
+    DesignProgress last_;
+};
+
+/// The case with what was found, as the text of the case it began with. Returns the problem, or "".
+std::string writeFound(const std::string& out, const DesignDocument& document, const Case& found)
+{
+    const std::filesystem::path folder = std::filesystem::path(out).parent_path();
+    return writeCaseFile(out, updateCaseText(document.start.text, found, folder.empty() ? "." : folder));
 }
 
 } // namespace
@@ -28,7 +64,7 @@ bool targetsAreGood(const StudyArguments& arguments)
 int convergenceCommand(const StudyArguments& arguments)
 {
     const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
-    const bool good = targetsAreGood(arguments);
+    const bool good = targetsAreGood(arguments.out, arguments.csv, arguments.caseArguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     if (const std::string reason = reasonNotToConverge(document.value, arguments.options); !reason.empty()) {
         complain(document.name + ": " + reason);
@@ -48,6 +84,36 @@ int convergenceCommand(const StudyArguments& arguments)
         study.message = problem;
     }
     print(arguments.json ? convergenceJson(study) : convergenceText(document.value, study));
+    if (study.status == StudyStatus::Completed) return exitDone;
+    complain(std::string(name(study.status)) + ": " + study.message);
+    return exitNoAnswer;
+}
+
+int designCommand(const DesignArguments& arguments)
+{
+    const DesignDocument document = readDesign(arguments.study.name, arguments.study.settings);
+    for (const InputProblem& warning : document.start.warnings) complain("warning: " + warning.text());
+    for (const InputProblem& problem : document.problems) complain(problem.text());
+    const bool good = targetsAreGood(arguments.out, arguments.csv, arguments.study.name);
+    if (!document.valid() || !good) return exitWrongInput;
+
+    const StopSignal stop;
+    DesignLine line(arguments.progress);
+    DesignStudy study = studyDesign(document.start.value, document.task, [&](const DesignProgress& progress) {
+        line.show(progress);
+        return !stop.requested();
+    });
+    line.end();
+    std::string problem;
+    if (study.status == StudyStatus::Completed && !arguments.out.empty())
+        problem = writeFound(arguments.out, document, study.found);
+    if (study.status != StudyStatus::Cancelled && !arguments.csv.empty() && problem.empty())
+        problem = writeDesignCsv(arguments.csv, document.task, study);
+    if (!problem.empty()) {
+        study.status = StudyStatus::Failed;
+        study.message = problem;
+    }
+    print(arguments.json ? designJson(document.task, study) : designText(document.task, study));
     if (study.status == StudyStatus::Completed) return exitDone;
     complain(std::string(name(study.status)) + ": " + study.message);
     return exitNoAnswer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown study`: a table from many solutions of one case.
+// `touchdown study`: what many solutions of one case show.
 #pragma once
 
 #include <string>
@@ -18,6 +18,15 @@ struct StudyArguments {
     bool json = false;
 };
 
+struct DesignArguments {
+    CaseArguments study; // a study file, and settings for its case
+    std::string out;     // the case with what was found; "" for none
+    std::string csv;     // "" for none
+    bool progress = false;
+    bool json = false;
+};
+
 int convergenceCommand(const StudyArguments& arguments);
+int designCommand(const DesignArguments& arguments);
 
 } // namespace touchdown

@@ -194,7 +194,8 @@ private:
         } else {
             study_.message = "the targets are not reached within the bounds";
             if (iteration_ >= task_.maximumIterations)
-                study_.message = "the targets are not reached in " + std::to_string(iteration_) + " iterations";
+                study_.message = "the targets are not reached in " + std::to_string(iteration_) +
+                                 (iteration_ == 1 ? " iteration" : " iterations");
             if (const std::string bounds = boundsReached(best.point); !bounds.empty())
                 study_.message += "; the best set lies on the bound of " + bounds;
             if (!obstacle_.empty()) study_.message += "; a set nearby has no static state: " + obstacle_;

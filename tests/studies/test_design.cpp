@@ -149,7 +149,7 @@ private slots:
         task.maximumIterations = 1;
         const DesignStudy study = studyDesign(c, task);
         QCOMPARE(study.status, StudyStatus::Failed);
-        QCOMPARE(study.message, std::string("the targets are not reached in 1 iterations"));
+        QCOMPARE(study.message, std::string("the targets are not reached in 1 iteration"));
         QCOMPARE(study.steps.size(), std::size_t{2});
     }
     /// A small pad that stands out from the surface: `touchdown steady` fails there, and the attitude is known all the same.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A design study as TOML, and what it found as CSV (RFC 4180: a line for the start and for every better set).
+//
+//   case = "../film_fig4_pico.toml"   # beside the study; or the name of a sample case
+//
+//   [[parameter]]
+//   key = "abs.rail[3].width"         # see core/studies/design_key.h; keys = [...] change all by as much as the first
+//   start = "0.5 mm"                  # the value of the case where it is left out
+//   minimum = "0.2 mm"
+//   maximum = "0.9 mm"
+//
+//   [[target]]
+//   quantity = "minimum_spacing"      # of core/simulation/steady_quantities.h
+//   value = "3.2 nm"
+//   tolerance = "0.01 nm"
+//
+//   [search]                          # may be left out
+//   iterations = 30
+//   difference = 0.01
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/simulation/case_file.h"
+#include "core/studies/design.h"
+
+namespace touchdown {
+
+inline constexpr std::size_t mostParameters = 20;
+inline constexpr std::size_t mostTargets = 20;
+
+struct DesignDocument {
+    CaseDocument start; // the case as it is before any parameter is changed
+    DesignTask task;
+    std::string name;
+    std::vector<InputProblem> problems; // all of them, those of the case among them
+    bool valid() const { return problems.empty(); }
+};
+
+/// The settings are those of --set, on the case.
+DesignDocument readDesign(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
+/// The same of a text that stands in `folder`.
+DesignDocument parseDesign(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                           const std::vector<std::string>& settings = {});
+
+/// "" or the problem in one sentence.
+std::string writeDesignCsv(const std::filesystem::path& file, const DesignTask& task, const DesignStudy& study);
+
+} // namespace touchdown
