@@ -128,6 +128,7 @@ private:
     SliderContactForces contactForces_;
     std::array<PastForce, 3> past_;            // accepted, the last one first
     std::size_t pastForces_ = 0;
+    CoupledCost cost_;
     double contraction_ = 0.0;                 // of the iteration, as last measured [-]
 };
 
