@@ -170,7 +170,8 @@ void LivePlots::setCase(const Case& c)
     for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         // Forces against the separation are what a contact run is made for; of a flying slider they are one view among others.
-        const bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
+        bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
+        if (entries_[s].name == QLatin1String("roll") && c.degreesOfFreedom == 2) atFirst = false; // it is held
         const auto chosen = chosen_.find({model_, entries_[s].name});
         entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : atFirst);
     }

@@ -106,7 +106,7 @@ double SideView::heightAt(double share) const
 QRectF SideView::plotArea() const
 {
     const double line = fontMetrics().height();
-    return QRectF(rect()).adjusted(5.0 * line, 2.6 * line, -1.5 * line, -2.6 * line);
+    return QRectF(rect()).adjusted(5.0 * line, 2.7 * line, -1.5 * line, -2.6 * line);
 }
 
 double SideView::exaggeration() const
@@ -213,14 +213,18 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
 void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
 {
     const QRectF area = plotArea();
-    QStringList parts{timeText(state_->time), tr("minimum spacing %1").arg(readout(state_->spacing, "nm", 3)),
-                      tr("pitch %1").arg(readout(state_->pitch, "urad", 2))};
-    if (state_->contactForce > 0.0) parts << tr("contact %1").arg(forceText(state_->contactForce));
-    parts << tr("heights × %L1").arg(std::round(exaggeration()), 0, 'f', 0);
+    const QStringList attitude{timeText(state_->time), tr("minimum spacing %1").arg(readout(state_->spacing, "nm", 3)),
+                               tr("pitch %1").arg(readout(state_->pitch, "urad", 2))};
+    QStringList rest{tr("heights × %L1").arg(std::round(exaggeration()), 0, 'f', 0)};
+    if (state_->contactForce > 0.0) rest.prepend(tr("contact %1").arg(forceText(state_->contactForce)));
     painter.setPen(theme.text);
     const double line = fontMetrics().height();
-    painter.drawText(QRectF(area.left(), 0.2 * line, area.width(), line), Qt::AlignRight | Qt::AlignVCenter,
-                     parts.join(QStringLiteral("   ·   ")).replace(QLatin1Char('-'), QChar(0x2212)));
+    double top = 0.2 * line;
+    for (const QStringList& parts : {attitude, rest}) {
+        painter.drawText(QRectF(0.0, top, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
+                         parts.join(QStringLiteral("   ·   ")).replace(QLatin1Char('-'), QChar(0x2212)));
+        top += line;
+    }
 }
 
 void SideView::changeEvent(QEvent* event)

@@ -195,6 +195,8 @@ void TestMainWindowFilm::runsInTime()
         QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
     }
     QVERIFY(f.window.spectrum().isVisible());
+    f.edit("degrees_of_freedom", QStringLiteral("2")); // roll is held
+    QVERIFY(!f.window.plots().plot(QStringLiteral("roll"))->isVisible());
     // The time step is positive once there was a step.
     QVERIFY(*run.last("time_step") > 0.0);
 }
