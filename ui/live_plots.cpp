@@ -55,6 +55,7 @@ struct LivePlots::Spec {
     std::vector<Curve> curves;
     const char* against = nullptr; // a quantity instead of the time
     bool atFirst = true;           // of a slider that flies, until the user says otherwise
+    AxisScale scale = AxisScale::Linear;
 };
 
 const std::vector<LivePlots::Spec>& LivePlots::specs()
@@ -104,7 +105,7 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
          {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}},
          nullptr,
          false},
-        {"step", QT_TR_NOOP("Time step"), "ns", {{"time_step", QT_TR_NOOP("Time step")}}, nullptr, false},
+        {"step", QT_TR_NOOP("Time step"), "ns", {{"time_step", QT_TR_NOOP("Time step")}}, nullptr, false, AxisScale::Logarithmic},
     };
     return list;
 }
@@ -123,7 +124,7 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
             plot->setAccessibleName(tr("Plot of %1 over time").arg(tr(spec.title)));
             plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
         }
-        plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), AxisScale::Linear});
+        plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
         group_->add(plot);
         installPlotMenu(plot, group_);
         layout_->addWidget(plot, spec.against ? 3 : 1);

@@ -74,6 +74,7 @@ private slots:
     void closedPanesStayClosed();
     void offersTheActionsOfTheModel();
     void runsInTime();
+    void showsAndKeepsTheMapsOfARun();
     void eachPageHasItsPanes();
     void stopsARunAtOnce();
     void stopsASolution();
@@ -199,6 +200,32 @@ void TestMainWindowFilm::runsInTime()
     QVERIFY(!f.window.plots().plot(QStringLiteral("roll"))->isVisible());
     // The time step is positive once there was a step.
     QVERIFY(*run.last("time_step") > 0.0);
+}
+
+void TestMainWindowFilm::showsAndKeepsTheMapsOfARun()
+{
+    const QTemporaryDir folder;
+    Fixture f;
+    f.editToRun();
+    const RunRecord& run = f.run();
+    QCOMPARE(run.fields.size(), std::size_t(1)); // the air alone: nothing touches
+    QVERIFY(run.fields.front().snapshots.size() >= 3);
+    f.window.runView().setPage(RunView::Page::Maps);
+    const RunMaps& maps = *f.window.runView().maps();
+    QVERIFY(!maps.empty());
+    QCOMPARE(maps.time()->value(), maps.time()->maximum());
+    QCOMPARE(f.window.runView().side()->state()->time, run.lastTime());
+    maps.time()->setValue(0); // the side view goes along
+    QCOMPARE(f.window.runView().side()->state()->time, 0.0);
+
+    const QString file = folder.filePath(QStringLiteral("run.h5"));
+    QCOMPARE(saveHdf5(run, file), QString());
+    f.window.setPage(MainWindow::Page::StaticState);
+    f.window.openResults(file); // what was read is there to be seen
+    QVERIFY(f.window.runView().isVisible());
+    const RunRecord& read = f.window.runs().record(1);
+    QCOMPARE(read.fields.front().snapshots.size(), run.fields.front().snapshots.size());
+    QCOMPARE(read.fields.front().snapshots[1].values, run.fields.front().snapshots[1].values);
 }
 
 void TestMainWindowFilm::eachPageHasItsPanes()
