@@ -13,16 +13,20 @@ namespace {
 /// A try so near to the last one starts from it [m].
 constexpr double sameState = 1e-12;
 
+constexpr double looserThanAlone = 1e4; // [-]
+constexpr double loosest = 1e-2;        // [-]
+
 std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
 {
     HalfSpace space(grid, contactModulus(c.elastic.pair));
+    const double tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest);
     if (c.adhesion.acts())
         return AdhesiveContact(std::move(space), c.adhesion,
-                               {.tolerance = c.elastic.tolerance,
+                               {.tolerance = tolerance,
                                 .maximumIterations = c.elastic.maximumIterations,
                                 .hardness = c.elastic.hardness,
                                 .goOn = goOn});
-    return ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
+    return ElasticContact(std::move(space), {.tolerance = tolerance,
                                              .maximumIterations = c.elastic.maximumIterations,
                                              .hardness = c.elastic.hardness,
                                              .goOn = goOn});
