@@ -62,7 +62,8 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
         const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
         good = report(savePicture(*entry.plot, file), file) && good;
     }
-    for (const auto& [shown, name] : {std::pair(RunView::Page::Maps, "maps"), std::pair(RunView::Page::Disk, "disk")}) {
+    for (const auto& [shown, name] : {std::pair(RunView::Page::Side, "side"), std::pair(RunView::Page::Maps, "maps"),
+                                      std::pair(RunView::Page::Disk, "disk")}) {
         if (!window.runView().tabs()->isTabVisible(static_cast<int>(shown))) continue;
         window.runView().setPage(shown);
         do settle(window);

@@ -199,13 +199,15 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
         if (!tick.text.isEmpty())
             painter.drawText(QRectF(0.0, y - line / 2, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter, tick.text);
     }
-    painter.drawText(QRectF(0.0, area.top() - 1.4 * line, area.left() + 8.0 * line, line), Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral(" ") + height_.text());
+    painter.drawText(QRectF(0.3 * line, area.top() - 1.4 * line, area.left() + 8.0 * line, line), Qt::AlignLeft | Qt::AlignVCenter,
+                     height_.text());
     PlotAxis along;
     along.label = {tr("Along the slider"), QStringLiteral("mm"), unitFactor("mm"), AxisScale::Linear};
     along.setRange({0.0, length_});
     for (const AxisTick& tick : along.ticks(8))
         if (!tick.text.isEmpty())
-            painter.drawText(QRectF(toPixel(tick.value, 0.0).x() - 40.0, area.bottom() + 3.0, 80.0, line), Qt::AlignHCenter | Qt::AlignTop, tick.text);
+            painter.drawText(QRectF(toPixel(tick.value, 0.0).x() - 40.0, area.bottom() + 3.0, 80.0, line),
+                             Qt::AlignHCenter | Qt::AlignTop, tick.text);
     painter.drawText(QRectF(area.left(), area.bottom() + 1.2 * line, area.width(), line), Qt::AlignHCenter | Qt::AlignTop,
                      tr("%1, the disk moves from left to right").arg(along.text()));
 }

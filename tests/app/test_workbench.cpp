@@ -49,6 +49,7 @@ private slots:
     void refusesBadInput();
     void exportsPlots();
     void exportsWhatThereIsOfAFailedRun();
+    void exportsTheStaticStateOfAFilm();
     void takesAPictureOfTheWindow();
     void saysWhatCannotBeWritten();
 
@@ -122,6 +123,15 @@ void TestWorkbench::exportsWhatThereIsOfAFailedRun()
     QCOMPARE(o.code, 1);
     QVERIFY2(o.err.contains("rear air spring is lost"), o.err.constData());
     QVERIFY(QFile::exists(target + "/spacing.png"));
+}
+
+void TestWorkbench::exportsTheStaticStateOfAFilm()
+{
+    const QString target = folder_.filePath("film_plane");
+    const Outcome o = workbench({"film_plane", "--static", "--export", target}, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 0);
+    for (const char* page : {"surface", "pressure", "gap", "recess"})
+        QVERIFY2(pngSize(target + QLatin1Char('/') + QLatin1String(page) + QStringLiteral(".png")).isValid(), page);
 }
 
 void TestWorkbench::takesAPictureOfTheWindow()
