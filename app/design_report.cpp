@@ -47,10 +47,11 @@ std::string designJson(const DesignTask& task, const DesignStudy& study)
     Json steps = Json::array(), targets = Json::array();
     for (const DesignPoint& point : study.steps) steps.push_back(pointJson(task, point));
     for (const DesignTarget& target : task.targets)
-        targets.push_back({{"quantity", target.quantity.name},
-                           {"value", jsonNumber(target.value)},
-                           {"tolerance", jsonNumber(target.tolerance)},
-                           {"grid_error", jsonNumber(gridError(study.state.discretisationError, target.quantity.name))}});
+        targets.push_back(
+            {{"quantity", target.quantity.name},
+             {"value", jsonNumber(target.value)},
+             {"tolerance", jsonNumber(target.tolerance)},
+             {"grid_error", jsonNumber(gridError(study.state.discretisationError, target.quantity.name))}});
     const bool known = !study.steps.empty() && study.steps.back().problem.empty();
     return jsonText({{"status", name(study.status)},
                      {"message", study.message},
@@ -67,7 +68,8 @@ std::string designText(const DesignTask& task, const DesignStudy& study)
 {
     std::string text = study.found.title + "\n";
     text += reportRow("status", std::string(name(study.status)) + (study.message.empty() ? "" : ": " + study.message));
-    text += reportRow("search", std::to_string(study.solves) + " static states, " + displayed(study.wallSeconds, "s", 3));
+    text +=
+        reportRow("search", std::to_string(study.solves) + " static states, " + displayed(study.wallSeconds, "s", 3));
     const DesignPoint& best = study.steps.back();
     for (std::size_t i = 0; i < best.parameters.size(); ++i) {
         const DesignParameter& parameter = task.parameters[i];

@@ -36,8 +36,8 @@ Vector solvePositive(std::vector<Vector>& a, Vector b)
 
 } // namespace
 
-std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, std::span<const double> residual, double lambda,
-                                std::span<const double> low, std::span<const double> high)
+std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, std::span<const double> residual,
+                                double lambda, std::span<const double> low, std::span<const double> high)
 {
     const std::size_t count = slopes.size();
     Vector step(count, 0.0);
@@ -51,7 +51,8 @@ std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, 
         Vector b;
         for (const std::size_t i : loose) {
             Vector row;
-            for (const std::size_t k : loose) row.push_back(product(slopes[i], slopes[k]) * (i == k ? 1.0 + lambda : 1.0));
+            for (const std::size_t k : loose)
+                row.push_back(product(slopes[i], slopes[k]) * (i == k ? 1.0 + lambda : 1.0));
             normal.push_back(std::move(row));
             b.push_back(-product(slopes[i], right));
         }

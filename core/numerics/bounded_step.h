@@ -14,7 +14,7 @@
 namespace touchdown {
 
 /// `slopes` is J column by column, each as long as `residual`; low[k] <= 0 <= high[k] bound du_k. lambda > 0.
-std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, std::span<const double> residual, double lambda,
-                                std::span<const double> low, std::span<const double> high);
+std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, std::span<const double> residual,
+                                double lambda, std::span<const double> low, std::span<const double> high);
 
 } // namespace touchdown

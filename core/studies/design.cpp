@@ -72,7 +72,7 @@ private:
     using Slopes = std::vector<std::vector<double>>; // J column by column, for the shares u
 
     struct Trial {
-        bool known = false; // there is a static state
+        bool known = false;          // there is a static state
         std::vector<double> misfits; // r
         DesignPoint point;
         SteadyResult state;
@@ -106,7 +106,8 @@ private:
         const std::vector<SteadyQuantity> all = steadyQuantities(trial.state);
         trial.known = true;
         for (const DesignTarget& target : task_.targets) {
-            const auto found = std::ranges::find(all, target.quantity.name, [](const auto& q) { return q.quantity.name; });
+            const auto found =
+                std::ranges::find(all, target.quantity.name, [](const auto& q) { return q.quantity.name; });
             trial.point.quantities.push_back(found->value);
             trial.misfits.push_back((found->value - target.value) / target.tolerance);
             trial.known = trial.known && std::isfinite(trial.misfits.back());

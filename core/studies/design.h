@@ -5,10 +5,9 @@
 //
 //   r_i(u) = (q_i - t_i)/e_i,   |r|^2 least,   found where every |r_i| <= 1
 //
-// Damped Gauss-Newton (Levenberg 1944, Marquardt 1963): (J^T J + lambda D) du = -J^T r, D = diag(J^T J), with J by differences of one
-// parameter at a time. A parameter on its bound that wants to go beyond stands still. The static state is that of `touchdown steady`
-// from the initial attitude of the case; a state in which the film alone leaves rails below the mean plane of the disk counts
-// too, since contact may carry the rest there.
+// Damped Gauss-Newton (Levenberg 1944, Marquardt 1963), core/numerics/bounded_step.h, with J by differences of one parameter
+// at a time. The static state is that of `touchdown steady` from the initial attitude of the case; a state in which the film
+// alone leaves rails below the mean plane of the disk counts too, since contact may carry the rest there.
 #pragma once
 
 #include <functional>
@@ -37,7 +36,7 @@ struct DesignTask {
     std::vector<DesignParameter> parameters;
     std::vector<DesignTarget> targets;
     int maximumIterations = 30;
-    double difference = 0.01; // of a parameter's range, for the slopes [-]; more than what the grid's fitting to rails scatters
+    double difference = 0.01; // for the slopes, of a range [-]; above the scatter of grids that follow the rails
 };
 
 /// A set of values that was tried.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "core/simulation/case_reader.h"
 #include "core/simulation/decimal.h"
@@ -80,7 +81,8 @@ private:
             if (table.key == kind && list && table.kind != TomlTableKind::Array)
                 add(table.line, table.key, "is one of a list; write [[" + kind + "]]");
             else if (!list && table.key != "search")
-                add(table.line, table.key, "unknown table" + didYouMean(nearestName(kind, {"parameter", "target", "search"})));
+                add(table.line, table.key,
+                    "unknown table" + didYouMean(nearestName(kind, {"parameter", "target", "search"})));
         }
         for (const TomlEntry& entry : toml_.entries) {
             const auto dot = entry.key.find_last_of('.');
@@ -112,8 +114,8 @@ private:
     }
 
     /// A missing one is a problem unless there is a number to stand for it.
-    std::optional<double> number(const std::string& key, int line, const std::string& unit, const std::string& displayUnit,
-                                 std::optional<double> otherwise = {})
+    std::optional<double> number(const std::string& key, int line, const std::string& unit,
+                                 const std::string& displayUnit, std::optional<double> otherwise = {})
     {
         const TomlEntry* entry = find(key);
         if (entry == nullptr) {
@@ -173,8 +175,8 @@ private:
             if (table.key.starts_with(kind + '[') && table.key.ends_with(']')) list.push_back({table.key, table.line});
         if (list.empty()) add(0, kind, "a study needs one or more; write [[" + kind + "]] for each");
         if (list.size() > most) {
-            add(list[most].line, kind, std::to_string(list.size()) + " are too many; at most " + std::to_string(most) +
-                                           " are possible");
+            add(list[most].line, kind,
+                std::to_string(list.size()) + " are too many; at most " + std::to_string(most) + " are possible");
             list.clear();
         }
         return list;
@@ -203,13 +205,16 @@ private:
 
     void readParameters()
     {
+        std::set<std::string> keys;
         for (const Place& place : places("parameter", mostParameters)) {
             const std::size_t before = document_.problems.size();
             DesignParameter parameter;
             for (const std::string& name : keysOf(place)) {
                 auto key = designKey(document_.start.value, name);
                 const std::string at = place.table + (find(place.table + ".keys") != nullptr ? ".keys" : ".key");
-                if (const auto* problem = std::get_if<std::string>(&key))
+                if (!keys.insert(name).second)
+                    add(lineOf(at, place.line), at, inQuotes(name) + " is changed by more than one parameter");
+                else if (const auto* problem = std::get_if<std::string>(&key))
                     add(lineOf(at, place.line), at, inQuotes(name) + ' ' + *problem);
                 else if (parameter.keys.push_back(std::get<DesignKey>(key));
                          parameter.keys.back().unit != parameter.keys.front().unit)
@@ -227,7 +232,8 @@ private:
         const auto value = [&](const char* name, std::optional<double> otherwise = {}) {
             return number(place.table + '.' + name, place.line, first.unit, first.displayUnit, otherwise);
         };
-        const auto minimum = value("minimum"), maximum = value("maximum"), start = value("start", first.get(document_.start.value));
+        const auto minimum = value("minimum"), maximum = value("maximum"),
+                   start = value("start", first.get(document_.start.value));
         if (!minimum || !maximum || !start) return;
         parameter.minimum = *minimum;
         parameter.maximum = *maximum;
@@ -237,7 +243,8 @@ private:
             const std::string key = place.table + '.' + name;
             add(lineOf(key, place.line), key, std::move(message));
         };
-        if (!(*minimum < *maximum)) return complain("maximum", "must be greater than minimum (" + shown(*minimum) + ")");
+        if (!(*minimum < *maximum))
+            return complain("maximum", "must be greater than minimum (" + shown(*minimum) + ")");
         if (*start < *minimum || *start > *maximum)
             return complain("start", shown(*start) + " is not between minimum (" + shown(*minimum) + ") and maximum (" +
                                          shown(*maximum) + ")");
@@ -268,7 +275,8 @@ private:
             const auto value = number(place.table + ".value", place.line, quantity.unit, quantity.displayUnit);
             const auto tolerance = number(place.table + ".tolerance", place.line, quantity.unit, quantity.displayUnit);
             if (tolerance && !(*tolerance > 0.0))
-                add(lineOf(place.table + ".tolerance", place.line), place.table + ".tolerance", "must be greater than 0");
+                add(lineOf(place.table + ".tolerance", place.line), place.table + ".tolerance",
+                    "must be greater than 0");
             else if (value && tolerance)
                 document_.task.targets.push_back({quantity, *value, *tolerance});
         }
@@ -313,7 +321,8 @@ std::string writeDesignCsv(const std::filesystem::path& file, const DesignTask& 
         const DesignKey& key = parameter.keys.front();
         text += ',' + key.key + (key.unit.empty() ? "" : " [" + key.unit + ']');
     }
-    for (const DesignTarget& target : task.targets) text += ',' + target.quantity.name + " [" + target.quantity.unit + ']';
+    for (const DesignTarget& target : task.targets)
+        text += ',' + target.quantity.name + " [" + target.quantity.unit + ']';
     text += ",misfit\r\n";
     for (const DesignPoint& point : study.steps) {
         text += std::to_string(point.iteration);

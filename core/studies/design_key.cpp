@@ -23,7 +23,7 @@ struct Extent {
     double size() const { return high - low; }
 };
 
-Extent extentOf(const Rail& rail, double RailPoint::* axis)
+Extent extentOf(const Rail& rail, double RailPoint::*axis)
 {
     Extent extent;
     for (const RailPoint& point : rail.points) {
@@ -45,7 +45,7 @@ DesignKey recessKey(std::string key, std::size_t rail)
     return {std::move(key), "m", "um", [rail](const Case& c) { return c.surface.rails[rail].recess[0]; }, set};
 }
 
-DesignKey placeKey(std::string key, std::size_t rail, double RailPoint::* axis)
+DesignKey placeKey(std::string key, std::size_t rail, double RailPoint::*axis)
 {
     const auto get = [rail, axis](const Case& c) { return extentOf(c.surface.rails[rail], axis).middle(); };
     const auto set = [rail, axis, get](Case& c, double value) -> std::optional<std::string> {
@@ -56,7 +56,7 @@ DesignKey placeKey(std::string key, std::size_t rail, double RailPoint::* axis)
     return {std::move(key), "m", "mm", get, set};
 }
 
-DesignKey sizeKey(std::string key, std::size_t rail, double RailPoint::* axis)
+DesignKey sizeKey(std::string key, std::size_t rail, double RailPoint::*axis)
 {
     const auto get = [rail, axis](const Case& c) { return extentOf(c.surface.rails[rail], axis).size(); };
     const auto set = [rail, axis](Case& c, double value) -> std::optional<std::string> {
@@ -78,7 +78,8 @@ Answer railKey(const Case& c, const std::string& key)
     const std::string_view rest(end, static_cast<std::size_t>(key.data() + key.size() - end));
     if (error != std::errc() || !rest.starts_with("].")) return "is no key of a rail, such as abs.rail[1].width";
     if (number < 1 || number > c.surface.rails.size())
-        return "there is no rail " + std::to_string(number) + "; the case has " + std::to_string(c.surface.rails.size());
+        return "there is no rail " + std::to_string(number) + "; the case has " +
+               std::to_string(c.surface.rails.size());
     const std::string_view leaf = rest.substr(2);
     if (leaf == "recess") return recessKey(key, number - 1);
     if (leaf == "x") return placeKey(key, number - 1, &RailPoint::x);

@@ -14,9 +14,11 @@ namespace {
 constexpr double far = std::numeric_limits<double>::infinity();
 constexpr double hardlyDamped = 1e-14;
 
-std::vector<double> freeStep(const std::vector<std::vector<double>>& slopes, const std::vector<double>& r, double lambda)
+std::vector<double> freeStep(const std::vector<std::vector<double>>& slopes, const std::vector<double>& r,
+                             double lambda)
 {
-    return boundedStep(slopes, r, lambda, std::vector<double>(slopes.size(), -far), std::vector<double>(slopes.size(), far));
+    return boundedStep(slopes, r, lambda, std::vector<double>(slopes.size(), -far),
+                       std::vector<double>(slopes.size(), far));
 }
 
 } // namespace

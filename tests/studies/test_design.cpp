@@ -110,7 +110,8 @@ private slots:
         DesignTask task;
         task.parameters = {parameter(c, {"suspension.offset_x"}, -0.1e-3, 0.1e-3),
                            parameter(c, {"suspension.preload"}, 5e-3, 20e-3)};
-        task.targets = {target("minimum_spacing", wanted.minimumSpacing, 1e-13), target("pitch", wanted.attitude.pitch, 1e-10)};
+        task.targets = {target("minimum_spacing", wanted.minimumSpacing, 1e-13),
+                        target("pitch", wanted.attitude.pitch, 1e-10)};
         const DesignStudy study = studyDesign(c, task);
         QCOMPARE(study.status, StudyStatus::Completed);
         QVERIFY(std::abs(study.found.suspension.offsetX - known.suspension.offsetX) < 1e-9);
@@ -135,8 +136,9 @@ private slots:
         task.targets = {target("nominal_trailing_edge_height", before.attitude.height - 50e-9, 1e-12)};
         const DesignStudy study = studyDesign(c, task);
         QCOMPARE(study.status, StudyStatus::Failed);
-        QCOMPARE(study.message, std::string("the targets are not reached within the bounds; the best set lies on the bound of "
-                                            "abs.rail[1].recess"));
+        QCOMPARE(study.message,
+                 std::string("the targets are not reached within the bounds; the best set lies on the bound of "
+                             "abs.rail[1].recess"));
         QCOMPARE(study.steps.back().parameters[0], 5e-9);
         QVERIFY(std::abs(study.steps.back().misfit - 45e3) < 1.0);
     }
@@ -183,7 +185,8 @@ private slots:
         DesignTask task;
         task.parameters = {parameter(c, {"suspension.preload"}, 5e-3, 20e-3)};
         task.targets = {target("minimum_spacing", 5e-9, 1e-10)};
-        const DesignStudy study = studyDesign(c, task, [](const DesignProgress& progress) { return progress.solves < 2; });
+        const DesignStudy study =
+            studyDesign(c, task, [](const DesignProgress& progress) { return progress.solves < 2; });
         QCOMPARE(study.status, StudyStatus::Cancelled);
         QCOMPARE(study.solves, 3);
         QVERIFY(!study.message.empty());

@@ -95,7 +95,8 @@ private slots:
         QFETCH(QString, file);
         DesignDocument d = readDesign(file.toStdString());
         QVERIFY2(d.valid(), d.valid() ? "" : d.problems.front().text().c_str());
-        for (DesignParameter& parameter : d.task.parameters) parameter.start = parameter.keys.front().get(d.start.value);
+        for (DesignParameter& parameter : d.task.parameters)
+            parameter.start = parameter.keys.front().get(d.start.value);
         const DesignStudy study = studyDesign(d.start.value, d.task);
         QVERIFY2(study.status == StudyStatus::Completed, study.message.c_str());
         QCOMPARE(study.solves, 1);
@@ -109,14 +110,17 @@ private slots:
             QTest::newRow(name) << QString::fromStdString(text) << says;
         };
         row("no TOML", "case = ", "a.toml:1: ");
-        row("empty", "", "a.toml: case: is missing; the file of a case, or the name of a sample case, in quotation marks is needed");
+        row("empty", "",
+            "a.toml: case: is missing; the file of a case, or the name of a sample case, in quotation marks is needed");
         row("a case that is not there", with("\"film_pico\"", "\"film_pigo\""),
             "film_pigo: is neither a file nor a sample case; did you mean film_pico?");
         row("a case without a film", with("\"film_pico\"", "\"fig10a\""),
             "a.toml:2: case: fig10a: a design study takes a case of model \"film\", whose static state it looks for");
         row("case is a number", with("\"film_pico\"", "7"),
-            "a.toml:2: case: has the wrong type; the file of a case, or the name of a sample case, in quotation marks is needed");
-        row("an unknown key", with("start = ", "stat = "), "a.toml:11: parameter[2].stat: unknown key; did you mean start?");
+            "a.toml:2: case: has the wrong type; the file of a case, or the name of a sample case, in quotation marks "
+            "is needed");
+        row("an unknown key", with("start = ", "stat = "),
+            "a.toml:11: parameter[2].stat: unknown key; did you mean start?");
         row("an unknown table", with("[search]", "[serch]"), "a.toml:25: serch: unknown table; did you mean search?");
         row("a root key", "file = 1\n" + good, "a.toml:1: file: unknown key");
         row("one parameter as a table", with("[[parameter]]\nkey", "[parameter]\nkey"), "a.toml:");
@@ -136,6 +140,8 @@ private slots:
             "a.toml:11: parameter[2].key: is one key, and keys are several; write one of the two");
         row("keys of two kinds", with("\"abs.rail[3].recess\"", "\"suspension.preload\""),
             "a.toml:10: parameter[2].keys: \"suspension.preload\" is measured otherwise than the first key");
+        row("a key twice", with("\"abs.rail[3].recess\"", "\"abs.rail[4].width\""),
+            "a.toml:10: parameter[2].keys: \"abs.rail[4].width\" is changed by more than one parameter");
         row("no minimum", with("minimum = \"0.1 mm\"\n", ""), "a.toml:4: parameter[1].minimum: is missing");
         row("another unit", with("\"0.1 mm\"", "\"0.1 N\""), "a.toml:6: parameter[1].minimum: ");
         row("bounds upside down", with("\"0.3 mm\"", "\"0.05 mm\""),
@@ -151,7 +157,8 @@ private slots:
         row("an error of the grid", with("\"pitch\"", "\"pitch_error\""), "is no quantity of a static state");
         row("no tolerance", with("tolerance = \"1 urad\"\n", ""), "a.toml:20: target[2].tolerance: is missing");
         row("no tolerance at all", with("\"1 urad\"", "0"), "a.toml:23: target[2].tolerance: must be greater than 0");
-        row("half an iteration", with("= 12", "= 0.5"), "a.toml:26: search.iterations: must be a whole number from 1 to 1000");
+        row("half an iteration", with("= 12", "= 0.5"),
+            "a.toml:26: search.iterations: must be a whole number from 1 to 1000");
         row("a large difference", with("0.02", "0.6"), "a.toml:27: search.difference: must be from 1e-6 to 0.25");
     }
     void problems()
@@ -181,8 +188,9 @@ private slots:
         QFile written(QString::fromStdString(file.string()));
         QVERIFY(written.open(QIODevice::ReadOnly));
         QCOMPARE(written.readAll(),
-                 QByteArray("iteration,abs.rail[4].width [m],abs.rail[1].recess [m],minimum_spacing [m],pitch [rad],misfit\r\n"
-                            "0,0.0002,2.5e-7,9e-9,0.00014,10\r\n1,0.0003,2e-7,8e-9,0.00015,0.5\r\n"));
+                 QByteArray(
+                     "iteration,abs.rail[4].width [m],abs.rail[1].recess [m],minimum_spacing [m],pitch [rad],misfit\r\n"
+                     "0,0.0002,2.5e-7,9e-9,0.00014,10\r\n1,0.0003,2e-7,8e-9,0.00015,0.5\r\n"));
         QVERIFY(!writeDesignCsv(folder_.path().toStdString() + "/no/a.csv", d.task, study).empty());
     }
 

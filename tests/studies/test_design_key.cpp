@@ -80,14 +80,22 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("says");
-        QTest::newRow("a slip of the pen") << "suspension.ofset_x" << "unknown key; did you mean suspension.offset_x?";
-        QTest::newRow("a choice") << "film.grid" << "is no number with a range to search";
-        QTest::newRow("of another model") << "springs.cutoff" << "has no part in this case";
-        QTest::newRow("a rail that is not there") << "abs.rail[6].x" << "there is no rail 6; the case has 5";
-        QTest::newRow("rail 0") << "abs.rail[0].x" << "there is no rail 0; the case has 5";
-        QTest::newRow("no number") << "abs.rail[a].x" << "is no key of a rail, such as abs.rail[1].width";
-        QTest::newRow("an open bracket") << "abs.rail[1" << "is no key of a rail, such as abs.rail[1].width";
-        QTest::newRow("points") << "abs.rail[1].points" << "a study changes recess, x, y, length or width of a rail";
+        QTest::newRow("a slip of the pen") << "suspension.ofset_x"
+                                           << "unknown key; did you mean suspension.offset_x?";
+        QTest::newRow("a choice") << "film.grid"
+                                  << "is no number with a range to search";
+        QTest::newRow("of another model") << "springs.cutoff"
+                                          << "has no part in this case";
+        QTest::newRow("a rail that is not there") << "abs.rail[6].x"
+                                                  << "there is no rail 6; the case has 5";
+        QTest::newRow("rail 0") << "abs.rail[0].x"
+                                << "there is no rail 0; the case has 5";
+        QTest::newRow("no number") << "abs.rail[a].x"
+                                   << "is no key of a rail, such as abs.rail[1].width";
+        QTest::newRow("an open bracket") << "abs.rail[1"
+                                         << "is no key of a rail, such as abs.rail[1].width";
+        QTest::newRow("points") << "abs.rail[1].points"
+                                << "a study changes recess, x, y, length or width of a rail";
     }
     void refuses()
     {
