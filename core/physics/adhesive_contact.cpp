@@ -25,6 +25,14 @@ constexpr double nearMinimum = 0.2;   // error below which Newton's method is tr
 constexpr int mostNewtonIterations = 12;
 constexpr int longestPause = 8;
 
+/// The grid, and as many cells beside it as a fast transform needs.
+UniformGrid fastGrid(const UniformGrid& grid)
+{
+    // The padded size of half as many points.
+    const auto fast = [](int n) { return paddedSize((n + 1) / 2); };
+    return {fast(grid.nx), fast(grid.ny), grid.dx, grid.dy, grid.x0, grid.y0};
+}
+
 /// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence coefficients.
 double reachOf(HalfSpace& space)
 {
@@ -52,7 +60,8 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
         elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations, options.hardness, options.goOn});
         return;
     }
-    periodic_.emplace(grid, space.modulus(), HalfSpaceEdges::Periodic);
+    periodic_.emplace(fastGrid(grid), space.modulus(), HalfSpaceEdges::Periodic);
+    repeated_.assign(periodic_->grid().cells(), 0.0);
     space_.emplace(std::move(space));
     for (Solution* solution : {&now_, &kept_, &before_, &lower_})
         for (auto* field : {&solution->separation, &solution->total, &solution->displacement}) field->assign(grid.cells(), 0.0);

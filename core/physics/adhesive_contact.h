@@ -12,7 +12,7 @@
 // that the minimum of the convex rest has less energy (majorise and minimise; the concave-convex procedure of Yuille &
 // Rangarajan 2003). That minimum is sought in q, whose energy is convex with bounds: Newton's method on the cells between
 // their bounds, the steps by conjugate gradients, one convolution each, preconditioned by the stiffness of a periodic half-space
-// of the grid's own size; a step past the least energy on its way is cut to it. While the descent goes on without slowing, as
+// about as large as the grid; a step past the least energy on its way is cut to it. While the descent goes on without slowing, as
 // when a crack runs, the tangents are taken ahead of the present gaps; where that raises the energy it is taken back.
 //
 // Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself takes over
@@ -119,6 +119,7 @@ private:
     std::optional<HalfSpace> space_;        // unless elastic_ has it
     std::optional<ElasticContact> elastic_; // without adhesion
     std::optional<HalfSpace> periodic_;     // preconditioner
+    std::vector<double> repeated_;          // on its grid
     AdhesiveContactOptions options_;
     AdhesiveCell cell_;
     double reach_;       // the most that pressures up to 1 Pa displace [m/Pa]

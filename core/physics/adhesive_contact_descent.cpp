@@ -229,10 +229,14 @@ void AdhesiveContact::solveTangents()
 // that make the diagonal right where 1/D is added.
 void AdhesiveContact::precondition(std::span<const double> in, std::span<double> out)
 {
+    const auto nx = static_cast<std::size_t>(space_->grid().nx), stride = static_cast<std::size_t>(periodic_->grid().nx);
     double mean = 0.0;
+    std::fill(repeated_.begin(), repeated_.end(), 0.0);
     for (std::size_t i = 0; i < in.size(); ++i) mean += work_[i] = weight_[i] * in[i];
     mean /= static_cast<double>(in.size());
-    periodic_->stress(work_, work_);
+    for (std::size_t row = 0; row * nx < in.size(); ++row) std::copy_n(work_.data() + row * nx, nx, repeated_.data() + row * stride);
+    periodic_->stress(repeated_, repeated_);
+    for (std::size_t row = 0; row * nx < in.size(); ++row) std::copy_n(repeated_.data() + row * stride, nx, work_.data() + row * nx);
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = weight_[i] * (work_[i] + mean / reach_);
 }
 
