@@ -139,7 +139,8 @@ void TestRunCommand::contactCase()
     const StoredRun run = readResults(folder_->path("a.h5").toStdString());
     QCOMPARE(run.problem, std::string());
     QCOMPARE(run.samples.size(), std::size_t{201});
-    QCOMPARE(run.recorded.quantities.size(), std::size_t{3}); // gap, contact pressure, disk surface
+    QCOMPARE(run.recorded.size(), std::size_t{1});
+    QCOMPARE(run.recorded.front().quantities.size(), std::size_t{3}); // gap, contact pressure, disk surface
     QCOMPARE(run.fields.size(), std::size_t{41});             // 40, and the closest approach
 
     const Outcome text = folder_->touchdown({"run", "contact_ono_yamane"});
@@ -180,15 +181,37 @@ void TestRunCommand::everySampleCaseRuns()
     QCOMPARE(o.json()["status"].toString(), fails ? "failed" : "completed");
 }
 
-// One sentence says what to do instead, and nothing is written.
+// A film case runs as the others do, here on a coarse grid: from 1 nm above its static state, in 5 us by 51 samples.
 void TestRunCommand::filmCase()
 {
-    const Outcome o = folder_->touchdown({"run", "film_plane", "--json", "--out", "a.h5", "--csv", "a.csv"});
-    QCOMPARE(o.code, 2);
-    QCOMPARE(o.out, QByteArray());
-    QCOMPARE(o.errorLines().size(), 1);
-    QVERIFY2(o.err.startsWith("film_plane: ") && o.err.contains("touchdown steady"), o.err);
-    QCOMPARE(folder_->files(), QStringList());
+    const QStringList settings{"--set",
+                               "film.nodes=33,33",
+                               "degrees_of_freedom=2",
+                               "contact=ono-yamane",
+                               "initial.state=static",
+                               "initial.height_offset=1 nm",
+                               "run.duration=5 us",
+                               "run.field_snapshots=3"};
+    const Outcome o = folder_->touchdown(
+        QStringList{"run", "film_pico", "--json", "--progress", "--out", "a.h5", "--csv", "a.csv"} + settings);
+    QCOMPARE(o.code, 0);
+    QVERIFY2(o.err.contains("(100 %)") && o.err.contains("minimum spacing"), o.err);
+    const QJsonObject json = o.json();
+    QCOMPARE(json["status"].toString(), "completed");
+    QCOMPARE(json["model"].toString(), "film");
+    for (const char* key : {"flying_height", "minimum_spacing", "pitch", "roll", "height", "contact_force",
+                            "adhesion_force", "friction_force", "air_bearing_force", "energy"})
+        QVERIFY2(json["final"].toObject()[key].isDouble(), key);
+    const StoredRun run = readResults(folder_->path("a.h5").toStdString());
+    QCOMPARE(run.problem, std::string());
+    QCOMPARE(run.samples.size(), std::size_t{51});
+    QCOMPARE(run.recorded.size(), std::size_t{1}); // of the film
+    const auto height = static_cast<std::size_t>(findQuantity(run.quantities, "minimum_spacing"));
+    QCOMPARE(run.samples.columns[height].back(), json["final"].toObject()["minimum_spacing"].toDouble());
+
+    const Outcome text = folder_->touchdown(QStringList{"run", "film_pico"} + settings);
+    for (const char* part : {"completed at 0.005 ms", "final bearing force", "final net contact", "steps"})
+        QVERIFY2(text.out.contains(part), text.out);
 }
 
 void TestRunCommand::failedRun()
