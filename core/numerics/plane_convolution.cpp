@@ -34,7 +34,9 @@ TOUCHDOWN_VECTOR_CLONES void multiply(int my, const double* kernel, double* w)
 
 int paddedSize(int n)
 {
-    for (int m = std::max(2, 2 * n - 1 + (2 * n - 1) % 2);; m += 2) {
+    const int least = 2 * n - 1;
+    const int step = least > 32 ? 8 : 2;
+    for (int m = std::max(2, (least + step - 1) / step * step);; m += step) {
         int rest = m;
         for (const int factor : {2, 3, 5, 7})
             while (rest % factor == 0) rest /= factor;
