@@ -149,7 +149,6 @@ void FilmStepper::linearise(FilmStepResult& result)
     solver_ = Solver::Factors;
     contraction_ = 0.0;
     ++result.linearisations;
-    ++linearisations_;
 }
 
 /// From what the first change adds to the guess; where that is no parabola, cautiously.

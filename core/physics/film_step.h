@@ -67,8 +67,8 @@ public:
 
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }
-    /// Times that the film was linearised: when it grows, linear() has changed.
-    long long linearisations() const { return linearisations_; }
+    /// What may be left of the last step, as `tolerance` measures it [-].
+    double allowed() const { return std::max(options_.tolerance, std::min(1e-4, options_.share * timeError_)); }
     /// Of the film at the last step's attitude and length, with what its cells store.
     FilmLinearSolver& linear() { return linear_; }
 
@@ -76,7 +76,6 @@ private:
     void remember();
     void setHistory(double dt);
     void guess(double dt);
-    double allowed() const { return std::max(options_.tolerance, std::min(1e-4, options_.share * timeError_)); }
     void linearise(FilmStepResult& result);
     /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
@@ -112,7 +111,6 @@ private:
     Solver solver_ = Solver::Factors;
     double contraction_ = 0.0;       // of its corrections, as far as known [-]
     bool converged_ = false;         // the last step, and p_ solves it
-    long long linearisations_ = 0;
 };
 
 } // namespace touchdown

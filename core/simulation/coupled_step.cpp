@@ -11,7 +11,9 @@ namespace touchdown {
 
 namespace {
 
-constexpr double columnTolerance = 1e-2;    // of the responses X, which lead the iteration and have no part in its result [-]
+constexpr double responseTolerance = 0.1;   // of the responses X, which lead the iteration and have no part in its result [-]
+constexpr double responseChange = 0.5;      // of a step's rate, for which they are the same [-]
+constexpr int responseAge = 200;            // steps for which they are the same
 constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
@@ -85,9 +87,9 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
 {
     const Stopwatch watch(cost_.forceSeconds);
-    const std::array<double, 3> load = film_.load(p);
-    shear_ = film_.shear(p);
-    return {load[0], load[1] - body_.shearArm() * shear_[0], load[2] - body_.shearArm() * shear_[1]};
+    const std::array<double, 5> force = film_.loadAndShear(p);
+    shear_ = {force[3], force[4]};
+    return {force[0], force[1] - body_.shearArm() * force[3], force[2] - body_.shearArm() * force[4]};
 }
 
 void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion, double time)
@@ -105,7 +107,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     past_ = {};
     past_[0] = {filmForce_, time};
     pastForces_ = 1;
-    linearised_ = -1;
+    responsePerTime_ = 0.0;
     contraction_ = 0.0;
     setAcceleration();
 }
@@ -137,7 +139,7 @@ void CoupledStepper::setColumns(CoupledStepResult& result)
     const std::size_t count = body_.holdsRoll() ? 2 : 3;
     for (std::size_t m = 0; m < count; ++m)
         result.solves +=
-            stepper_.linear().solve(columns_[m], responses_[m], {.tolerance = columnTolerance, .maximumIterations = 40}).iterations;
+            stepper_.linear().solve(columns_[m], responses_[m], {.tolerance = responseTolerance, .maximumIterations = 40}).iterations;
     filmSlopes_ = {};
     for (std::size_t m = 0; m < count; ++m) {
         std::array<double, 5> slope{}; // d(load, shear)/dq
@@ -151,7 +153,8 @@ void CoupledStepper::setColumns(CoupledStepResult& result)
         filmSlopes_[1][m] = -slope[1] + body_.shearArm() * slope[3];
         filmSlopes_[2][m] = -slope[2] + body_.shearArm() * slope[4];
     }
-    linearised_ = stepper_.linearisations();
+    responsePerTime_ = film_.storagePerTime();
+    responseAge_ = 0;
 }
 
 /// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
@@ -177,6 +180,11 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
     return solveScaled(matrix, b, film_.gaps().length, film_.gaps().width);
 }
 
+bool CoupledStepper::responsesAreOld() const
+{
+    return std::abs(film_.storagePerTime() - responsePerTime_) > responseChange * responsePerTime_ || responseAge_ > responseAge;
+}
+
 /// Of film and contact in what a change of the attitude meets [-].
 double CoupledStepper::stiffShare(double perSquare) const
 {
@@ -189,13 +197,18 @@ double CoupledStepper::stiffShare(double perSquare) const
     return share;
 }
 
-void CoupledStepper::follow(const Vector3& change)
+double CoupledStepper::follow(const Vector3& change)
 {
-    for (std::size_t at = 0; at < change_.size(); ++at)
-        change_[at] = -(responses_[0][at] * change[0] + responses_[1][at] * change[1] + responses_[2][at] * change[2]);
+    double squares = 0.0;
+    for (std::size_t at = 0; at < change_.size(); ++at) {
+        const double p = -(responses_[0][at] * change[0] + responses_[1][at] * change[1] + responses_[2][at] * change[2]);
+        squares += p * p;
+        change_[at] = p;
+    }
     stepper_.follow(body_.attitude(tried_.q), change_);
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= filmSlopes_[k][m] * change[m];
+    return responseTolerance * std::sqrt(squares / static_cast<double>(film_.pad().cells())) / film_.ambient();
 }
 
 FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
@@ -234,7 +247,7 @@ CoupledStepResult CoupledStepper::step(double dt)
         result.solves += film.solves;
         result.filmError = film.error;
         if (!film.converged) return fail(CoupledFailure::Film);
-        if (monolithic && linearised_ != stepper_.linearisations()) setColumns(result);
+        if (monolithic && responsesAreOld()) setColumns(result);
         filmForce_ = filmForceAt(stepper_.pressure());
 
         const Vector3 contact = contactForces_.load();
@@ -259,10 +272,11 @@ CoupledStepResult CoupledStepper::step(double dt)
         result.forceBalance = (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
         if (monolithic) {
             for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
-            follow(change);
+            const double filmLeft = follow(change);
+            result.filmError += filmLeft;
             result.positionLeft = left;
             result.forceBalance *= contraction_;
-            if (left > options_.tolerance) continue;
+            if (left > options_.tolerance || filmLeft > stepper_.allowed()) continue;
         } else if (size > options_.tolerance) {
             for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
             continue;
@@ -303,7 +317,7 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
         for (std::size_t k = 0; k < 3; ++k) unforeseen[k] -= weight * past_[n].force[k];
     }
     for (double& force : unforeseen) force *= errorPerChange;
-    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, linearised_ >= 0));
+    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, responsePerTime_ > 0.0));
 }
 
 /// Sum of A (p - p0) times what the surface rises by, by the trapezoidal rule.
@@ -326,6 +340,7 @@ void CoupledStepper::accept()
     for (std::size_t k = 0; k < 3; ++k) jerk_[k] = (tried_.a[k] - motion_.a[k]) / dt_;
     motion_ = tried_;
     time_ += dt_;
+    ++responseAge_;
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     past_[0] = {filmForce_, time_};
     pastForces_ = std::min(pastForces_ + 1, past_.size());

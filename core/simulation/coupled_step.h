@@ -100,7 +100,9 @@ private:
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
-    void follow(const Vector3& change);
+    bool responsesAreOld() const;
+    /// Returns by how much the film's pressure may be wrong then, as FilmStepResult::error measures it [-].
+    double follow(const Vector3& change);
     void setVelocity(double dt);
     void setTimeError(double dt, CoupledStepResult& result);
     void takeSurfaceWork();
@@ -117,7 +119,8 @@ private:
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     GasFilm::ForceDerivatives slopes_;
     Matrix3 filmSlopes_{};                     // -d(film force)/dq with the film following
-    long long linearised_ = -1;                // FilmStepper::linearisations() that the columns belong to
+    double responsePerTime_ = 0.0;             // of the film's storage that the responses belong to; zero: none yet [1/s]
+    int responseAge_ = 0;                      // in accepted steps
     std::vector<double> change_, surface_;
     std::vector<double> pressureBefore_, surfaceBefore_; // at the accepted state, where the disk is not flat
     double surfaceWork_ = 0.0;
