@@ -198,7 +198,8 @@ std::optional<double> FilmStepper::iterate(FilmStepResult& result)
         subtract(part, q, rest_);
         const double last = now;
         now = size(rest_);
-        contraction = std::max(contraction, now / last);
+        // Where the half cycle spoilt a few cells, the first direction mends them.
+        contraction = k == 0 && contraction >= 1.0 ? now / last : std::max(contraction, now / last);
         if (k < 3 && result.iterations == 0) contraction_ = contraction;
         if (!(contraction < 1.0)) return std::nullopt;
         setTimeError(result);

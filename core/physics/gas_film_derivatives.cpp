@@ -142,17 +142,18 @@ void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::sp
     if (!complete() || storagePerTime_ == 0.0) return;
     const std::size_t step = pad.step(static_cast<int>(axis));
     const std::vector<double>& perWidth = axes_[axis].perWidth;
-    const int last = (axis == 0 ? pad.nx : pad.ny) - 1;
-    for (int j = 0; j < pad.ny + (axis == 1); ++j)
-        for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-            const std::size_t at = pad.at(i, j);
-            const int line = axis == 0 ? i : j;
-            const double scale = f.share[at] * storagePerTime_ * motionShare_[axis]; // volumes in the rings are zero
-            const double below = scale * f.below[at] * volume_[at - step] * perWidth[static_cast<std::size_t>(std::max(line - 1, 0))];
-            const double above = scale * f.above[at] * volume_[at] * perWidth[static_cast<std::size_t>(std::min(line, last))];
-            convection[at] += below + above;
-            effective[at] += 0.5 * (below - above);
-        }
+    const auto add = [&](std::size_t cell, int line, double sign) {
+        const double rate = sign * storagePerTime_ * motionShare_[axis] * volume_[cell] * perWidth[static_cast<std::size_t>(line)];
+        const double above = rate * f.share[cell] * f.above[cell], below = rate * f.share[cell + step] * f.below[cell + step];
+        convection[cell] += above;
+        effective[cell] -= 0.5 * above;
+        convection[cell + step] += below;
+        effective[cell + step] += 0.5 * below;
+    };
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) add(pad.at(i, j), axis == 0 ? i : j, 1.0);
+    // These have no slopes.
+    for (const std::size_t at : gaps_.steppedCells) add(at, axis == 0 ? pad.column(at) : pad.row(at), -1.0);
 }
 
 /// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the faces
