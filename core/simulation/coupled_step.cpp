@@ -17,6 +17,7 @@ constexpr int responseAge = 200;            // steps for which they are the same
 constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
+constexpr double mostForFourth = 2.0;       // (omega dt)^2 up to which the fourth order rule is used; it is stable up to 6 [-]
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
 
 /// Adds the time until its end to a sum.
@@ -109,6 +110,9 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     pastForces_ = 1;
     responsePerTime_ = 0.0;
     contraction_ = 0.0;
+    filmSlopes_ = {};
+    jerk_ = {};
+    lastDt_ = 0.0;
     setAcceleration();
 }
 
@@ -118,13 +122,20 @@ void CoupledStepper::setAcceleration()
     for (std::size_t k = 0; k < 3; ++k)
         motion_.a[k] = (filmForce_[k] + contact[k] + suspension[k]) / body_.inertia()[k];
     if (body_.holdsRoll()) motion_.a[2] = 0.0;
-    jerk_ = {};
 }
 
 void CoupledStepper::restartAcceleration()
 {
     askContact(body_.attitude(motion_.q), time_);
     setAcceleration();
+    // The rate of change of the forces that now act, as far as it comes from stiffness.
+    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
+    jerk_ = {};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = 0; m < 3; ++m)
+            jerk_[k] -= (filmSlopes_[k][m] + contact[k][m]) * motion_.v[m] / body_.inertia()[k];
+    if (body_.holdsRoll()) jerk_[2] = 0.0;
+    lastDt_ = 0.0;
 }
 
 /// Of the film at the pressure of the last step, which the film's linearisation is near to.
@@ -224,11 +235,14 @@ CoupledStepResult CoupledStepper::step(double dt)
 {
     CoupledStepResult result;
     dt_ = dt;
-    const SliderMotion& from = motion_;
-    const double time = time_ + dt, perSquare = 4.0 / (dt * dt), perTime = 2.0 / dt;
     const bool monolithic = options_.coupling == FilmCoupling::Monolithic;
-    for (std::size_t k = 0; k < 3; ++k)
-        tried_.q[k] = from.q[k] + dt * (from.v[k] + dt * (0.5 * from.a[k] + 0.25 * dt * jerk_[k]));
+    const double time = time_ + dt;
+    setRule(dt);
+    const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
+    for (std::size_t k = 0; k < 3; ++k) {
+        rate_[k] = motion_.v[k] + shift_ * jerk_[k];
+        tried_.q[k] = motion_.q[k] + dt * (rate_[k] + dt * (0.5 * motion_.a[k] + later_ * dt * jerk_[k]));
+    }
     contraction_ *= forgetting;
     double before = 0.0; // size of the last change
     const auto fail = [&](CoupledFailure failure) {
@@ -283,29 +297,64 @@ CoupledStepResult CoupledStepper::step(double dt)
         } else {
             result.positionLeft = size;
         }
-        setVelocity(dt);
+        finishMotion(dt, monolithic ? change : Vector3{});
         setTimeError(dt, result);
         return result;
     }
     return fail(CoupledFailure::Iteration);
 }
 
-/// Those that the trapezoidal rule has at the tried position.
+/// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise.
+void CoupledStepper::setRule(double dt)
+{
+    double rate = 0.0; // at least omega^2 of the fastest motion: the trace bounds it
+    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
+    for (std::size_t k = 0; k < 3; ++k)
+        rate += (std::abs(filmSlopes_[k][k]) + std::abs(contact[k][k]) + body_.springs()[k]) / body_.inertia()[k];
+    fourth_ = responsePerTime_ > 0.0 && rate * dt * dt < mostForFourth;
+    later_ = fourth_ ? 1.0 / 12 : 0.25;
+    shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
+}
+
+/// Those that the rule has at the tried position.
 void CoupledStepper::setVelocity(double dt)
 {
     for (std::size_t k = 0; k < 3; ++k) {
-        const double way = tried_.q[k] - motion_.q[k];
-        tried_.v[k] = 2.0 / dt * way - motion_.v[k];
-        tried_.a[k] = 4.0 / (dt * dt) * (way - dt * motion_.v[k]) - motion_.a[k];
+        const double way = tried_.q[k] - motion_.q[k] - dt * (rate_[k] + (0.5 - later_) * dt * motion_.a[k]);
+        tried_.a[k] = way / (later_ * dt * dt);
+        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]);
     }
 }
 
-/// Of the trapezoidal rule -dt^3/12 q''' (Hairer, Norsett & Wanner 1993, II.7); of the film, what a parabola through its last three
-/// forces did not foresee, as the displacement that would balance it.
+/// The acceleration is that of the forces at the solution, which `change` has just led to, so that what the iteration left in the
+/// position does not come back in it from step to step.
+void CoupledStepper::finishMotion(double dt, const Vector3& change)
+{
+    setVelocity(dt);
+    const Vector3 contact = contactForces_.load(), suspension = body_.suspension(tried_.q, tried_.v);
+    const Matrix3 stiffness = inReach_ ? contact_->stiffness() : Matrix3{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        double force = filmForce_[k] + contact[k] + suspension[k];
+        for (std::size_t m = 0; m < 3; ++m) force -= stiffness[k][m] * change[m];
+        tried_.a[k] = force / body_.inertia()[k];
+    }
+    if (body_.holdsRoll()) tried_.a[2] = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double slope = (tried_.a[k] - motion_.a[k]) / dt;
+        triedJerk_[k] = lastDt_ > 0.0 ? slope + (slope - slope_[k]) * dt / (dt + lastDt_) : slope;
+        triedSlope_[k] = slope;
+        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]) - shift_ * triedJerk_[k];
+    }
+}
+
+/// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from where a change
+/// of the acceleration was not foreseen. Of the film, what a parabola through its last three forces did not foresee, as the
+/// displacement that would balance it.
 void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 {
     Vector3 change{};
-    for (std::size_t k = 0; k < 3; ++k) change[k] = (tried_.a[k] - motion_.a[k]) * dt * dt / 12.0;
+    for (std::size_t k = 0; k < 3; ++k)
+        change[k] = (tried_.a[k] - motion_.a[k] - (fourth_ ? dt * jerk_[k] : 0.0)) * dt * dt / 12.0;
     result.timeError = body_.displacement(change);
     if (pastForces_ < past_.size()) return;
     const double t = time_ + dt;
@@ -337,7 +386,9 @@ void CoupledStepper::accept()
 {
     if (!stepper_.accept()) return;
     if (contact_ || (disk_ && !disk_->flat())) takeSurfaceWork();
-    for (std::size_t k = 0; k < 3; ++k) jerk_[k] = (tried_.a[k] - motion_.a[k]) / dt_;
+    jerk_ = triedJerk_;
+    slope_ = triedSlope_;
+    lastDt_ = dt_;
     motion_ = tried_;
     time_ += dt_;
     ++responseAge_;

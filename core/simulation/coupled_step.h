@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One step of film, contact and slider together. The slider by the trapezoidal rule (Newmark 1959, beta 1/4, gamma 1/2: second order,
-// no damping of its own), the film by BDF2 (film_step.h: second order, L-stable):
+// One step of film, contact and slider together, all implicit. The film by BDF2 (film_step.h: second order, L-stable), the slider by
+// Newmark's method (1959) with gamma 1/2, which has no damping of its own:
 //
-//   q = q1 + dt (v1 + v)/2,  v = v1 + dt (a1 + a)/2
+//   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
+//
+// beta 1/12 (Fox & Goodwin 1949): fourth order, stable up to omega dt = sqrt 6. u is not quite the velocity, v = u - dt^2 a'/12, which
+//              counts where dt changes. Taken where omega dt is far below that limit and the stiffness is known: by monolithic.
+// beta 1/4     the trapezoidal rule: second order, stable. u = v.
+//
 //   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
 //
 // monolithic   one Newton on pressure and attitude: with X = J^-1 dR/dq kept as long as the film's Jacobian is good,
-//              (4 M/dt^2 + 2 C/dt + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
-// staggered    the film is solved at the attitude, the slider moved by the forces, (4 M/dt^2 + 2 C/dt + K) dq = G, and so on until
+//              (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
+// staggered    the film is solved at the attitude, the slider moved by the forces, (M/(beta dt^2) + C/(2 beta dt) + K) dq = G, and so on until
 //              neither changes: the established program's way. It converges where the film's and contact's stiffness k satisfies
-//              k dt^2/4 < M, and says so where it does not.
-// Both solve the same equations.
+//              beta k dt^2 < M, and says so where it does not.
 #pragma once
 
 #include <array>
@@ -103,7 +107,9 @@ private:
     bool responsesAreOld() const;
     /// Returns by how much the film's pressure may be wrong then, as FilmStepResult::error measures it [-].
     double follow(const Vector3& change);
+    void setRule(double dt);
     void setVelocity(double dt);
+    void finishMotion(double dt, const Vector3& change);
     void setTimeError(double dt, CoupledStepResult& result);
     void takeSurfaceWork();
 
@@ -114,8 +120,13 @@ private:
     CoupledStepOptions options_;
     FilmStepper stepper_;
     SliderMotion motion_, tried_;              // accepted, tried
-    Vector3 jerk_{};                           // of the last step, zero where the forces have jumped
-    double time_ = 0.0, dt_ = 0.0;             // accepted; of the tried step [s]
+    Vector3 jerk_{}, slope_{};                 // a' at the accepted state, its mean over the last step
+    Vector3 triedJerk_{}, triedSlope_{};
+    double time_ = 0.0, dt_ = 0.0, lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
+    // Of the tried step's rule: beta, and (u - v)/a' [s^2].
+    bool fourth_ = false;
+    double later_ = 0.25, shift_ = 0.0;
+    Vector3 rate_{};                           // u1
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     GasFilm::ForceDerivatives slopes_;
     Matrix3 filmSlopes_{};                     // -d(film force)/dq with the film following
