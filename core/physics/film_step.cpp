@@ -13,6 +13,7 @@ namespace {
 constexpr double linearShare = 0.7;       // of what may be left, for the rest of the linear systems
 constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
 constexpr int mostRepeats = 4, longestUnmeasured = 20;
+constexpr double bending = 30.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
 
 /// Eight sums side by side, whatever the width of vectors.
 TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<const double> b)
@@ -248,7 +249,7 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     FilmStepResult result;
     if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
     else film_.residual(p_, residual_);
-    const bool measures = age_ == 0 || age_ >= 2 * measuredAge_ || age_ >= measuredAge_ + longestUnmeasured;
+    const bool measures = age_ > 0 && (age_ >= 3 * measuredAge_ || age_ >= measuredAge_ + longestUnmeasured);
     if (measures) solver_ = Solver::Factors;
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
@@ -263,12 +264,15 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
             measuredAge_ = age_;
         }
         const bool known = second || !measures;
-        const double kappa = known ? kappa_ * std::max(1.0, static_cast<double>(age_) / std::max(1, measuredAge_)) : 1.0;
+        double kappa = 1.0;
+        if (known) kappa = kappa_ * std::max(1.0, static_cast<double>(age_) / std::max(1, measuredAge_));
+        // A Jacobian of the guess itself leaves what is of second order.
+        if (age_ == 0 && !second) kappa = std::min(1.0, bending * now);
         result.error = std::max(rest, kappa * now);
         result.timeError = timeError_;
         converged_ = result.converged = result.error <= allowed();
         if (converged_) break;
-        if (known) ++repeats_;
+        if (known && age_ > 0) ++repeats_;
         if (second && now > 0.3 * before) linearise(result);
         else film_.residual(p_, residual_);
         before = now;

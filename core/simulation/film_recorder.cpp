@@ -130,9 +130,15 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
     const double energy = kinetic + suspension + film + stored, gained = linear(from.gained, to.gained);
     *out++ = energy;
     *out++ = gained;
-    if (samples_ == 1) firstEnergy_ = leastEnergy_ = mostEnergy_ = energy;
-    leastEnergy_ = std::min(leastEnergy_, energy);
-    mostEnergy_ = std::max(mostEnergy_, energy);
+    const std::array<double, 4> parts{kinetic, suspension, film, stored};
+    if (samples_ == 1) {
+        firstEnergy_ = energy;
+        leastParts_ = mostParts_ = parts;
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        leastParts_[k] = std::min(leastParts_[k], parts[k]);
+        mostParts_[k] = std::max(mostParts_[k], parts[k]);
+    }
     mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - gained));
     *out++ = to.dt;
     if (touches(case_)) {
@@ -179,7 +185,8 @@ void FilmRecorder::flush()
 
 double FilmRecorder::energyImbalance() const
 {
-    const double range = mostEnergy_ - leastEnergy_;
+    double range = 0.0;
+    for (std::size_t k = 0; k < mostParts_.size(); ++k) range = std::max(range, mostParts_[k] - leastParts_[k]);
     return range > 0.0 ? mostMissing_ / range : 0.0;
 }
 

@@ -4,6 +4,7 @@
 // polynomial of fifth degree through position, velocity and acceleration at its ends; forces are linear in time.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ public:
     bool stopped() const { return stopped_; }
     double secondsOutside() const { return secondsOutside_; }
 
-    /// The largest difference so far between the change of the energy and what was gained, against the energy's range [-].
+    /// The largest difference so far between the change of the energy and what was gained, against the largest range of one of its
+    /// parts [-].
     double energyImbalance() const;
     /// Sets final values, tail, peaks, events.
     void finish(Summary& summary) const;
@@ -63,7 +65,8 @@ private:
     double headRecess_ = 0.0;
     FilmPoint last_;
     long long samples_ = 0;
-    double firstEnergy_ = 0.0, leastEnergy_ = 0.0, mostEnergy_ = 0.0, mostMissing_ = 0.0; // [J]
+    std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
+    double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // [J]
     std::vector<double> values_;
     SampleBatch batch_;
     std::vector<RunEvent> events_, newEvents_;

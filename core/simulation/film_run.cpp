@@ -30,7 +30,7 @@ constexpr double worstFactor = 0.75;    // below which a step is tried again
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
 constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
-constexpr double switchWidth = 1e-13;   // to which a switch's separation is located [m]
+constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
 constexpr int mostTries = 12;           // for one switch
 constexpr int mostSwitches = 64;        // within chatterTime
 constexpr double chatterTime = 1e-7;    // [s]
@@ -100,7 +100,7 @@ private:
         add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
         add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
         add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
-        add("energy_balance", "1", "Energy that the books miss, against its largest change", recorder_->energyImbalance());
+        add("energy_balance", "1", "Energy that the books miss, against the largest change of a part", recorder_->energyImbalance());
     }
 
     /// Static state, initial state, film. False when the run ends here.
@@ -176,6 +176,7 @@ private:
         }
     }
 
+    double switchWidth() const { return switchShare * case_.run.stepError; }
     bool fixed() const { return case_.run.steps == StepControl::Fixed; }
 
     double nextLength() const
@@ -277,7 +278,7 @@ private:
                 continue;
             }
             // Just crossed: what is left of it by rounding is no way back.
-            if (k == looks && beyond(outside) <= switchWidth) return dt;
+            if (k == looks && beyond(outside) <= switchWidth()) return dt;
             for (int n = 0; n < 60; ++n) {
                 const double middle = 0.5 * (inside + outside);
                 (beyond(middle) > 0.0 ? outside : inside) = middle;
@@ -312,7 +313,7 @@ private:
             const double ahead = contact_->separation(body_->attitude(moved(motion, 1e-3 * dt)));
             double rate = (ahead - d) / (1e-3 * dt);
             if (!(rate * (upper ? 1.0 : -1.0) > 0.0)) rate = (d - before) / dt;
-            if (std::abs(miss) <= switchWidth || k == mostTries || rate == 0.0) break;
+            if (std::abs(miss) <= switchWidth() || k == mostTries || rate == 0.0) break;
             const double next = dt - miss / rate;
             if (!(next > 0.1 * dt) || next > 3.0 * dt) break;
             dt = next;
@@ -320,7 +321,10 @@ private:
         if (!takeStep(dt)) return false;
         recorder_->addEvent(point_.time, contact_->cross(upper));
         stepper_->restartAcceleration();
+        const double storedBefore = point_.contact.storedEnergy;
         point_ = pointNow(dt);
+        // What the law that now holds has stored comes with it.
+        point_.gained += point_.contact.storedEnergy - storedBefore;
         recorder_->jump(point_);
         switchTimes_.push_back(point_.time);
         if (switchTimes_.size() > mostSwitches) {

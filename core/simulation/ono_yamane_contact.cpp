@@ -33,7 +33,10 @@ OnoYamaneContact::OnoYamaneContact(const Case& c, const MinimumSpacing& spacing)
 const SliderContactForces& OnoYamaneContact::at(const Attitude& attitude, double)
 {
     attitude_ = attitude;
-    if (!begun_) region_ = law_.region(first_, spacing_.at(attitude).spacing);
+    if (!begun_) {
+        region_ = law_.region(first_, spacing_.at(attitude).spacing);
+        setInterval();
+    }
     loadAt(attitude, forces_);
     return forces_;
 }
@@ -78,11 +81,31 @@ bool OnoYamaneContact::outOfReach(const Attitude& attitude) const
     return region_ == ContactRegion::Apart && spacing_.at(attitude).spacing > takeOff_;
 }
 
+bool OnoYamaneContact::sameLaw(ContactRegion a, ContactRegion b) const
+{
+    const auto same = [](const AffineForce& f, const AffineForce& g) { return f.constant == g.constant && f.slope == g.slope; };
+    return same(law_.contactLaw(a), law_.contactLaw(b)) && same(law_.adhesionLaw(a), law_.adhesionLaw(b));
+}
+
+/// The last region up there, or down there, whose law is this one's: nothing switches on the way.
+ContactRegion OnoYamaneContact::lastOfLaw(bool upper) const
+{
+    ContactRegion last = region_;
+    for (ContactRegion next; (next = law_.beyond(last, upper)) != last && sameLaw(last, next);) last = next;
+    return last;
+}
+
+void OnoYamaneContact::setInterval()
+{
+    interval_ = {law_.interval(lastOfLaw(false)).lower, law_.interval(lastOfLaw(true)).upper};
+}
+
 std::string OnoYamaneContact::cross(bool upper)
 {
-    const ContactRegion before = region_;
+    const ContactRegion before = lastOfLaw(upper);
     region_ = law_.beyond(before, upper);
     begun_ = true;
+    setInterval();
     return switchName(before, region_);
 }
 

@@ -29,12 +29,16 @@ public:
     void accept() override { begun_ = true; }
 
     double separation(const Attitude& attitude) const override { return spacing_.at(attitude).spacing; }
-    Interval interval() const override { return law_.interval(region_); }
+    Interval interval() const override { return interval_; }
     std::string cross(bool upper) override;
 
+    /// Of the law that acts; regions with the same law are not told apart.
     ContactRegion region() const { return region_; }
 
 private:
+    bool sameLaw(ContactRegion a, ContactRegion b) const;
+    ContactRegion lastOfLaw(bool upper) const;
+    void setInterval();
     Vector3 loadAt(const Attitude& attitude, SliderContactForces& forces) const;
 
     OnoYamaneLaw law_;
@@ -44,6 +48,7 @@ private:
     double takeOff_;         // d_e [m]
     ContactBranch first_;
     ContactRegion region_ = ContactRegion::Apart;
+    Interval interval_;      // in which its law holds [m]
     bool begun_ = false;
     Attitude attitude_;      // of the last call
     SliderContactForces forces_;
