@@ -13,7 +13,7 @@ namespace {
 constexpr double linearShare = 0.7;       // of what may be left, for the rest of the linear systems
 constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
 constexpr int mostRepeats = 4, longestUnmeasured = 20;
-constexpr double bending = 30.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
+constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
 
 /// Eight sums side by side, whatever the width of vectors.
 TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<const double> b)

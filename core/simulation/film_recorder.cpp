@@ -32,19 +32,22 @@ std::vector<Quantity> filmQuantities(const Case& c)
                                                                         : "Flying height at the first point of interest"},
         {"minimum_spacing", "m", "nm", "Minimum spacing of slider and mean disk plane"},
         {"pitch", "rad", "urad", "Pitch"},
-        {"roll", "rad", "urad", "Roll"},
         {"height", "m", "nm", "Height of the mass centre"},
         {"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"},
         {"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"},
-        {"roll_velocity", "rad/s", "rad/s", "Roll velocity"},
         {"air_bearing_force", "N", "mN", "Air bearing force"},
         {"kinetic_energy", "J", "pJ", "Kinetic energy"},
         {"suspension_energy", "J", "pJ", "Energy of suspension and preload"},
-        {"film_energy", "J", "pJ", "Energy stored by the air"},
+        {"film_energy", "J", "pJ", "Energy stored by the air, from that of the static state"},
         {"energy", "J", "pJ", "Energy of slider, suspension, air and contact"},
         {"energy_gained", "J", "pJ", "What the disk gave to them, less what they dissipated, since the start"},
         {"time_step", "s", "ns", "Time step"},
     };
+    if (c.degreesOfFreedom == 3)
+        list.insert(list.end(), {
+            {"roll", "rad", "urad", "Roll"},
+            {"roll_velocity", "rad/s", "rad/s", "Roll velocity"},
+        });
     if (touches(c))
         list.insert(list.end(), {
             {"contact_force", "N", "mN", "Real contact force"},
@@ -120,9 +123,9 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
              attitude.roll * (headAt_.y - 0.5 * case_.slider.width) + headRecess_;
     *out++ = spacing_.at(attitude).spacing;
     *out++ = attitude.pitch;
-    *out++ = attitude.roll;
     *out++ = motion.q[0];
-    for (const double v : motion.v) *out++ = v;
+    *out++ = motion.v[0];
+    *out++ = motion.v[1];
     *out++ = linear(from.filmForce[0], to.filmForce[0]);
     *out++ = kinetic;
     *out++ = suspension;
@@ -141,6 +144,10 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
     }
     mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - gained));
     *out++ = to.dt;
+    if (case_.degreesOfFreedom == 3) {
+        *out++ = attitude.roll;
+        *out++ = motion.v[2];
+    }
     if (touches(case_)) {
         *out++ = ofContact(&SliderContactForces::contact);
         *out++ = ofContact(&SliderContactForces::adhesion);

@@ -19,7 +19,7 @@ struct FilmPoint {
     SliderMotion motion;
     Vector3 filmForce{};
     SliderContactForces contact;
-    double filmEnergy = 0.0; // stored by the air [J]
+    double filmEnergy = 0.0; // stored by the air, from that of the static state [J]
     double gained = 0.0;     // by slider, suspension, air and contact since the start: what the disk gave, less what was dissipated [J]
     double dt = 0.0;         // of the step that led there [s]
 };

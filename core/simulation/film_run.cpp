@@ -128,6 +128,9 @@ private:
         level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
         disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
         contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, [this] { return goOn(); });
+        energy_.emplace(level_->film);
+        level_->film.setAttitude(balanced ? rest.attitude : attitude);
+        restEnergy_ = energy_->at(level_->pressure).stored;
         level_->film.setAttitude(attitude);
         const auto monitor = [this](int, double) { return goOn(); };
         const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
@@ -154,10 +157,9 @@ private:
                         0.0);
         if (!stepper_->contactForces().problem.empty())
             return fail(RunStatus::Failed, "no contact state was found at the start: " + stepper_->contactForces().problem);
-        energy_.emplace(level_->film);
         recorder_.emplace(case_, *body_, recess_, spacing_, callback_);
         point_ = pointNow(0.0);
-        point_.filmEnergy = energy_->at(stepper_->pressure()).stored;
+        point_.filmEnergy = energy_->at(stepper_->pressure()).stored - restEnergy_;
         recorder_->begin(point_);
         takeFields();
         return true;
@@ -363,7 +365,7 @@ private:
     {
         const FilmEnergyState air = energy_->at(stepper_->pressure());
         const double dt = point_.time - before.time, flows = air.input - air.dissipation;
-        point_.filmEnergy = air.stored;
+        point_.filmEnergy = air.stored - restEnergy_;
         double gained = 0.5 * dt * (filmPower_ + flows) + stepper_->surfaceWork() +
                         point_.contact.storedEnergy - before.contact.storedEnergy;
         const Vector3 contact = point_.contact.load(), contactBefore = before.contact.load();
@@ -454,6 +456,7 @@ private:
     std::optional<FilmRecorder> recorder_;
     std::optional<FilmEnergy> energy_;
     FilmPoint point_;        // the last accepted one
+    double restEnergy_ = 0.0; // of the air in the static state [J]
     double filmPower_ = 0.0; // what flows bring the air there, in all [W]
     Vector3 shearBefore_{};  // torques there [N m]
     int snapshots_ = 0;      // taken
