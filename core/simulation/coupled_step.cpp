@@ -11,13 +11,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr double responseTolerance = 0.1;   // of the responses X, which lead the iteration and have no part in its result [-]
-constexpr double responseChange = 0.5;      // of a step's rate, for which they are the same [-]
-constexpr int responseAge = 200;            // steps for which they are the same
 constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
-constexpr double mostForFourth = 2.0;       // (omega dt)^2 up to which the fourth order rule is used; it is stable up to 6 [-]
+constexpr double longestForFourth = 1.4;    // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
 
 /// Adds the time until its end to a sum.
@@ -54,12 +51,9 @@ Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, 
 
 CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
                                const CoupledStepOptions& options)
-    : film_(film), body_(body), contact_(contact), disk_(disk), options_(options), stepper_(film, options.film)
+    : film_(film), body_(body), contact_(contact), disk_(disk), options_(options), stepper_(film, options.film), response_(film, body)
 {
-    for (auto* fields : {&columns_, &responses_})
-        for (auto& field : *fields) field.assign(film.pad().size(), 0.0);
     for (auto* field : {&change_, &surface_, &pressureBefore_, &surfaceBefore_}) field->assign(film.pad().size(), 0.0);
-    for (auto& field : slopes_.byPressure) field.assign(film.pad().size(), 0.0);
 }
 
 void CoupledStepper::setSurface(double time)
@@ -108,9 +102,8 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     past_ = {};
     past_[0] = {filmForce_, time};
     pastForces_ = 1;
-    responsePerTime_ = 0.0;
+    response_.forget();
     contraction_ = 0.0;
-    filmSlopes_ = {};
     jerk_ = {};
     lastDt_ = 0.0;
     setAcceleration();
@@ -133,39 +126,9 @@ void CoupledStepper::restartAcceleration()
     jerk_ = {};
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m)
-            jerk_[k] -= (filmSlopes_[k][m] + contact[k][m]) * motion_.v[m] / body_.inertia()[k];
+            jerk_[k] -= (response_.stiffness()[k][m] + contact[k][m]) * motion_.v[m] / body_.inertia()[k];
     if (body_.holdsRoll()) jerk_[2] = 0.0;
     lastDt_ = 0.0;
-}
-
-/// Of the film at the pressure of the last step, which the film's linearisation is near to.
-void CoupledStepper::setColumns(CoupledStepResult& result)
-{
-    const Stopwatch watch(cost_.responseSeconds);
-    const std::span<const double> p = stepper_.pressure();
-    film_.attitudeColumns(p, columns_);
-    // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
-    for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= 0.5 * film_.gaps().length * columns_[0][at];
-    film_.forceDerivatives(p, slopes_);
-    const std::size_t count = body_.holdsRoll() ? 2 : 3;
-    for (std::size_t m = 0; m < count; ++m)
-        result.solves +=
-            stepper_.linear().solve(columns_[m], responses_[m], {.tolerance = responseTolerance, .maximumIterations = 40}).iterations;
-    filmSlopes_ = {};
-    for (std::size_t m = 0; m < count; ++m) {
-        std::array<double, 5> slope{}; // d(load, shear)/dq
-        for (std::size_t k = 0; k < 5; ++k) {
-            double byPressure = 0.0;
-            for (std::size_t at = 0; at < responses_[m].size(); ++at) byPressure += slopes_.byPressure[k][at] * responses_[m][at];
-            slope[k] = slopes_.byAttitude[k][m] - byPressure;
-            if (m == 1) slope[k] -= 0.5 * film_.gaps().length * slopes_.byAttitude[k][0];
-        }
-        filmSlopes_[0][m] = -slope[0];
-        filmSlopes_[1][m] = -slope[1] + body_.shearArm() * slope[3];
-        filmSlopes_[2][m] = -slope[2] + body_.shearArm() * slope[4];
-    }
-    responsePerTime_ = film_.storagePerTime();
-    responseAge_ = 0;
 }
 
 /// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
@@ -173,7 +136,7 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
 {
     Matrix3 matrix{};
     if (stiff) {
-        matrix = filmSlopes_;
+        matrix = response_.stiffness();
         if (inReach_) {
             const Matrix3 contact = contact_->stiffness();
             for (std::size_t k = 0; k < 3; ++k)
@@ -191,18 +154,13 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
     return solveScaled(matrix, b, film_.gaps().length, film_.gaps().width);
 }
 
-bool CoupledStepper::responsesAreOld() const
-{
-    return std::abs(film_.storagePerTime() - responsePerTime_) > responseChange * responsePerTime_ || responseAge_ > responseAge;
-}
-
 /// Of film and contact in what a change of the attitude meets [-].
 double CoupledStepper::stiffShare(double perSquare) const
 {
     double share = 0.0;
     const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const double stiffness = std::abs(filmSlopes_[k][k]) + std::abs(contact[k][k]);
+        const double stiffness = std::abs(response_.stiffness()[k][k]) + std::abs(contact[k][k]);
         share = std::max(share, stiffness / (stiffness + body_.inertia()[k] * perSquare));
     }
     return share;
@@ -210,16 +168,11 @@ double CoupledStepper::stiffShare(double perSquare) const
 
 double CoupledStepper::follow(const Vector3& change)
 {
-    double squares = 0.0;
-    for (std::size_t at = 0; at < change_.size(); ++at) {
-        const double p = -(responses_[0][at] * change[0] + responses_[1][at] * change[1] + responses_[2][at] * change[2]);
-        squares += p * p;
-        change_[at] = p;
-    }
+    const double left = response_.follow(change, change_);
     stepper_.follow(body_.attitude(tried_.q), change_);
     for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= filmSlopes_[k][m] * change[m];
-    return responseTolerance * std::sqrt(squares / static_cast<double>(film_.pad().cells())) / film_.ambient();
+        for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= response_.stiffness()[k][m] * change[m];
+    return left;
 }
 
 FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
@@ -261,7 +214,10 @@ CoupledStepResult CoupledStepper::step(double dt)
         result.solves += film.solves;
         result.filmError = film.error;
         if (!film.converged) return fail(CoupledFailure::Film);
-        if (monolithic && responsesAreOld()) setColumns(result);
+        if (monolithic && response_.isOld()) {
+            const Stopwatch watch(cost_.responseSeconds);
+            result.solves += response_.renew(stepper_.pressure(), stepper_.linear());
+        }
         filmForce_ = filmForceAt(stepper_.pressure());
 
         const Vector3 contact = contactForces_.load();
@@ -304,14 +260,20 @@ CoupledStepResult CoupledStepper::step(double dt)
     return fail(CoupledFailure::Iteration);
 }
 
+double CoupledStepper::fastestRate() const
+{
+    if (!response_.known()) return 0.0;
+    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
+    double square = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+        square += (std::abs(response_.stiffness()[k][k]) + std::abs(contact[k][k]) + body_.springs()[k]) / body_.inertia()[k];
+    return std::sqrt(square);
+}
+
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise.
 void CoupledStepper::setRule(double dt)
 {
-    double rate = 0.0; // at least omega^2 of the fastest motion: the trace bounds it
-    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
-    for (std::size_t k = 0; k < 3; ++k)
-        rate += (std::abs(filmSlopes_[k][k]) + std::abs(contact[k][k]) + body_.springs()[k]) / body_.inertia()[k];
-    fourth_ = responsePerTime_ > 0.0 && rate * dt * dt < mostForFourth;
+    fourth_ = response_.known() && fastestRate() * dt < longestForFourth;
     later_ = fourth_ ? 1.0 / 12 : 0.25;
     shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
 }
@@ -366,7 +328,7 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
         for (std::size_t k = 0; k < 3; ++k) unforeseen[k] -= weight * past_[n].force[k];
     }
     for (double& force : unforeseen) force *= errorPerChange;
-    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, responsePerTime_ > 0.0));
+    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, response_.known()));
 }
 
 /// Sum of A (p - p0) times what the surface rises by, by the trapezoidal rule.
@@ -391,7 +353,7 @@ void CoupledStepper::accept()
     lastDt_ = dt_;
     motion_ = tried_;
     time_ += dt_;
-    ++responseAge_;
+    response_.age();
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     past_[0] = {filmForce_, time_};
     pastForces_ = std::min(pastForces_ + 1, past_.size());

@@ -25,6 +25,7 @@
 
 #include "core/physics/film_step.h"
 #include "core/simulation/disk_under_film.h"
+#include "core/simulation/film_response.h"
 #include "core/simulation/slider_body.h"
 #include "core/simulation/slider_contact.h"
 
@@ -89,6 +90,9 @@ public:
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
     const CoupledCost& cost() const { return cost_; }
+    /// No motion that the stiffness of film and contact makes is faster than this angular frequency (the trace bounds the largest
+    /// eigenvalue); zero as long as it is not known, which `staggered` never does [rad/s].
+    double fastestRate() const;
 
 private:
     struct PastForce {
@@ -100,12 +104,10 @@ private:
     void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
     void setAcceleration();
-    void setColumns(CoupledStepResult& result);
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
-    bool responsesAreOld() const;
-    /// Returns by how much the film's pressure may be wrong then, as FilmStepResult::error measures it [-].
+    /// Takes film and forces along; returns by how much the pressure may be wrong then, as FilmStepResult::error measures it [-].
     double follow(const Vector3& change);
     void setRule(double dt);
     void setVelocity(double dt);
@@ -127,11 +129,7 @@ private:
     bool fourth_ = false;
     double later_ = 0.25, shift_ = 0.0;
     Vector3 rate_{};                           // u1
-    std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
-    GasFilm::ForceDerivatives slopes_;
-    Matrix3 filmSlopes_{};                     // -d(film force)/dq with the film following
-    double responsePerTime_ = 0.0;             // of the film's storage that the responses belong to; zero: none yet [1/s]
-    int responseAge_ = 0;                      // in accepted steps
+    FilmResponse response_;
     std::vector<double> change_, surface_;
     std::vector<double> pressureBefore_, surfaceBefore_; // at the accepted state, where the disk is not flat
     double surfaceWork_ = 0.0;

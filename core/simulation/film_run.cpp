@@ -25,6 +25,7 @@ constexpr double longestShare = 0.01;   // of the run, for a step
 constexpr double worthGrowing = 1.6, worthGrowingAtOnce = 4.0;
 constexpr int patience = 16;            // steps
 constexpr double mostGrowth = 2.0;      // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
+constexpr double longestPhase = 0.7;    // omega dt: of longer steps BDF2 would damp a motion more than the film does
 constexpr double safety = 0.9;          // of a step against the longest whose error is allowed
 constexpr double worstFactor = 0.75;    // below which a step is tried again
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
@@ -187,6 +188,7 @@ private:
         if (point_.dt > 0.0) dt = std::min(dt, mostGrowth * point_.dt);
         if (fixed()) return dt;
         dt = std::min(dt, longestShare * case_.run.duration);
+        if (const double rate = stepper_->fastestRate(); rate > 0.0) dt = std::min(dt, longestPhase / rate);
         if (contact_ && stepper_->contactInReach()) dt = std::min(dt, contact_->longestStep());
         return dt;
     }
