@@ -270,10 +270,11 @@ double CoupledStepper::fastestRate() const
     return std::sqrt(square);
 }
 
-/// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise.
+/// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first step, whose
+/// earlier tries may know the stiffness and may not.
 void CoupledStepper::setRule(double dt)
 {
-    fourth_ = response_.known() && fastestRate() * dt < longestForFourth;
+    fourth_ = pastForces_ > 1 && response_.known() && fastestRate() * dt < longestForFourth;
     later_ = fourth_ ? 1.0 / 12 : 0.25;
     shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
 }
