@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <optional>
 
-#include "core/physics/film_energy.h"
-#include "core/simulation/disk_setup.h"
-#include "core/simulation/film_recorder.h"
-#include "core/simulation/film_setup.h"
-#include "core/simulation/steady.h"
+#include "core/simulation/film_books.h"
+#include "core/simulation/film_scene.h"
+#include "core/simulation/step_length.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -21,13 +18,7 @@ namespace {
 constexpr double firstStep = 2e-9;      // [s]
 constexpr double shortestStep = 1e-14;  // [s]
 constexpr double longestShare = 0.01;   // of the run, for a step
-// A longer step needs a new linearisation, so it must be worth it, and not only for a moment of an oscillation.
-constexpr double worthGrowing = 1.6, worthGrowingAtOnce = 4.0;
-constexpr int patience = 16;            // steps
-constexpr double mostGrowth = 2.0;      // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
 constexpr double longestPhase = 0.7;    // omega dt: of longer steps BDF2 would damp a motion more than the film does
-constexpr double safety = 0.9;          // of a step against the longest whose error is allowed
-constexpr double worstFactor = 0.75;    // below which a step is tried again
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
 constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
@@ -44,19 +35,12 @@ double wallClock()
 
 std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
 
-/// The case whose static state gives a run its grid, and its suspension the place where it exerts its load.
-Case staticCase(const Case& c)
-{
-    Case result = c;
-    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria = false;
-    return result;
-}
-
 class FilmRun {
 public:
     FilmRun(const Case& c, const RunCallback& callback)
-        : case_(c), callback_(callback), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
-          topography_(diskTopography(c))
+        : case_(c), callback_(callback), scene_(c),
+          length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
+                  c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
     {
     }
 
@@ -76,7 +60,7 @@ public:
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
-        summary.warnings = warnings_;
+        summary.warnings = scene_.warnings();
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (stepper_) addCost(summary);
@@ -104,63 +88,33 @@ private:
         add("energy_balance", "1", "Energy that the books miss, against the largest change of a part", recorder_->energyImbalance());
     }
 
-    /// Static state, initial state, film. False when the run ends here.
+    /// False when the run ends here.
     bool prepare()
     {
-        const SteadyResult rest = steady(staticCase(case_), [this](const SteadyProgress&) { return goOn(); });
-        if (rest.status == SteadyStatus::Cancelled) return stop();
-        const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
-        if (case_.initial.state == InitialState::Static && rest.status != SteadyStatus::Converged)
-            return fail(RunStatus::Failed, "there is no static flying state to start from (initial.state): " + rest.message);
-        Attitude attitude{case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
-        if (!balanced)
-            warnings_.push_back("no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
-                                rest.message);
-        body_.emplace(case_, balanced ? rest.attitude : attitude);
-        if (case_.initial.state == InitialState::Static) {
-            Vector3 q = body_->coordinates(rest.attitude);
-            q[0] += case_.initial.heightOffset;
-            q[1] += case_.initial.pitchOffset;
-            if (!body_->holdsRoll()) q[2] += case_.initial.rollOffset;
-            attitude = body_->attitude(q);
+        switch (scene_.prepare([this] { return goOn(); })) {
+        case FilmScene::State::Stopped: return stop();
+        case FilmScene::State::Failed: return fail(RunStatus::Failed, scene_.message());
+        case FilmScene::State::Ready: break;
         }
-
-        level_ = std::make_unique<FilmLevel>(case_, recess_, spacing_, rest.grid);
-        level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
-        disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
-        contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, [this] { return goOn(); });
-        energy_.emplace(level_->film);
-        level_->film.setAttitude(balanced ? rest.attitude : attitude);
-        restEnergy_ = energy_->at(level_->pressure).stored;
-        level_->film.setAttitude(attitude);
-        const auto monitor = [this](int, double) { return goOn(); };
-        const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
-        FilmSolution film = level_->flying.solveFilm(level_->pressure, options, monitor);
-        if (!film.converged && !film.cancelled) {
-            std::ranges::fill(level_->pressure, level_->film.ambient());
-            film = level_->flying.solveFilm(level_->pressure, options, monitor);
-        }
-        if (film.cancelled) return stop();
-        if (!film.converged)
-            return fail(RunStatus::Failed, "the film was not solved at the initial attitude (minimum spacing " +
-                                               formatQuantity(std::round(spacing_.at(attitude).spacing * 1e13) / 1e13, "nm") + ")");
-
+        contact_ = scene_.contact();
+        body_ = &scene_.body();
+        FilmLevel& level = scene_.level();
         CoupledStepOptions stepping;
         stepping.coupling = case_.film.coupling;
         stepping.tolerance = positionShare * case_.run.stepError;
         stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
-                                                     (level_->film.ambient() * case_.slider.length * case_.slider.width));
-        stepper_.emplace(level_->film, *body_, contact_.get(), &*disk_, stepping);
-        const Vector3 q = body_->coordinates(attitude);
-        stepper_->start(level_->pressure,
-                        {q, {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
-                             body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity}, {}},
-                        0.0);
-        if (!stepper_->contactForces().problem.empty())
-            return fail(RunStatus::Failed, "no contact state was found at the start: " + stepper_->contactForces().problem);
-        recorder_.emplace(case_, *body_, recess_, spacing_, callback_);
+                                                     (level.film.ambient() * case_.slider.length * case_.slider.width));
+        stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
+        SliderMotion motion;
+        motion.q = body_->coordinates(scene_.start());
+        motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity, body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
+        stepper_->start(level.pressure, motion, 0.0);
+        if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
+            return fail(RunStatus::Failed, "no contact state was found at the start: " + problem);
+        books_.emplace(level.film, *body_, scene_.restEnergy());
+        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), callback_);
         point_ = pointNow(0.0);
-        point_.filmEnergy = energy_->at(stepper_->pressure()).stored - restEnergy_;
+        books_->begin(*stepper_, point_);
         recorder_->begin(point_);
         takeFields();
         return true;
@@ -169,7 +123,6 @@ private:
     void advance()
     {
         const double duration = case_.run.duration;
-        wanted_ = fixed() ? case_.run.step : firstStep;
         while (stepper_->time() < duration) {
             if (!recorder_->lookAtClock()) {
                 stop();
@@ -180,56 +133,33 @@ private:
     }
 
     double switchWidth() const { return switchShare * case_.run.stepError; }
-    bool fixed() const { return case_.run.steps == StepControl::Fixed; }
 
-    double nextLength() const
+    /// No longer than the fastest motion and a moving surface allow.
+    double longestStep() const
     {
-        double dt = wanted_;
-        if (point_.dt > 0.0) dt = std::min(dt, mostGrowth * point_.dt);
-        if (fixed()) return dt;
-        dt = std::min(dt, longestShare * case_.run.duration);
-        if (const double rate = stepper_->fastestRate(); rate > 0.0) dt = std::min(dt, longestPhase / rate);
-        if (contact_ && stepper_->contactInReach()) dt = std::min(dt, contact_->longestStep());
-        return dt;
+        double longest = longestShare * case_.run.duration;
+        if (const double rate = stepper_->fastestRate(); rate > 0.0) longest = std::min(longest, longestPhase / rate);
+        if (contact_ && stepper_->contactInReach()) longest = std::min(longest, contact_->longestStep());
+        return longest;
     }
 
     /// One accepted step, however many tries it takes. False when the run ends here.
     bool advanceOnce()
     {
-        double dt = nextLength();
+        double dt = length_.next(point_.dt, longestStep());
         while (true) {
             const CoupledStepResult result = tryStep(dt);
             if (recorder_->stopped()) return stop();
-            if (!result.converged()) {
+            if (!result.converged() || length_.isTooLong(result.timeError)) {
                 ++rejected_;
-                dt *= 0.5;
-                wanted_ = std::min(wanted_, dt);
+                dt = result.converged() ? length_.shortened(dt, result.timeError) : length_.halved(dt);
                 if (dt < shortestStep) return giveUp(result);
                 continue;
             }
-            const double factor = safety * std::cbrt(case_.run.stepError / std::max(result.timeError, 1e-300));
-            if (!fixed() && factor < worstFactor) {
-                ++rejected_;
-                dt *= std::max(factor, 0.25);
-                wanted_ = dt;
-                sinceLimit_ = 0;
-                if (dt < shortestStep) return giveUp(result);
-                continue;
-            }
-            if (const std::optional<double> length = wayToSwitch(dt)) return goToSwitch(*length);
-            if (!fixed()) setWanted(dt, factor);
+            if (const std::optional<double> way = wayToSwitch(dt)) return goToSwitch(*way);
+            length_.accepted(dt, result.timeError);
             return takeStep(dt);
         }
-    }
-
-    /// After a step whose length may be changed by the factor.
-    void setWanted(double dt, double factor)
-    {
-        if (factor < 1.0) wanted_ = factor * dt;
-        sinceLimit_ = factor < worthGrowing ? 0 : sinceLimit_ + 1;
-        if (factor < worthGrowingAtOnce && sinceLimit_ < patience) return;
-        wanted_ = std::max(wanted_, std::min(mostGrowth, factor) * dt);
-        sinceLimit_ = 0;
     }
 
     CoupledStepResult tryStep(double dt)
@@ -246,16 +176,16 @@ private:
         ++steps_;
         const FilmPoint before = point_;
         point_ = pointNow(dt);
-        takeEnergy(before);
+        books_->add(*stepper_, before, point_);
         recorder_->add(point_);
         takeFields();
         const Attitude attitude = body_->attitude(point_.motion.q);
         if (contact_)
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunStatus::Failed, problem + " at " + timeText(point_.time));
-        if (spacing_.at(attitude).spacing > farthest)
+        if (scene_.spacing().at(attitude).spacing > farthest)
             return fail(RunStatus::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
-                                                 formatQuantity(std::round(spacing_.at(attitude).spacing * 1e9) / 1e9, "um") +
+                                                 formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
                                                  " above it");
         return true;
     }
@@ -303,9 +233,8 @@ private:
             if (recorder_->stopped()) return stop();
             if (!result.converged()) {
                 ++rejected_;
-                dt *= 0.5;
+                dt = length_.halved(dt);
                 if (dt < shortestStep) return giveUp(result);
-                wanted_ = std::min(wanted_, dt);
                 return takeShorter(dt);
             }
             const SliderMotion& motion = stepper_->tried();
@@ -361,52 +290,15 @@ private:
                 .contact = stepper_->contactForces(), .filmEnergy = point_.filmEnergy, .gained = point_.gained, .dt = dt};
     }
 
-    /// By flows through the air, by the disk's surface that rises and falls under it, by shear, friction and dampers, and by what
-    /// contact and adhesion do without storing it.
-    void takeEnergy(const FilmPoint& before)
-    {
-        const FilmEnergyState air = energy_->at(stepper_->pressure());
-        const double dt = point_.time - before.time, flows = air.input - air.dissipation;
-        point_.filmEnergy = air.stored - restEnergy_;
-        double gained = 0.5 * dt * (filmPower_ + flows) + stepper_->surfaceWork() +
-                        point_.contact.storedEnergy - before.contact.storedEnergy;
-        const Vector3 contact = point_.contact.load(), contactBefore = before.contact.load();
-        const Vector3 shear = stepper_->shearTorques();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double way = point_.motion.q[k] - before.motion.q[k];
-            const double damping = body_->dampers()[k] * 0.5 * (before.motion.v[k] + point_.motion.v[k]);
-            gained += (0.5 * (contactBefore[k] + contact[k] + shearBefore_[k] + shear[k]) - damping) * way;
-        }
-        filmPower_ = flows;
-        shearBefore_ = shear;
-        point_.gained = before.gained + gained;
-    }
-
     /// Maps at equal intervals, of the step that ends next.
     void takeFields()
     {
         const int count = case_.run.fieldSnapshots;
         if (count == 0 || stepper_->time() < (count > 1 ? snapshots_ * case_.run.duration / (count - 1) : 0.0)) return;
         while (snapshots_ < count && stepper_->time() >= snapshots_ * case_.run.duration / std::max(1, count - 1)) ++snapshots_;
-        if (const RecordedFields maps = filmMaps(case_); !maps.empty()) {
-            FieldSnapshot snapshot{stepper_->time(), 0, {}};
-            const Attitude attitude = body_->attitude(stepper_->motion().q);
-            std::vector<double> gap;
-            for (int j = 0; j < maps.grid.ny(); ++j)
-                for (int i = 0; i < maps.grid.nx(); ++i) {
-                    const double x = maps.grid.centreX(i), y = maps.grid.centreY(j);
-                    gap.push_back(recess_.at(x, y) + level_->gaps.lift(attitude, x, y));
-                }
-            snapshot.values.push_back(std::move(gap));
-            snapshot.values.push_back(transfer(level_->gaps.grid, level_->gaps.pad.unpad<double>(stepper_->pressure()),
-                                               level_->film.ambient(), maps.grid));
+        for (FieldSnapshot& snapshot :
+             scene_.snapshots(stepper_->time(), body_->attitude(stepper_->motion().q), stepper_->pressure()))
             recorder_->addFields(std::move(snapshot));
-        }
-        if (contact_ && !sliderContactFields(case_).empty()) {
-            FieldSnapshot snapshot{stepper_->time(), 1, {}};
-            contact_->observe(snapshot);
-            if (!snapshot.values.empty()) recorder_->addFields(std::move(snapshot));
-        }
     }
 
     bool giveUp(const CoupledStepResult& result)
@@ -421,7 +313,7 @@ private:
         }
         const Attitude last = body_->attitude(point_.motion.q);
         return fail(RunStatus::Failed, "no step is short enough at " + timeText(point_.time) + ": " + why + "; the samples end with the last good state, minimum spacing " +
-                                           formatQuantity(std::round(spacing_.at(last).spacing * 1e13) / 1e13, "nm"));
+                                           formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
     bool fail(RunStatus status, std::string message)
@@ -447,25 +339,16 @@ private:
 
     const Case& case_;
     const RunCallback& callback_;
-    Recess recess_;
-    MinimumSpacing spacing_;
-    DiskTopography topography_;
-    std::optional<SliderBody> body_;
-    std::unique_ptr<FilmLevel> level_;
-    std::optional<DiskUnderFilm> disk_;
-    std::unique_ptr<SliderContact> contact_;
+    FilmScene scene_;
+    const SliderBody* body_ = nullptr;
+    SliderContact* contact_ = nullptr;
     std::optional<CoupledStepper> stepper_;
     std::optional<FilmRecorder> recorder_;
-    std::optional<FilmEnergy> energy_;
+    std::optional<FilmBooks> books_;
+    StepLength length_;
     FilmPoint point_;        // the last accepted one
-    double restEnergy_ = 0.0; // of the air in the static state [J]
-    double filmPower_ = 0.0; // what flows bring the air there, in all [W]
-    Vector3 shearBefore_{};  // torques there [N m]
     int snapshots_ = 0;      // taken
-    int sinceLimit_ = 0;     // steps since one could not have been longer
-    double wanted_ = 0.0;    // length of the next step, where nothing else limits it [s]
     std::vector<double> switchTimes_;
-    std::vector<std::string> warnings_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     RunStatus status_ = RunStatus::Completed;
     std::string message_;
@@ -473,17 +356,6 @@ private:
 };
 
 } // namespace
-
-RecordedFields filmMaps(const Case& c)
-{
-    if (c.run.fieldSnapshots == 0) return {};
-    constexpr int mostCells = 128; // along each side
-    RecordedFields maps;
-    maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),
-                           std::min(mostCells, c.film.nodes[1] - 1));
-    maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
-    return maps;
-}
 
 Summary runFilm(const Case& c, const RunCallback& callback) { return FilmRun(c, callback).run(); }
 
