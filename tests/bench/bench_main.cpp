@@ -10,6 +10,8 @@
 //
 //   touchdown-bench [--repeats N] --contact                                 (tests/bench/contact_bench.h)
 //
+//   touchdown-bench --coupled [CASE OR KEY=VALUE]...                        (tests/bench/coupled_bench.h)
+//
 // The error is that of the flying height every 2 us against a stored reference (tests/bench/reference_<case>.csv), up to
 // the time to which the reference is determined. References are made by --write-references: dopri5 at 1e-13, as far as
 // rk4-events at a quarter of a nanosecond agrees with it to 1e-5 nm; a bouncing slider loses all memory of its start, and
@@ -30,6 +32,7 @@
 #include "core/simulation/run.h"
 #include "core/simulation/units.h"
 #include "tests/bench/contact_bench.h"
+#include "tests/bench/coupled_bench.h"
 #include "tests/bench/film_bench.h"
 #include "tests/bench/film_terms.h"
 
@@ -153,13 +156,15 @@ int main(int argc, char** argv)
         else if (std::strcmp(argv[i], "--sweep") == 0) sweep = true;
         else if (std::strcmp(argv[i], "--write-references") == 0) write = true;
         else if (std::strcmp(argv[i], "--contact") == 0) return benchmarkContact(repeats);
+        else if (std::strcmp(argv[i], "--coupled") == 0) return benchmarkCoupled({argv + i + 1, argv + argc});
         else if (std::strcmp(argv[i], "--film") == 0) return benchmarkFilm(more ? argv[i + 1] : "", repeats);
         else if (std::strcmp(argv[i], "--film-terms") == 0 && more) return tellFilmTerms(argv[i + 1], {argv + i + 2, argv + argc});
         else {
             std::fprintf(stderr, "usage: touchdown-bench [--case NAME] [--sweep] [--repeats N] [--write-references]\n"
                                  "       touchdown-bench [--repeats N] --film [CASE OR FOLDER OF CML FILES]\n"
                                  "       touchdown-bench --film-terms CASE-OR-FOLDER [KEY=VALUE]...\n"
-                                 "       touchdown-bench [--repeats N] --contact\n");
+                                 "       touchdown-bench [--repeats N] --contact\n"
+                                 "       touchdown-bench --coupled [CASE OR KEY=VALUE]...\n");
             return std::strcmp(argv[i], "--help") == 0 ? 0 : 2;
         }
     }
