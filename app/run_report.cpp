@@ -144,28 +144,31 @@ std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
     return text;
 }
 
-std::string figureRows(const std::vector<RunFigure>& figures)
+std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
 {
     std::string text;
     for (const auto& [quantity, value] : figures) {
+        if (c.contact == ContactKind::None && quantity.name.starts_with("contact_")) continue;
         std::string label = quantity.name;
         std::ranges::replace(label, '_', ' ');
-        text += reportRow(label, displayed(value, quantity.displayUnit, 5));
+        text += reportRow(label, displayed(value, quantity.displayUnit == "1" ? "" : quantity.displayUnit, 5));
     }
     return text;
 }
+
+std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
 
 /// What one reads off an approach and retraction curve.
 std::string contactText(const Case& c, const Summary& summary)
 {
     std::string text = c.title + "\n";
     text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
-    text += figureRows(summary.figures);
+    text += figureRows(c, summary.figures);
     text += eventRows(c, summary.events);
     if (summary.fit) text += fitText(*summary.fit);
     text +=
         reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
-    text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
+    text += reportRow("solver time", solverTime(summary.solverSeconds));
     if (!c.about.assumed.empty()) text += reportRow("assumed", c.about.assumed);
     for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
     return text;
@@ -225,12 +228,13 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
         text +=
             reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
                                                           displayed(summary.peaks[i].amplitude, "nm"));
-    text += figureRows(summary.figures);
+    text += figureRows(c, summary.figures);
     text += reportRow("events", std::to_string(summary.events.size()));
     text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) +
-                                   " rejected), " + std::to_string(summary.evaluations) + " evaluations, " +
+                                   " rejected), " + std::to_string(summary.evaluations) +
+                                   (c.model == ModelKind::Film ? " film iterations, " : " evaluations, ") +
                                    summary.integrator);
-    text += reportRow("solver time", displayed(summary.solverSeconds, "ms", 3));
+    text += reportRow("solver time", solverTime(summary.solverSeconds));
     if (summary.stepCheck) text += reportRow("step check", summary.stepCheck->message);
     for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
     return text;
