@@ -37,7 +37,7 @@ struct FilmStepOptions {
     FilmTimeMethod method = FilmTimeMethod::Bdf2;
     // What may be left of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
     double tolerance = 1e-9;    // this
-    double share = 0.2;         // and this share of the step's error of discretisation in time, up to 1e-3
+    double share = 0.2;         // and this share of the step's error of discretisation in time, up to 1e-4
     int maximumIterations = 12; // of Newton's method
 };
 
@@ -68,7 +68,7 @@ public:
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }
     /// What may be left of the last step, as `tolerance` measures it [-].
-    double allowed() const { return std::max(options_.tolerance, std::min(1e-3, options_.share * timeError_)); }
+    double allowed() const { return std::max(options_.tolerance, std::min(1e-4, options_.share * timeError_)); }
     /// Of the film at the last step's attitude and length, with what its cells store.
     FilmLinearSolver& linear() { return linear_; }
 

@@ -20,7 +20,8 @@ constexpr double shortestStep = 1e-14;  // [s]
 constexpr double longestShare = 0.01;   // of the run, for a step
 constexpr double longestPhase = 0.7;    // omega dt: of longer steps BDF2 would damp a motion more than the film does
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
-constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
+constexpr double filmShare = 0.02;      // and for what is left of the film, as what its force would displace a slider by
+constexpr double filmTimeShare = 0.05;  // of the film's own error in time: what is left acts always to the same side [-]
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
 constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
 constexpr int mostTries = 12;           // for one switch
@@ -102,6 +103,7 @@ private:
         CoupledStepOptions stepping;
         stepping.coupling = case_.film.coupling;
         stepping.tolerance = positionShare * case_.run.stepError;
+        stepping.film.share = filmTimeShare;
         stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
                                                      (level.film.ambient() * case_.slider.length * case_.slider.width));
         stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
