@@ -75,8 +75,8 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
     const Stopwatch watch(cost_.contactSeconds);
     inReach_ = contact_ && !contact_->outOfReach(attitude);
     if (contact_) ++(inReach_ ? cost_.contactSolves : cost_.contactSkipped);
-    if (inReach_) contactForces_ = contact_->at(attitude, time);
-    else contactForces_ = {};
+    // Also out of reach, so that a law with memory knows it.
+    if (contact_) contactForces_ = contact_->at(attitude, time);
 }
 
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
@@ -93,6 +93,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     time_ = time;
     const Attitude attitude = body_.attitude(motion_.q);
     askContact(attitude, time);
+    if (contact_) contact_->accept();
     setSurface(time);
     film_.setAttitude(attitude);
     stepper_.start(p);
@@ -358,7 +359,7 @@ void CoupledStepper::accept()
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     past_[0] = {filmForce_, time_};
     pastForces_ = std::min(pastForces_ + 1, past_.size());
-    if (inReach_) contact_->accept();
+    if (contact_) contact_->accept();
 }
 
 } // namespace touchdown

@@ -37,7 +37,8 @@ const SliderContactForces& OnoYamaneContact::at(const Attitude& attitude, double
         region_ = law_.region(first_, spacing_.at(attitude).spacing);
         setInterval();
     }
-    loadAt(attitude, forces_);
+    if (region_ == ContactRegion::Apart) forces_ = {};
+    else loadAt(attitude, forces_);
     return forces_;
 }
 

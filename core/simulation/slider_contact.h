@@ -47,7 +47,7 @@ public:
     /// -d(force, pitch torque, roll torque)/d(height of the mass centre, pitch, roll) at the last call, roughly: it leads Newton's
     /// method and has no part in its result.
     virtual Matrix3 stiffness() const = 0;
-    /// Whether nothing acts there at any time: then the rest need not be asked. Cheap.
+    /// Whether nothing acts there at any time: then at() is cheap, and the rest need not be asked.
     virtual bool outOfReach(const Attitude& attitude) const = 0;
     /// The last call's state becomes the one to go on from.
     virtual void accept() = 0;

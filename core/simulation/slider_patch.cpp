@@ -157,9 +157,10 @@ void SliderPatch::accept()
 {
     tried_ = false;
     auto* adhesive = std::get_if<AdhesiveContact>(&contact_);
-    if (!adhesive) return;
+    if (!adhesive || !(acts_ || remembers_)) return;
     if (!acts_) adhesive->reset();
     adhesive->remember();
+    remembers_ = acts_;
 }
 
 std::vector<SliderPatch::Overlap> SliderPatch::overlaps(std::span<const double> lines, double first, double cell, int count)

@@ -89,6 +89,7 @@ private:
     double time_ = 0.0;              // of the last call [s]
     bool acts_ = false;              // whether the last call solved
     bool tried_ = false;             // solved since it was accepted, and converged
+    bool remembers_ = false;         // the accepted state acts
     PatchForces forces_;
     std::vector<Overlap> columns_, rows_;
 };
