@@ -64,7 +64,7 @@ public:
         summary.warnings = scene_.warnings();
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
-        if (stepper_) addCost(summary);
+        if (recorder_) addCost(summary);
         summary.wallSeconds = wallClock() - begin;
         summary.solverSeconds = summary.wallSeconds - (recorder_ ? recorder_->secondsOutside() : 0.0);
         return summary;
@@ -111,6 +111,7 @@ private:
         motion.q = body_->coordinates(scene_.start());
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity, body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
         stepper_->start(level.pressure, motion, 0.0);
+        if (stopped_) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunStatus::Failed, "no contact state was found at the start: " + problem);
         books_.emplace(level.film, *body_, scene_.restEnergy());
@@ -215,16 +216,18 @@ private:
             }
             // Just crossed: what is left of it by rounding is no way back.
             if (k == looks && beyond(outside) <= switchWidth()) return dt;
+            const double past = std::min(beyond(outside), 0.5 * switchWidth());
             for (int n = 0; n < 60; ++n) {
                 const double middle = 0.5 * (inside + outside);
-                (beyond(middle) > 0.0 ? outside : inside) = middle;
+                (beyond(middle) >= past ? outside : inside) = middle;
             }
-            return outside * dt;
+            return std::min(dt, std::max(outside * dt, shortestStep));
         }
         return std::nullopt;
     }
 
-    /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond.
+    /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond. It ends beyond the switch by
+    /// no more than its width, so that the next step begins where its law holds.
     bool goToSwitch(double length)
     {
         const Interval holds = contact_->interval();
@@ -235,20 +238,18 @@ private:
             if (recorder_->stopped()) return stop();
             if (!result.converged()) {
                 ++rejected_;
-                dt = length_.halved(dt);
-                if (dt < shortestStep) return giveUp(result);
-                return takeShorter(dt);
+                return length_.halved(dt) < shortestStep ? giveUp(result) : true;
             }
             const SliderMotion& motion = stepper_->tried();
             const double d = contact_->separation(body_->attitude(motion.q));
             const double before = contact_->separation(body_->attitude(point_.motion.q));
             upper = std::abs(d - holds.upper) < std::abs(d - holds.lower);
-            const double miss = d - (upper ? holds.upper : holds.lower);
+            const double miss = d - (upper ? holds.upper + 0.5 * switchWidth() : holds.lower - 0.5 * switchWidth());
             // The rate, along the way from the step's beginning where it has no other sense.
             const double ahead = contact_->separation(body_->attitude(moved(motion, 1e-3 * dt)));
             double rate = (ahead - d) / (1e-3 * dt);
             if (!(rate * (upper ? 1.0 : -1.0) > 0.0)) rate = (d - before) / dt;
-            if (std::abs(miss) <= switchWidth() || k == mostTries || rate == 0.0) break;
+            if (std::abs(miss) <= 0.5 * switchWidth() || k == mostTries || rate == 0.0) break;
             const double next = dt - miss / rate;
             if (!(next > 0.1 * dt) || next > 3.0 * dt) break;
             dt = next;
@@ -269,14 +270,6 @@ private:
                                                    " switches of the contact's law within " + formatQuantity(chatterTime, "us"));
         }
         return true;
-    }
-
-    bool takeShorter(double dt)
-    {
-        const CoupledStepResult result = tryStep(dt);
-        if (recorder_->stopped()) return stop();
-        if (!result.converged()) return giveUp(result);
-        return takeStep(dt);
     }
 
     Vector3 moved(const SliderMotion& motion, double dt) const
@@ -331,12 +324,12 @@ private:
     bool goOn()
     {
         if (recorder_) return recorder_->lookAtClock();
-        if (wallClock() - lastCall_ < 0.015) return true;
+        if (stopped_ || wallClock() - lastCall_ < 0.015) return !stopped_;
         SampleBatch none;
         none.columns.resize(filmQuantities(case_).size());
-        const bool on = !callback_ || callback_({0.0, case_.run.duration, none, {}, {}});
+        stopped_ = callback_ && !callback_({0.0, case_.run.duration, none, {}, {}});
         lastCall_ = wallClock();
-        return on;
+        return !stopped_;
     }
 
     const Case& case_;
@@ -355,6 +348,7 @@ private:
     RunStatus status_ = RunStatus::Completed;
     std::string message_;
     double lastCall_ = 0.0;  // wall clock [s]
+    bool stopped_ = false;   // before there was a recorder
 };
 
 } // namespace

@@ -15,7 +15,7 @@ public:
     static constexpr double worstFactor = 0.75; // below which a step is tried again
 
     /// Steps as long as the error allows, from a first one on; or, with error zero, of that length [s], [m].
-    StepLength(double first, double allowedError) : allowed_(allowedError), wanted_(first) {}
+    StepLength(double first, double allowedError) : allowed_(allowedError), first_(first), wanted_(first) {}
 
     bool fixed() const { return allowed_ == 0.0; }
     /// After a step of length `last` (zero: the first one), and no longer than `longest` unless lengths are fixed.
@@ -43,6 +43,7 @@ public:
     }
     void accepted(double dt, double error)
     {
+        if (fixed()) wanted_ = first_;
         if (fixed()) return;
         const double change = factor(error);
         if (change < 1.0) wanted_ = change * dt;
@@ -58,6 +59,7 @@ private:
     static constexpr int patience = 16; // steps, so that it is not for a moment of an oscillation
 
     double allowed_;     // [m]
+    double first_;       // [s]
     double wanted_;      // where nothing else limits it [s]
     int sinceLimit_ = 0; // steps since one could not have been longer
 };
