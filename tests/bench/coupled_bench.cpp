@@ -31,7 +31,8 @@ std::vector<BenchCase> defaultCases()
     const std::vector<std::string> kick{"initial.state=static", "initial.height_offset=1 nm", "run.duration=0.1 ms"};
     return {{"film_pico", kick},
             {"film_femto", kick},
-            {"fig08_start_10nm", {"run.duration=0.1 ms"}}};
+            {"fig08_start_10nm", {"run.duration=0.1 ms"}},
+            {"fig02_case_2_moving", {"run.duration=0.1 ms"}}};
 }
 
 double processorSeconds()
