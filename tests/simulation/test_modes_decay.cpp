@@ -13,8 +13,10 @@
 #include "core/simulation/case_file.h"
 #include "core/simulation/film_setup.h"
 #include "core/simulation/steady.h"
+#include "tests/support/matrix_pencil.h"
 
 using namespace touchdown;
+using namespace touchdown::test;
 
 namespace {
 
@@ -113,33 +115,6 @@ private:
     std::array<Eigen::Vector3d, 2> velocity_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 };
 
-/// Samples that are sums of c z^n: the z that oscillates and has the largest part in them. Each sample with those that
-/// follow is a vector, and one matrix leads from each to the next (Hua & Sarkar 1990, matrix pencil).
-Complex leadingFactor(const std::vector<Eigen::Vector3d>& samples)
-{
-    const Eigen::Index delays = stepsPerPeriod, columns = static_cast<Eigen::Index>(samples.size()) - delays;
-    Eigen::MatrixXd before(3 * delays, columns), after(3 * delays, columns);
-    for (Eigen::Index k = 0; k < columns; ++k)
-        for (Eigen::Index d = 0; d < delays; ++d) {
-            before.block<3, 1>(3 * d, k) = samples[static_cast<std::size_t>(k + d)];
-            after.block<3, 1>(3 * d, k) = samples[static_cast<std::size_t>(k + d + 1)];
-        }
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(before, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd size = svd.singularValues();
-    const Eigen::Index rank = (size.array() > 1e-7 * size[0]).count(); // what is smaller is rounding
-    const Eigen::MatrixXd U = svd.matrixU().leftCols(rank), V = svd.matrixV().leftCols(rank);
-    const Eigen::EigenSolver<Eigen::MatrixXd> steps(U.transpose() * after * V * size.head(rank).cwiseInverse().asDiagonal());
-    const Eigen::VectorXcd parts = steps.eigenvectors().partialPivLu().solve((U.transpose() * before.col(0)).cast<Complex>());
-    Complex leading = 0.0;
-    double largest = 0.0;
-    for (Eigen::Index k = 0; k < rank; ++k)
-        if (steps.eigenvalues()[k].imag() > 0.0 && std::abs(parts[k]) > largest) {
-            leading = steps.eigenvalues()[k];
-            largest = std::abs(parts[k]);
-        }
-    return leading;
-}
-
 /// s of the free motion that follows when the slider has been led along a mode.
 Complex freeDecay(const Case& c, const ModesResult& modes, const AirBearingMode& mode, double amplitude)
 {
@@ -168,7 +143,7 @@ Complex freeDecay(const Case& c, const ModesResult& modes, const AirBearingMode&
         samples.push_back(slider.scaled(slider.motion()));
     }
     // Where a linear system moves as exp(s t), BDF2 makes z^n of it with this s: its own error is taken out.
-    const Complex z = leadingFactor(samples);
+    const Complex z = leadingFactor(samples, stepsPerPeriod);
     return (3.0 - 4.0 / z + 1.0 / (z * z)) / (2.0 * dt);
 }
 
