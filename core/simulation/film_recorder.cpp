@@ -32,6 +32,7 @@ std::vector<Quantity> filmQuantities(const Case& c)
                                                                         : "Flying height at the first point of interest"},
         {"minimum_spacing", "m", "nm", "Minimum spacing of slider and mean disk plane"},
         {"pitch", "rad", "urad", "Pitch"},
+        {"roll", "rad", "urad", "Roll"},
         {"height", "m", "nm", "Height of the mass centre"},
         {"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"},
         {"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"},
@@ -44,10 +45,7 @@ std::vector<Quantity> filmQuantities(const Case& c)
         {"time_step", "s", "ns", "Time step"},
     };
     if (c.degreesOfFreedom == 3)
-        list.insert(list.end(), {
-            {"roll", "rad", "urad", "Roll"},
-            {"roll_velocity", "rad/s", "rad/s", "Roll velocity"},
-        });
+        list.push_back({"roll_velocity", "rad/s", "rad/s", "Roll velocity"});
     if (touches(c))
         list.insert(list.end(), {
             {"contact_force", "N", "mN", "Real contact force"},
@@ -123,6 +121,7 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
              attitude.roll * (headAt_.y - 0.5 * case_.slider.width) + headRecess_;
     *out++ = spacing_.at(attitude).spacing;
     *out++ = attitude.pitch;
+    *out++ = attitude.roll;
     *out++ = motion.q[0];
     *out++ = motion.v[0];
     *out++ = motion.v[1];
@@ -144,10 +143,7 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
     }
     mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - gained));
     *out++ = to.dt;
-    if (case_.degreesOfFreedom == 3) {
-        *out++ = attitude.roll;
-        *out++ = motion.v[2];
-    }
+    if (case_.degreesOfFreedom == 3) *out++ = motion.v[2];
     if (touches(case_)) {
         *out++ = ofContact(&SliderContactForces::contact);
         *out++ = ofContact(&SliderContactForces::adhesion);

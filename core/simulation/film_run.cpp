@@ -17,6 +17,7 @@ namespace {
 
 constexpr double firstStep = 2e-9;      // [s]
 constexpr double shortestStep = 1e-14;  // [s]
+constexpr double jumpStep = 1e-11;      // so short a step whose error is too large leads over a jump of the forces [s]
 constexpr double longestShare = 0.01;   // of the run, for a step
 constexpr double longestPhase = 0.7;    // omega dt: of longer steps BDF2 would damp a motion more than the film does
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
@@ -62,6 +63,9 @@ public:
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
         summary.warnings = scene_.warnings();
+        if (jumps_ > 0)
+            summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
+                                       " times where no law switches: as cells of the film close or open, or its slip changes at once");
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
@@ -153,7 +157,9 @@ private:
         while (true) {
             const CoupledStepResult result = tryStep(dt);
             if (recorder_->stopped()) return stop();
-            if (!result.converged() || length_.isTooLong(result.timeError)) {
+            const bool jumps = dt < jumpStep && result.converged() && length_.isTooLong(result.timeError);
+            jumps_ += jumps;
+            if (!result.converged() || (length_.isTooLong(result.timeError) && !jumps)) {
                 ++rejected_;
                 dt = result.converged() ? length_.shortened(dt, result.timeError) : length_.halved(dt);
                 if (dt < shortestStep) return giveUp(result);
@@ -206,6 +212,9 @@ private:
             const double d = contact_->separation(body_->attitude(between(point_, end, share).q));
             return std::max(d - holds.upper, holds.lower - d);
         };
+        // Further from a switch than the way bends from a straight line there is none.
+        const double bend = std::max(body_->displacement(point_.motion.a), body_->displacement(end.motion.a));
+        if (std::max(beyond(0.0), beyond(1.0)) < -bend * dt * dt) return std::nullopt;
         constexpr int looks = 8; // within a step, so that a short visit is not missed
         double inside = 0.0;
         for (int k = 1; k <= looks; ++k) {
@@ -342,6 +351,7 @@ private:
     std::optional<FilmBooks> books_;
     StepLength length_;
     FilmPoint point_;        // the last accepted one
+    long long jumps_ = 0;    // of the air's force
     int snapshots_ = 0;      // taken
     std::vector<double> switchTimes_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;

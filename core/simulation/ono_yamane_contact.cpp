@@ -33,6 +33,7 @@ OnoYamaneContact::OnoYamaneContact(const Case& c, const MinimumSpacing& spacing)
 const SliderContactForces& OnoYamaneContact::at(const Attitude& attitude, double)
 {
     attitude_ = attitude;
+    stiffness_.reset();
     if (!begun_) {
         region_ = law_.region(first_, spacing_.at(attitude).spacing);
         setInterval();
@@ -60,7 +61,8 @@ Vector3 OnoYamaneContact::loadAt(const Attitude& attitude, SliderContactForces& 
 // By differences: the place of the force moves with the attitude, too.
 Matrix3 OnoYamaneContact::stiffness() const
 {
-    Matrix3 result{};
+    if (stiffness_) return *stiffness_;
+    Matrix3& result = stiffness_.emplace();
     if (region_ == ContactRegion::Apart) return result;
     SliderContactForces forces;
     const Vector3 load = loadAt(attitude_, forces);
@@ -105,6 +107,7 @@ std::string OnoYamaneContact::cross(bool upper)
 {
     const ContactRegion before = lastOfLaw(upper);
     region_ = law_.beyond(before, upper);
+    stiffness_.reset();
     begun_ = true;
     setInterval();
     return switchName(before, region_);

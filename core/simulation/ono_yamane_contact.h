@@ -11,6 +11,8 @@
 // step ends it at the switch.
 #pragma once
 
+#include <optional>
+
 #include "core/physics/minimum_spacing.h"
 #include "core/physics/ono_yamane.h"
 #include "core/simulation/contact_lever.h"
@@ -52,6 +54,7 @@ private:
     bool begun_ = false;
     Attitude attitude_;      // of the last call
     SliderContactForces forces_;
+    mutable std::optional<Matrix3> stiffness_; // at attitude_, once it was asked for
 };
 
 } // namespace touchdown
