@@ -77,6 +77,7 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
     if (contact_) ++(inReach_ ? cost_.contactSolves : cost_.contactSkipped);
     // Also out of reach, so that a law with memory knows it.
     if (contact_) contactForces_ = contact_->at(attitude, time);
+    contactStiffness_ = inReach_ ? contact_->stiffness() : Matrix3{};
 }
 
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
@@ -105,7 +106,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     pastForces_ = 1;
     response_.forget();
     contraction_ = 0.0;
-    jerk_ = {};
+    jerk_ = stiffJerk_ = {};
     lastDt_ = 0.0;
     setAcceleration();
 }
@@ -122,14 +123,21 @@ void CoupledStepper::restartAcceleration()
 {
     askContact(body_.attitude(motion_.q), time_);
     setAcceleration();
-    // The rate of change of the forces that now act, as far as it comes from stiffness.
-    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
-    jerk_ = {};
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t m = 0; m < 3; ++m)
-            jerk_[k] -= (response_.stiffness()[k][m] + contact[k][m]) * motion_.v[m] / body_.inertia()[k];
-    if (body_.holdsRoll()) jerk_[2] = 0.0;
+    jerk_ = stiffJerk_ = stiffJerk(motion_.v);
     lastDt_ = 0.0;
+}
+
+/// Of the acceleration's rate of change what stiffness makes.
+Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
+{
+    Vector3 jerk{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        jerk[k] = -body_.springs()[k] * v[k];
+        for (std::size_t m = 0; m < 3; ++m) jerk[k] -= (response_.stiffness()[k][m] + contactStiffness_[k][m]) * v[m];
+        jerk[k] /= body_.inertia()[k];
+    }
+    if (body_.holdsRoll()) jerk[2] = 0.0;
+    return jerk;
 }
 
 /// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
@@ -138,11 +146,8 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
     Matrix3 matrix{};
     if (stiff) {
         matrix = response_.stiffness();
-        if (inReach_) {
-            const Matrix3 contact = contact_->stiffness();
-            for (std::size_t k = 0; k < 3; ++k)
-                for (std::size_t m = 0; m < 3; ++m) matrix[k][m] += contact[k][m];
-        }
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t m = 0; m < 3; ++m) matrix[k][m] += contactStiffness_[k][m];
     }
     for (std::size_t k = 0; k < 3; ++k)
         matrix[k][k] += body_.inertia()[k] * perSquare + body_.dampers()[k] * perTime + body_.springs()[k];
@@ -159,9 +164,8 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
 double CoupledStepper::stiffShare(double perSquare) const
 {
     double share = 0.0;
-    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
     for (std::size_t k = 0; k < 3; ++k) {
-        const double stiffness = std::abs(response_.stiffness()[k][k]) + std::abs(contact[k][k]);
+        const double stiffness = std::abs(response_.stiffness()[k][k]) + std::abs(contactStiffness_[k][k]);
         share = std::max(share, stiffness / (stiffness + body_.inertia()[k] * perSquare));
     }
     return share;
@@ -194,7 +198,7 @@ CoupledStepResult CoupledStepper::step(double dt)
     setRule(dt);
     const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
     for (std::size_t k = 0; k < 3; ++k) {
-        rate_[k] = motion_.v[k] + shift_ * jerk_[k];
+        rate_[k] = motion_.v[k] + shift_ * stiffJerk_[k];
         tried_.q[k] = motion_.q[k] + dt * (rate_[k] + dt * (0.5 * motion_.a[k] + later_ * dt * jerk_[k]));
     }
     contraction_ *= forgetting;
@@ -264,10 +268,9 @@ CoupledStepResult CoupledStepper::step(double dt)
 double CoupledStepper::fastestRate() const
 {
     if (!response_.known()) return 0.0;
-    const Matrix3 contact = inReach_ ? contact_->stiffness() : Matrix3{};
     double square = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
-        square += (std::abs(response_.stiffness()[k][k]) + std::abs(contact[k][k]) + body_.springs()[k]) / body_.inertia()[k];
+        square += (std::abs(response_.stiffness()[k][k]) + std::abs(contactStiffness_[k][k]) + body_.springs()[k]) / body_.inertia()[k];
     return std::sqrt(square);
 }
 
@@ -296,10 +299,9 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
 {
     setVelocity(dt);
     const Vector3 contact = contactForces_.load(), suspension = body_.suspension(tried_.q, tried_.v);
-    const Matrix3 stiffness = inReach_ ? contact_->stiffness() : Matrix3{};
     for (std::size_t k = 0; k < 3; ++k) {
         double force = filmForce_[k] + contact[k] + suspension[k];
-        for (std::size_t m = 0; m < 3; ++m) force -= stiffness[k][m] * change[m];
+        for (std::size_t m = 0; m < 3; ++m) force -= contactStiffness_[k][m] * change[m];
         tried_.a[k] = force / body_.inertia()[k];
     }
     if (body_.holdsRoll()) tried_.a[2] = 0.0;
@@ -307,8 +309,15 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
         const double slope = (tried_.a[k] - motion_.a[k]) / dt;
         triedJerk_[k] = lastDt_ > 0.0 ? slope + (slope - slope_[k]) * dt / (dt + lastDt_) : slope;
         triedSlope_[k] = slope;
-        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]) - shift_ * triedJerk_[k];
+        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]);
     }
+    if (fourth_) {
+        // v - shift stiffJerk(v) = u turned round: steps of changing length then neither gain nor lose energy by their shifts.
+        Vector3 right;
+        for (std::size_t k = 0; k < 3; ++k) right[k] = -body_.inertia()[k] * tried_.v[k] / shift_;
+        tried_.v = solveBody(right, -1.0 / shift_, 0.0, true);
+    }
+    triedStiffJerk_ = stiffJerk(tried_.v);
 }
 
 /// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from where a change
@@ -351,6 +360,7 @@ void CoupledStepper::accept()
     if (!stepper_.accept()) return;
     if (contact_ || (disk_ && !disk_->flat())) takeSurfaceWork();
     jerk_ = triedJerk_;
+    stiffJerk_ = triedStiffJerk_;
     slope_ = triedSlope_;
     lastDt_ = dt_;
     motion_ = tried_;

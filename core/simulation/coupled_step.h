@@ -104,6 +104,7 @@ private:
     void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
     void setAcceleration();
+    Vector3 stiffJerk(const Vector3& v) const;
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
@@ -124,6 +125,7 @@ private:
     SliderMotion motion_, tried_;              // accepted, tried
     Vector3 jerk_{}, slope_{};                 // a' at the accepted state, its mean over the last step
     Vector3 triedJerk_{}, triedSlope_{};
+    Vector3 stiffJerk_{}, triedStiffJerk_{};   // what stiffness makes of a' at the accepted state, at the tried one
     double time_ = 0.0, dt_ = 0.0, lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
     // Of the tried step's rule: beta, and (u - v)/a' [s^2].
     bool fourth_ = false;
@@ -138,6 +140,7 @@ private:
     Vector3 filmForce_{};
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
+    Matrix3 contactStiffness_{};
     std::array<PastForce, 3> past_;            // accepted, the last one first
     std::size_t pastForces_ = 0;
     CoupledCost cost_;

@@ -200,6 +200,27 @@ private slots:
             z1 = z;
         }
     }
+    /// Fox and Goodwin's discrete motion of a uniform step has a velocity of 1 - w^4/288 times omega z, with u = v (1 - w^2/12): where
+    /// lengths change the energy is off by twice the difference of two of these, and must not add up from change to change.
+    void changingStepsKeepEnergy()
+    {
+        const Case c = almostVacuum();
+        const SteadyResult rest = filmAtAmbient(c);
+        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass);
+        const double middle = rest.attitude.height, balanced = middle - c.suspension.preload / stiffness;
+        SpringAndJump contact(stiffness, middle, 0.0);
+        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
+        const auto energy = [&] {
+            const double z = slider.q()[0] - balanced, v = slider.stepper.motion().v[0];
+            return 0.5 * stiffness * z * z + 0.5 * c.slider.mass * v * v;
+        };
+        const double first = energy();
+        for (int n = 0; n < 1000; ++n) {
+            QVERIFY(slider.take((n % 2 == 0 ? 0.6 : 0.3) / omega).converged());
+            const double off = std::abs(energy() / first - 1.0);
+            QVERIFY2(off < 4.0 * std::pow(0.6, 4) / 288, qPrintable(QString("%1 after %2 steps").arg(off).arg(n + 1)));
+        }
+    }
     /// beta k dt^2 < M, thus omega dt < 2, is where the staggered iteration ends; monolithic has no such limit.
     void staggeredEndsAtLongSteps()
     {
