@@ -32,19 +32,12 @@ private:
 /// In lengths of the slider, so that an elimination weighs like with like.
 Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, double width)
 {
-    const std::array<double, 3> scale{1.0, 1.0 / length, 1.0 / width};
-    Eigen::Matrix3d m;
-    Eigen::Vector3d b;
-    for (int i = 0; i < 3; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        for (int k = 0; k < 3; ++k) {
-            const auto column = static_cast<std::size_t>(k);
-            m(i, k) = matrix[row][column] * scale[row] * scale[column];
-        }
-        b[i] = right[row] * scale[row];
-    }
-    const Eigen::Vector3d x = m.partialPivLu().solve(b);
-    return {x[0] * scale[0], x[1] * scale[1], x[2] * scale[2]};
+    const Eigen::DiagonalMatrix<double, 3> scale(1.0, 1.0 / length, 1.0 / width);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> m(matrix.front().data());
+    const Eigen::Map<const Eigen::Vector3d> b(right.data());
+    const Eigen::Matrix3d scaled = scale * m * scale;
+    const Eigen::Vector3d x = scale * scaled.partialPivLu().solve(scale * b);
+    return {x[0], x[1], x[2]};
 }
 
 } // namespace
@@ -53,7 +46,7 @@ CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderCont
                                const CoupledStepOptions& options)
     : film_(film), body_(body), contact_(contact), disk_(disk), options_(options), stepper_(film, options.film), response_(film, body)
 {
-    for (auto* field : {&change_, &surface_, &pressureBefore_, &surfaceBefore_}) field->assign(film.pad().size(), 0.0);
+    for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
 }
 
 void CoupledStepper::setSurface(double time)
@@ -98,11 +91,8 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     setSurface(time);
     film_.setAttitude(attitude);
     stepper_.start(p);
-    std::ranges::copy(p, pressureBefore_.begin());
-    surfaceBefore_ = surface_;
     filmForce_ = filmForceAt(stepper_.pressure());
-    past_ = {};
-    past_[0] = {filmForce_, time};
+    past_ = {PastForce{filmForce_, time}};
     pastForces_ = 1;
     response_.forget();
     contraction_ = 0.0;
@@ -144,11 +134,8 @@ Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const
 {
     Matrix3 matrix{};
-    if (stiff) {
-        matrix = response_.stiffness();
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t m = 0; m < 3; ++m) matrix[k][m] += contactStiffness_[k][m];
-    }
+    for (std::size_t k = 0; stiff && k < 3; ++k)
+        for (std::size_t m = 0; m < 3; ++m) matrix[k][m] = response_.stiffness()[k][m] + contactStiffness_[k][m];
     for (std::size_t k = 0; k < 3; ++k)
         matrix[k][k] += body_.inertia()[k] * perSquare + body_.dampers()[k] * perTime + body_.springs()[k];
     Vector3 b = right;
@@ -342,23 +329,9 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
     result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, response_.known()));
 }
 
-/// Sum of A (p - p0) times what the surface rises by, by the trapezoidal rule.
-void CoupledStepper::takeSurfaceWork()
-{
-    surfaceWork_ = 0.0;
-    const std::span<const double> p = stepper_.pressure();
-    const std::vector<double>& area = film_.areas();
-    const double ambient = film_.ambient();
-    for (std::size_t at = 0; at < p.size(); ++at)
-        surfaceWork_ += area[at] * (0.5 * (p[at] + pressureBefore_[at]) - ambient) * (surface_[at] - surfaceBefore_[at]);
-    std::ranges::copy(p, pressureBefore_.begin());
-    surfaceBefore_ = surface_;
-}
-
 void CoupledStepper::accept()
 {
     if (!stepper_.accept()) return;
-    if (contact_ || (disk_ && !disk_->flat())) takeSurfaceWork();
     jerk_ = triedJerk_;
     stiffJerk_ = triedStiffJerk_;
     slope_ = triedSlope_;

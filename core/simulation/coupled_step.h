@@ -85,8 +85,8 @@ public:
     const Vector3& filmForce() const { return filmForce_; }
     /// Of the film's shear, contained in filmForce().
     Vector3 shearTorques() const { return {0.0, -body_.shearArm() * shear_[0], -body_.shearArm() * shear_[1]}; }
-    /// Of the disk's surface on the air in the last accepted step, where it rises and falls under it [J].
-    double surfaceWork() const { return surfaceWork_; }
+    /// Heights of the disk under the film (padded) in the last step; empty where it is always flat [m].
+    std::span<const double> surface() const { return contact_ || (disk_ && !disk_->flat()) ? surface_ : std::span<const double>(); }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
     const CoupledCost& cost() const { return cost_; }
@@ -114,7 +114,6 @@ private:
     void setVelocity(double dt);
     void finishMotion(double dt, const Vector3& change);
     void setTimeError(double dt, CoupledStepResult& result);
-    void takeSurfaceWork();
 
     GasFilm& film_;
     const SliderBody& body_;
@@ -133,8 +132,6 @@ private:
     Vector3 rate_{};                           // u1
     FilmResponse response_;
     std::vector<double> change_, surface_;
-    std::vector<double> pressureBefore_, surfaceBefore_; // at the accepted state, where the disk is not flat
-    double surfaceWork_ = 0.0;
     double surfaceTime_ = -1.0;                // of surface_ [s]
     bool inReach_ = false, deformed_ = false;  // contact, at the last attitude; surface_ by it
     Vector3 filmForce_{};

@@ -32,7 +32,8 @@ private:
     FilmEnergy energy_;
     const SliderBody& body_;
     double rest_;           // [J]
-    double flows_ = 0.0;    // what they bring the air at the last point [W]
+    std::vector<double> pressure_, surface_; // at the last point, where the disk is not flat (padded) [Pa], [m]
+    double flows_ = 0.0;    // what they bring the air there [W]
     Vector3 shear_{};       // torques there [N m]
 };
 
