@@ -241,7 +241,7 @@ private:
     {
         const Interval holds = contact_->interval();
         double dt = length;
-        bool upper = false;
+        bool upper = false, reached = false;
         for (int k = 0;; ++k) {
             const CoupledStepResult result = tryStep(dt);
             if (recorder_->stopped()) return stop();
@@ -254,6 +254,7 @@ private:
             const double before = contact_->separation(body_->attitude(point_.motion.q));
             upper = std::abs(d - holds.upper) < std::abs(d - holds.lower);
             const double miss = d - (upper ? holds.upper + 0.5 * switchWidth() : holds.lower - 0.5 * switchWidth());
+            reached = upper ? d >= holds.upper : d <= holds.lower;
             // The rate, along the way from the step's beginning where it has no other sense.
             const double ahead = contact_->separation(body_->attitude(moved(motion, 1e-3 * dt)));
             double rate = (ahead - d) / (1e-3 * dt);
@@ -264,6 +265,8 @@ private:
             dt = next;
         }
         if (!takeStep(dt)) return false;
+        // The way that was looked at is not quite that of the shorter step.
+        if (!reached) return true;
         recorder_->addEvent(point_.time, contact_->cross(upper));
         stepper_->restartAcceleration();
         const double storedBefore = point_.contact.storedEnergy;
