@@ -230,7 +230,7 @@ CoupledStepResult CoupledStepper::step(double dt)
         }
         before = size;
         const double left = contraction_ < 1.0 ? contraction_ / (1.0 - contraction_) * size : size;
-        const double load = std::abs(body_.load()[0]);
+        const double load = std::max(std::abs(body_.load()[0]), 1e-300);
         result.forceBalance = (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
         if (monolithic) {
             for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];

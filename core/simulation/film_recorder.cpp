@@ -108,6 +108,14 @@ void FilmRecorder::add(const FilmPoint& point)
 void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double time)
 {
     ++samples_;
+    evaluate(from, to, time);
+    batch_.time.push_back(time);
+    for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
+    if (batch_.size() >= samplesInBatch) flush();
+}
+
+void FilmRecorder::evaluate(const FilmPoint& from, const FilmPoint& to, double time)
+{
     const double h = to.time - from.time, share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
     const SliderMotion motion = between(from, to, share);
     const Attitude attitude = body_.attitude(motion.q);
@@ -155,9 +163,6 @@ void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double tim
         *out++ = ofContact(&SliderContactForces::area);
         *out++ = ofContact(&SliderContactForces::peakPressure);
     }
-    batch_.time.push_back(time);
-    for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
-    if (batch_.size() >= samplesInBatch) flush();
 }
 
 void FilmRecorder::addEvent(double time, std::string name)
@@ -193,8 +198,9 @@ double FilmRecorder::energyImbalance() const
     return range > 0.0 ? mostMissing_ / range : 0.0;
 }
 
-void FilmRecorder::finish(Summary& summary) const
+void FilmRecorder::finish(Summary& summary)
 {
+    if (last_.time < case_.run.duration) evaluate(last_, last_, last_.time);
     summary.endTime = std::min(last_.time, case_.run.duration);
     summary.events = events_;
     if (samples_ > 0)

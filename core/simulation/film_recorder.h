@@ -49,11 +49,13 @@ public:
     /// The largest difference so far between the change of the energy and what was gained, against the largest range of one of its
     /// parts [-].
     double energyImbalance() const;
-    /// Sets final values, tail, peaks, events.
-    void finish(Summary& summary) const;
+    /// Sets final values (of the last point, or at the duration where that is beyond), tail, peaks, events.
+    void finish(Summary& summary);
 
 private:
-    void record(const FilmPoint& point, const FilmPoint& to, double time);
+    void record(const FilmPoint& from, const FilmPoint& to, double time);
+    /// Sets values_.
+    void evaluate(const FilmPoint& from, const FilmPoint& to, double time);
 
     const Case& case_;
     const SliderBody& body_;

@@ -65,7 +65,7 @@ public:
         summary.warnings = scene_.warnings();
         if (jumps_ > 0)
             summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
-                                       " times where no law switches: as cells of the film close or open, or its slip changes at once");
+                                       " times where no law switches: as cells of the film close or open, or its slip changes at once; air that is lost in cells that close is in no book");
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
@@ -90,6 +90,9 @@ private:
         add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
         add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
         add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
+        add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load", worstBalance_);
+        add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
+        add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient", worstFilm_);
         add("energy_balance", "1", "Energy that the books miss, against the largest change of a part", recorder_->energyImbalance());
     }
 
@@ -173,7 +176,7 @@ private:
 
     CoupledStepResult tryStep(double dt)
     {
-        const CoupledStepResult result = stepper_->step(dt);
+        const CoupledStepResult result = tried_ = stepper_->step(dt);
         filmIterations_ += result.filmIterations;
         recorder_->lookAtClock();
         return result;
@@ -183,6 +186,9 @@ private:
     {
         stepper_->accept();
         ++steps_;
+        worstBalance_ = std::max(worstBalance_, tried_.forceBalance);
+        worstLeft_ = std::max(worstLeft_, tried_.positionLeft);
+        worstFilm_ = std::max(worstFilm_, tried_.filmError);
         const FilmPoint before = point_;
         point_ = pointNow(dt);
         books_->add(*stepper_, before, point_);
@@ -261,7 +267,7 @@ private:
             if (!(rate * (upper ? 1.0 : -1.0) > 0.0)) rate = (d - before) / dt;
             if (std::abs(miss) <= 0.5 * switchWidth() || k == mostTries || rate == 0.0) break;
             const double next = dt - miss / rate;
-            if (!(next > 0.1 * dt) || next > 3.0 * dt) break;
+            if (!(next > 0.1 * dt) || next > 2.0 * length) break;
             dt = next;
         }
         if (!takeStep(dt)) return false;
@@ -355,6 +361,8 @@ private:
     StepLength length_;
     FilmPoint point_;        // the last accepted one
     long long jumps_ = 0;    // of the air's force
+    CoupledStepResult tried_;
+    double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;      // taken
     std::vector<double> switchTimes_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
