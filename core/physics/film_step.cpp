@@ -10,7 +10,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double linearShare = 0.7;       // of what may be left, for the rest of the linear systems
+constexpr double linearShare = 0.4;       // of what may be left, for the rest of the linear systems
 constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
 constexpr int mostRepeats = 4, longestUnmeasured = 20;
 constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]

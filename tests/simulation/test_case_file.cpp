@@ -367,7 +367,8 @@ private slots:
             QCOMPARE(c.contact, ContactKind::OnoYamane);
             for (const Field& field : fields())
                 if (QStringList{"slider", "suspension", "abs", "air", "disk", "film", "steady"}.contains(
-                        QString::fromStdString(field.group())))
+                        QString::fromStdString(field.group())) &&
+                    field.key != "film.nodes") // more of them along the slider, for its motion
                     QVERIFY2(field.get(c) == field.get(slider), (sample.name + ": " + field.key).c_str());
             QVERIFY2(c.surface == slider.surface, sample.name.c_str());
             // What all of them share of the contact, by the paper's section 4.
