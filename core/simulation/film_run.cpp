@@ -29,6 +29,7 @@ constexpr int mostTries = 12;           // for one switch
 constexpr int mostSwitches = 64;        // within chatterTime
 constexpr double chatterTime = 1e-7;    // [s]
 constexpr double farthest = 1e-4;       // from which no slider comes back [m]
+constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
 
 double wallClock()
 {
@@ -342,7 +343,7 @@ private:
     bool goOn()
     {
         if (recorder_) return recorder_->lookAtClock();
-        if (stopped_ || wallClock() - lastCall_ < 0.015) return !stopped_;
+        if (stopped_ || wallClock() - lastCall_ < longestSilence) return !stopped_;
         SampleBatch none;
         none.columns.resize(filmQuantities(case_).size());
         stopped_ = callback_ && !callback_({0.0, case_.run.duration, none, {}, {}});
