@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -19,6 +20,7 @@ namespace touchdown {
 struct GmresOptions {
     double tolerance = 1e-3; // of the residual's norm, against that of the right-hand side [-]
     int maximumIterations = 60;
+    std::function<bool()> goOn{}; // asked at each iteration; false ends the solution where it is
 };
 struct GmresResult {
     int iterations = 0;
@@ -56,7 +58,7 @@ public:
             return result;
         }
         const bool guess = std::any_of(x.begin(), x.end(), [](const T& value) { return value != T{}; });
-        bool first = !guess;
+        bool first = !guess, stopped = false;
         while (true) {
             const std::span<T> v0 = basis(0);
             if (first) std::copy(b.begin(), b.end(), v0.begin());
@@ -68,9 +70,9 @@ public:
             const double start = norm(v0);
             result.residual = start / scale;
             result.converged = result.residual <= options.tolerance;
-            if (result.converged || result.iterations >= options.maximumIterations || !std::isfinite(start)) return result;
+            if (result.converged || stopped || result.iterations >= options.maximumIterations || !std::isfinite(start)) return result;
             for (T& value : v0) value *= 1.0 / start;
-            const std::size_t used = expand(apply, precondition, start, scale, options, result);
+            const std::size_t used = expand(apply, precondition, start, scale, options, result, stopped);
             combine(used, x);
             if (used == 0) return result;
         }
@@ -109,13 +111,13 @@ private:
     /// Arnoldi with Givens rotations, until the residual is small; the number of basis vectors used.
     template <typename Apply, typename Precondition>
     std::size_t expand(Apply& apply, Precondition& precondition, double start, double scale, const GmresOptions& options,
-                       GmresResult& result)
+                       GmresResult& result, bool& stopped)
     {
         const std::size_t m = static_cast<std::size_t>(restart_);
         for (auto* field : {&hessenberg_, &cosine_, &sine_, &right_}) std::fill(field->begin(), field->end(), T{});
         right_[0] = start;
         std::size_t k = 0;
-        while (k < m && result.iterations < options.maximumIterations) {
+        while (k < m && result.iterations < options.maximumIterations && !stopped) {
             const std::span<T> next = basis(k + 1), direction(preconditioned_[k].get(), size_);
             precondition(std::span<const T>(basis(k)), direction);
             apply(std::span<const T>(direction), next);
@@ -140,6 +142,7 @@ private:
             right_[k] = conjugate(cosine_[k]) * right_[k];
             ++k;
             if (std::abs(right_[k]) <= options.tolerance * scale || length == 0.0) break;
+            stopped = options.goOn && !options.goOn();
             for (T& value : next) value *= 1.0 / length;
         }
         return k;

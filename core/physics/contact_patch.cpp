@@ -119,10 +119,11 @@ private:
     double base_ = 0.0; // of the lowest point [m]
 };
 
-std::vector<Box> regions(const SliderScan& scan, double length, double width, int lines, double lowestY)
+std::vector<Box> regions(const SliderScan& scan, double length, double width, int lines, double lowestY, const std::function<bool()>& goOn)
 {
     std::vector<Box> done, open;
     for (int row = 0; row < lines; ++row) {
+        if (goOn && !goOn()) return {};
         const double y = (row + 0.5) * width / lines;
         auto pieces = scan.below(y);
         const bool holdsLowest = row == std::min(static_cast<int>(lowestY / width * lines), lines - 1);
@@ -172,14 +173,14 @@ ContactPatch spherePatch(double length, double width, double cell, double radius
 }
 
 SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll, double cell,
-                            double reach, int mostCells)
+                            double reach, int mostCells, const std::function<bool()>& goOn)
 {
     const SliderScan scan(surface, length, width, pitch, roll, reach);
     SliderPatches result;
     result.lowest = scan.lowest();
     // On multiples of the cell, one more all round, within the slider; merged as such, lest two share a cell.
     std::vector<Box> boxes;
-    for (const Box& box : regions(scan, length, width, scanLines, scan.lowest().y)) {
+    for (const Box& box : regions(scan, length, width, scanLines, scan.lowest().y, goOn)) {
         const auto low = [&](int steps, double side, int of) {
             return static_cast<int>(std::clamp(std::floor(steps * side / of / cell) - 1.0, 0.0, mostNumber));
         };
@@ -203,11 +204,13 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
         ContactPatch patch;
         patch.grid = {nx, ny, cell, cell, box.x0 * cell, box.y0 * cell};
         patch.height.reserve(patch.grid.cells());
-        for (int j = 0; j < patch.grid.ny; ++j)
+        for (int j = 0; j < patch.grid.ny; ++j) {
+            if (goOn && !goOn()) return {};
             for (int i = 0; i < patch.grid.nx; ++i) {
                 patch.height.push_back(scan.height(patch.grid.x(i), patch.grid.y(j)));
                 patch.recess.push_back(scan.recess(patch.grid.x(i), patch.grid.y(j)));
             }
+        }
         result.patches.push_back(std::move(patch));
     }
     const auto lowestOf = [](const ContactPatch& patch) { return *std::ranges::min_element(patch.height); };

@@ -13,6 +13,7 @@
 // Johnson 1985, equation 3.22a), which is left out.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ struct SliderPatches {
 };
 
 /// `surface` is valid, length and width of the slider positive, cell > 0, reach >= 0; at most `mostCells` along or across a patch.
+/// `goOn` is asked at each line and row; where it says false there are no patches.
 SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll, double cell,
-                            double reach, int mostCells);
+                            double reach, int mostCells, const std::function<bool()>& goOn = {});
 
 /// The shortest distance of two patches' boxes, 0 where they meet [m].
 double patchDistance(const UniformGrid& a, const UniformGrid& b);

@@ -60,7 +60,7 @@ UniformGrid askedTrack(const DiskSurface& s)
 
 } // namespace
 
-DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file)
+DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file, const std::function<bool()>& goOn)
 {
     assert(diskSurfaceProblems(surface).empty());
     // What a flat disk or a measured one says of the track counts for nothing and may be anything.
@@ -69,9 +69,11 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
     if (hasBumps(surface)) bumps_ = Bumps(surface);
     if (hasFile(surface) && file) maps_.push_back(splineOf(*file));
     file.reset();
-    if (hasRoughness(surface))
-        maps_.emplace_back(mapColumns(surface), mapRows(surface), surface.cell, surface.cell,
-                           generateRoughness(surface));
+    if (hasRoughness(surface)) {
+        std::vector<double> heights = generateRoughness(surface, goOn);
+        if (!goOn || goOn())
+            maps_.emplace_back(mapColumns(surface), mapRows(surface), surface.cell, surface.cell, std::move(heights));
+    }
 
     highest_ = waves_.amplitude() + bumps_.highest();
     lowest_ = -waves_.amplitude() + bumps_.lowest();

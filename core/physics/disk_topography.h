@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,8 +36,9 @@ public:
     /// Flat.
     DiskTopography() : DiskTopography(DiskSurface{}) {}
     /// `surface` without problems (core/physics/disk_surface_check.h); `file` for the kinds that read one.
-    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map.
-    explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {});
+    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map. `goOn` is asked meanwhile; where it says
+    /// false there is no roughness.
+    explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {}, const std::function<bool()>& goOn = {});
 
     bool flat() const;
 

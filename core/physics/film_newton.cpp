@@ -96,11 +96,12 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
     double shift = 0.0;
     int accepted = 0, slow = 0;
     std::copy(p.begin(), p.end(), best_.begin());
+    const auto goOn = [&] {
+        result.cancelled = monitor && !monitor(result.iterations, result.residual);
+        return !result.cancelled;
+    };
     while (true) {
-        if (monitor && !monitor(result.iterations, result.residual)) {
-            result.cancelled = true;
-            return result;
-        }
+        if (!goOn()) return result;
         result.converged = result.residual <= options.tolerance;
         if (result.converged || result.iterations >= options.maximumIterations) return result;
 
@@ -110,7 +111,8 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks for.
         const double deserved = std::clamp(0.1 * std::sqrt(result.residual), 1e-4, 0.03);
         const double forcing = std::max(deserved, std::min(0.1, 0.3 * options.tolerance / result.residual));
-        const GmresResult linear = linear_.solve(right_, step_, {.tolerance = forcing, .maximumIterations = 60});
+        const GmresResult linear = linear_.solve(right_, step_, {.tolerance = forcing, .maximumIterations = 60, .goOn = goOn});
+        if (result.cancelled) return result;
         result.solves += linear.iterations;
         addBounded(p, step_);
         film_.linearise(p, residual_);

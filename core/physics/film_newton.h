@@ -29,7 +29,7 @@ struct FilmSolution {
     double residual = 0.0;    // reached [-]
 };
 
-/// Told at each iteration: number, residual. Return false to stop.
+/// Told at each iteration and within its linear solution: number, residual. Return false to stop.
 using FilmMonitor = std::function<bool(int, double)>;
 
 /// The linear systems of one film: multigrid and Krylov vectors, allocated once.

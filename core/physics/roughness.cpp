@@ -39,6 +39,10 @@ private:
     std::mt19937_64 engine_;
 };
 
+using GoOn = std::function<bool()>;
+
+bool stops(const GoOn& goOn) { return goOn && !goOn(); }
+
 /// The map and its half spectrum in one array, each row of the map padded to that of the spectrum.
 struct Array {
     int nx, ny;
@@ -95,15 +99,17 @@ double repeatedCorrelation(RoughnessSpectrum spectrum, double x, double y, doubl
 }
 
 /// The power of each mode, in any scale, into the real parts of the spectrum: the transform of the autocovariance.
-void powerFromCovariance(const DiskSurface& s, Array& map)
+void powerFromCovariance(const DiskSurface& s, Array& map, const GoOn& goOn)
 {
     const double step = s.cell / s.correlationLength;
-    for (int j = 0; j <= map.ny / 2; ++j)
+    for (int j = 0; j <= map.ny / 2; ++j) {
+        if (stops(goOn)) return;
         for (int i = 0; i <= map.nx / 2; ++i) {
             const double value = repeatedCorrelation(s.spectrum, i * step, j * step, map.nx * step, map.ny * step);
             for (const int l : {j, (map.ny - j) % map.ny})
                 for (const int k : {i, (map.nx - i) % map.nx}) map.row(l)[k] = value;
         }
+    }
     map.transform(true);
 }
 
@@ -146,11 +152,12 @@ double drawnPower(const Mode& mode, const std::complex<double>& pair)
 
 /// By how much alpha the power of each mode, expected P, is to be changed to P (1 + alpha P), for the total to be the expected
 /// one. Given the total, the powers of normal modes are expected to be just that.
-double correction(int seed, Array& map)
+double correction(int seed, Array& map, const GoOn& goOn)
 {
     NormalPairs normal(seed);
     double missing = 0.0, weighted = 0.0, largest = 0.0;
-    for (int j = 0; j < map.ny; ++j)
+    for (int j = 0; j < map.ny; ++j) {
+        if (stops(goOn)) return 0.0;
         for (std::size_t i = 0; i < map.halfRow(); ++i) {
             const std::complex<double> pair = normal();
             const Mode mode = modeAt(map, j, i);
@@ -160,15 +167,17 @@ double correction(int seed, Array& map)
             weighted += mode.copies * expected * drawn;
             if (mode.copies > 0.0) largest = std::max(largest, expected);
         }
+    }
     return std::clamp(missing / weighted, -0.5 / largest, 1.0 / largest);
 }
 
 /// From the power of each mode to one realisation of its amplitude: complex and normal; the transform of something real.
-void drawAmplitudes(int seed, Array& map)
+void drawAmplitudes(int seed, Array& map, const GoOn& goOn)
 {
-    const double alpha = correction(seed, map);
+    const double alpha = correction(seed, map, goOn);
     NormalPairs normal(seed);
     for (int j = 0; j < map.ny; ++j) {
+        if (stops(goOn)) return;
         std::complex<double>* row = map.spectrum(j);
         for (std::size_t i = 0; i < map.halfRow(); ++i) {
             const std::complex<double> pair = normal();
@@ -189,12 +198,13 @@ void drawAmplitudes(int seed, Array& map)
 int mapColumns(const DiskSurface& s) { return static_cast<int>(std::lround(s.track / s.cell)); }
 int mapRows(const DiskSurface& s) { return static_cast<int>(std::lround(s.trackWidth / s.cell)); }
 
-std::vector<double> generateRoughness(const DiskSurface& surface)
+std::vector<double> generateRoughness(const DiskSurface& surface, const std::function<bool()>& goOn)
 {
     Array map(mapColumns(surface), mapRows(surface));
     surface.spectrum == RoughnessSpectrum::SelfAffine ? powerOfSelfAffine(surface, map)
-                                                      : powerFromCovariance(surface, map);
-    drawAmplitudes(surface.seed, map);
+                                                      : powerFromCovariance(surface, map, goOn);
+    drawAmplitudes(surface.seed, map, goOn);
+    if (stops(goOn)) return {};
     map.transform(false);
 
     const auto columns = static_cast<std::size_t>(map.nx), rows = static_cast<std::size_t>(map.ny);

@@ -18,6 +18,7 @@
 // per cent, and the many weak ones are left alone: the density stays within the scatter of the request.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/physics/disk_surface.h"
@@ -29,8 +30,8 @@ int mapColumns(const DiskSurface& surface);
 int mapRows(const DiskSurface& surface);
 
 /// Heights [m], row by row, x fastest. The same seed gives the same bits, on every run. Made in place: beside the result no
-/// second map is in memory.
-std::vector<double> generateRoughness(const DiskSurface& surface);
+/// second map is in memory. `goOn` is asked at each row; where it says false the heights mean nothing.
+std::vector<double> generateRoughness(const DiskSurface& surface, const std::function<bool()>& goOn = {});
 
 /// What the density of a profile along the track may be expected to be.
 struct RequestedPsd {

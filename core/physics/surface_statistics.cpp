@@ -114,7 +114,7 @@ struct Moments {
     }
 };
 
-SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic)
+SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic, const std::function<bool()>& goOn = {})
 {
     assert(grid.cells() > 0);
     SurfaceStatistics s;
@@ -124,6 +124,7 @@ SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source,
     s.minimum = std::numeric_limits<double>::infinity();
     s.maximum = -s.minimum;
     for (int j = 0; j < grid.ny; ++j) {
+        if (goOn && !goOn()) return {};
         source(j, row);
         for (const double h : row) {
             s.mean += h / points;
@@ -136,6 +137,7 @@ SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source,
     Moments sums;
     RowPower power(grid.nx, periodic);
     for (int j = 0; j < grid.ny; ++j) {
+        if (goOn && !goOn()) return {};
         source(j, row);
         sums.addHeights(row, s.mean);
         power.add(row, s.mean);
@@ -173,7 +175,7 @@ SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const dou
         periodic);
 }
 
-SurfaceStatistics surfaceStatistics(const DiskTopography& surface)
+SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn)
 {
     const UniformGrid grid = surface.period();
     return statisticsOf(
@@ -182,7 +184,7 @@ SurfaceStatistics surfaceStatistics(const DiskTopography& surface)
             const UniformGrid line{grid.nx, 1, grid.dx, grid.dy, grid.x0, grid.y0 + j * grid.dy};
             surface.heights(line, 0.0, 0.0, row);
         },
-        surface.repeats());
+        surface.repeats(), goOn);
 }
 
 ProfilePsd averaged(const ProfilePsd& psd, int perDecade)

@@ -4,6 +4,7 @@
 // along the track: the integral of the density over q > 0 is the variance.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,8 +34,9 @@ struct SurfaceStatistics {
 /// a Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are alike.
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic);
 
-/// Of one period of a surface; row by row, so that it is not in memory twice.
-SurfaceStatistics surfaceStatistics(const DiskTopography& surface);
+/// Of one period of a surface; row by row, so that it is not in memory twice. `goOn` is asked at each; where it says false the
+/// statistics mean nothing.
+SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn = {});
 
 /// The density averaged over bins of equal ratio, at most `perDecade` of them in each decade: for plots.
 ProfilePsd averaged(const ProfilePsd& psd, int perDecade);

@@ -24,10 +24,10 @@ std::vector<InputProblem> diskFileProblems(const Case& c)
     return problems;
 }
 
-DiskTopography diskTopography(const Case& c)
+DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn)
 {
-    if (readsFile(c)) return DiskTopography(c.diskSurface, readMap(c).map);
-    return DiskTopography(c.diskSurface);
+    if (readsFile(c)) return DiskTopography(c.diskSurface, readMap(c).map, goOn);
+    return DiskTopography(c.diskSurface, {}, goOn);
 }
 
 } // namespace touchdown

@@ -3,6 +3,7 @@
 // From a case to the surface of its disk.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/physics/disk_topography.h"
@@ -13,7 +14,7 @@ namespace touchdown {
 /// Why the file of a measured surface cannot be used; empty where it can, or where the case has none.
 std::vector<InputProblem> diskFileProblems(const Case& c);
 
-/// `c` is valid, its file too.
-DiskTopography diskTopography(const Case& c);
+/// `c` is valid, its file too. `goOn` is asked while roughness is made, which may take seconds.
+DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

@@ -35,11 +35,11 @@ double reachOf(const AdhesionLaw& law, double pressure)
     return far;
 }
 
-double longestStepOf(const DiskTopography& surface, Velocity velocity, double cell)
+double longestStepOf(const DiskTopography& surface, Velocity velocity, double cell, const std::function<bool()>& goOn)
 {
     const double speed = std::hypot(velocity.x, velocity.y);
     if (!(speed > 0.0)) return std::numeric_limits<double>::infinity();
-    const SurfaceStatistics statistics = surfaceStatistics(surface);
+    const SurfaceStatistics statistics = surfaceStatistics(surface, goOn);
     const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
     // What changes from cell to cell acts through the mean over many.
     const double length = slope > 0.0 ? std::max(statistics.rms / slope, cell) : std::numeric_limits<double>::infinity();
@@ -48,10 +48,10 @@ double longestStepOf(const DiskTopography& surface, Velocity velocity, double ce
 
 } // namespace
 
-SliderPatches filmPatches(const Case& c)
+SliderPatches filmPatches(const Case& c, const std::function<bool()>& goOn)
 {
     return sliderPatches(c.surface, c.slider.length, c.slider.width, c.elastic.patchPitch, 0.0, c.elastic.cell, c.elastic.patchReach,
-                         mostPatchCells);
+                         mostPatchCells, goOn);
 }
 
 ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
@@ -59,8 +59,9 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
     : case_(c), spacing_(spacing), pad_(pad), highest_(surface.highest()), lever_(c)
 {
     const Velocity velocity = surfaceVelocity(c, surface);
-    longestStep_ = longestStepOf(surface, velocity, c.elastic.cell);
-    for (ContactPatch& patch : filmPatches(c).patches) {
+    longestStep_ = longestStepOf(surface, velocity, c.elastic.cell, goOn);
+    for (ContactPatch& patch : filmPatches(c, goOn).patches) {
+        if (goOn && !goOn()) return;
         const double area = static_cast<double>(patch.grid.cells()) * patch.grid.cellArea();
         double reach = highest_;
         if (c.adhesion.acts()) reach += reachOf(AdhesionLaw(c.adhesion), leastPull * std::abs(c.suspension.preload) / area);
@@ -157,9 +158,9 @@ std::string ElasticSliderContact::problemAt(const Attitude& attitude) const
            ", where no contact is modelled: give elastic.patch_pitch the pitch at which it touches, or take a greater elastic.patch_reach";
 }
 
-RecordedFields ElasticSliderContact::fields(const Case& c)
+RecordedFields ElasticSliderContact::fields(const Case& c, const std::function<bool()>& goOn)
 {
-    RecordedFields fields = elasticFields(c, filmPatches(c));
+    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
     fields.group = "contact_fields";
     return fields;
 }

@@ -14,12 +14,13 @@
 
 namespace touchdown {
 
-/// The patches of a case of the model "film" that can touch, or why there are none.
-SliderPatches filmPatches(const Case& c);
+/// The patches of a case of the model "film" that can touch, or why there are none. `goOn` is asked meanwhile; where it says false
+/// there are none.
+SliderPatches filmPatches(const Case& c, const std::function<bool()>& goOn = {});
 
 class ElasticSliderContact final : public SliderContact {
 public:
-    /// Spacing, surface and pad must last.
+    /// Spacing, surface and pad must last. Without sense where `goOn` says false.
     ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface, const CellGrid& grid,
                          const PaddedGrid& pad, const std::function<bool()>& goOn);
 
@@ -37,7 +38,7 @@ public:
     /// Of all patches.
     std::size_t cells() const;
 
-    static RecordedFields fields(const Case& c);
+    static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
 
 private:
     struct Part {

@@ -8,7 +8,6 @@
 #include "core/physics/film_energy.h"
 #include "core/simulation/disk_setup.h"
 #include "core/simulation/film_run.h"
-#include "core/simulation/steady.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
@@ -25,8 +24,7 @@ Case staticCase(const Case& c)
 } // namespace
 
 FilmScene::FilmScene(const Case& c)
-    : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_), topography_(diskTopography(c)),
-      maps_{filmMaps(c), c.run.fieldSnapshots > 0 ? sliderContactFields(c) : RecordedFields{}}
+    : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
 {
 }
 
@@ -38,6 +36,10 @@ FilmScene::State FilmScene::fail(std::string message)
 
 FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 {
+    topography_ = diskTopography(case_, goOn);
+    if (!goOn()) return State::Stopped;
+    maps_ = {filmMaps(case_), sliderContactFields(case_, goOn)};
+    if (!goOn()) return State::Stopped;
     const SteadyResult rest = steady(staticCase(case_), [&](const SteadyProgress&) { return goOn(); });
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
@@ -58,10 +60,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
         start_ = body_->attitude(q);
     }
 
-    level_ = std::make_unique<FilmLevel>(case_, recess_, spacing_, rest.grid);
-    level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
-    disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
-    contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn);
+    if (!makeParts(rest, goOn)) return State::Stopped;
     if (balanced) {
         level_->film.setAttitude(rest.attitude);
         restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
@@ -69,6 +68,18 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     const State state = solveStart(goOn);
     if (!balanced) restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
     return state;
+}
+
+bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
+{
+    FilmGaps gaps(recess_, rest.grid);
+    if (!goOn()) return false;
+    level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
+    level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
+    disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
+    if (!goOn()) return false;
+    contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn);
+    return goOn();
 }
 
 FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)

@@ -15,18 +15,19 @@
 #include "core/simulation/film_setup.h"
 #include "core/simulation/slider_body.h"
 #include "core/simulation/slider_contact.h"
+#include "core/simulation/steady.h"
 
 namespace touchdown {
 
 /// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was ready.
 class FilmScene {
 public:
-    /// `c` is valid, of the model "film", and must last. Makes the disk's surface, which may take seconds.
+    /// `c` is valid, of the model "film", and must last.
     explicit FilmScene(const Case& c);
     FilmScene(const FilmScene&) = delete;
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
-    /// Static state, initial attitude, film there. `goOn` is asked within; false stops.
+    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must stay so.
     State prepare(const std::function<bool()>& goOn);
     const std::string& message() const { return message_; }                // why it failed
     const std::vector<std::string>& warnings() const { return warnings_; }
@@ -46,6 +47,8 @@ public:
 
 private:
     State fail(std::string message);
+    /// Film, disk, contact on the static state's grid. False: stopped.
+    bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     State solveStart(const std::function<bool()>& goOn);
 
     const Case& case_;

@@ -36,8 +36,8 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
     return levels;
 }
 
-FilmLevel::FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
-    : gaps(recess, std::move(grid)), film(gaps, filmSetting(c)), flying(film, sliderLoad(c), spacing),
+FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
+    : gaps(std::move(filmGaps)), film(gaps, filmSetting(c)), flying(film, sliderLoad(c), spacing),
       pressure(gaps.pad.size(), film.ambient())
 {
 }

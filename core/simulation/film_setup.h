@@ -3,6 +3,7 @@
 // From a case to its film: air, slip, disk and scheme; and all that one grid of it needs, made once.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/physics/film_grid.h"
@@ -19,7 +20,12 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 
 /// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
 struct FilmLevel {
-    FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid);
+    FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
+        : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
+    {
+    }
+    /// For who asks in between whether to go on: the gaps take half of the time.
+    FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
     FilmLevel(const FilmLevel&) = delete;
 
     FilmGaps gaps;

@@ -23,6 +23,15 @@ Attitude changed(const Attitude& attitude, const Vector3& change, double share)
     return {attitude.height + share * change[0], attitude.pitch + share * change[1], attitude.roll + share * change[2]};
 }
 
+/// Asks the monitor whether to go on; once it said no, it is not asked again. What is given must last.
+auto asking(const AttitudeMonitor& monitor, const Attitude& attitude, AttitudeSolution& result)
+{
+    return [&monitor, &attitude, &result] {
+        result.cancelled = result.cancelled || (monitor && !monitor(result.iterations, result.residual, result.loadError, attitude));
+        return !result.cancelled;
+    };
+}
+
 /// Of a roll that is held; any value holds it exactly [N m/rad].
 constexpr double holding = 1.0;
 
@@ -111,11 +120,11 @@ Vector3 FlyingAttitude::balanceProduct(std::span<const double> v) const
     return sum;
 }
 
-void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count)
+void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn)
 {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3 && !count.cancelled; ++k)
         count.solves +=
-            newton_.linear().solve(columns_[k], responses_[k], {.tolerance = tolerance, .maximumIterations = 80}).iterations;
+            newton_.linear().solve(columns_[k], responses_[k], {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
 }
 
 /// dG/da with the film following.
@@ -199,14 +208,13 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
     int unsolved = 0;
     Attitude from = attitude;
     bool again = false;
+    const auto goOn = asking(monitor, attitude, result);
     for (;; ++result.iterations) {
         film_.setAttitude(attitude);
         const auto solveHere = [&] {
             const FilmSolution film =
                 solveFilm(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations},
-                          [&](int, double residual) {
-                              return !monitor || monitor(result.iterations, residual, result.loadError, attitude);
-                          });
+                          [&](int, double residual) { return result.residual = residual, goOn(); });
             result.solves += film.solves;
             return film;
         };
@@ -221,8 +229,7 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
             }
         }
         result.residual = film.residual;
-        result.cancelled = film.cancelled;
-        if (film.cancelled) return result;
+        if (!goOn()) return result;
         linearise(p, attitude);
         result.imbalance = imbalance_;
         result.loadError = loadError(imbalance_);
@@ -234,7 +241,8 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
             std::copy(best_.begin(), best_.end(), p.begin());
             film_.setAttitude(attitude);
             leading = std::max(4.0 * leading, 0.1);
-            solveFilm(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations});
+            solveHere();
+            if (!goOn()) return result;
             linearise(p, attitude);
             result.loadError = best;
         } else if (again) {
@@ -245,7 +253,9 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
         best = result.loadError;
         from = attitude;
         std::copy(p.begin(), p.end(), best_.begin());
-        solveColumns(1e-3, result);
+        if (!goOn()) return result;
+        solveColumns(1e-3, result, goOn);
+        if (result.cancelled) return result;
         const Vector3 change = attitudeStep(imbalance_, leading);
         step(p, attitude, change, stepShare(attitude, change), filmStep_);
     }
@@ -257,23 +267,20 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     AttitudeSolution result;
     const Attitude start = attitude;
     std::vector<double> startPressure(p.begin(), p.end());
+    const auto goOn = asking(monitor, attitude, result);
     // While the film is far from solved an attitude's step means little, and the film alone is cheap.
     film_.setAttitude(attitude);
     const FilmSolution alone =
         solveFilm(p, {.tolerance = 1e-3, .maximumIterations = options.maximumIterations},
-                  [&](int, double residual) { return !monitor || monitor(0, residual, result.loadError, attitude); });
+                  [&](int, double residual) { return result.residual = residual, goOn(); });
     result.solves = alone.solves;
-    result.cancelled = alone.cancelled;
-    if (alone.cancelled) return result;
+    if (result.cancelled) return result;
     double before = 0.0;
     for (; result.iterations <= 12; ++result.iterations) {
         result.residual = linearise(p, attitude);
         result.imbalance = imbalance_;
         result.loadError = loadError(imbalance_);
-        if (monitor && !monitor(result.iterations, result.residual, result.loadError, attitude)) {
-            result.cancelled = true;
-            return result;
-        }
+        if (!goOn()) return result;
         result.converged = result.residual <= options.filmTolerance && result.loadError <= options.loadTolerance;
         if (result.converged) return result;
         const double size = result.residual + result.loadError;
@@ -282,8 +289,10 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
         const double tolerance = std::clamp(0.1 * std::sqrt(size), 1e-4, 0.01);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
-        result.solves += newton_.linear().solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80}).iterations;
-        solveColumns(tolerance, result);
+        result.solves +=
+            newton_.linear().solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
+        solveColumns(tolerance, result, goOn);
+        if (result.cancelled) return result;
         const Vector3 film = balanceProduct(filmStep_);
         const Vector3 change =
             attitudeStep({imbalance_[0] + film[0], imbalance_[1] + film[1], imbalance_[2] + film[2]}, 0.0);

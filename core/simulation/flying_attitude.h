@@ -50,7 +50,7 @@ struct AttitudeSolution {
     Vector3 imbalance{};                    // G [N], [N m]
 };
 
-/// Told at each iteration: number, film's residual, load error, attitude. Return false to stop.
+/// Told at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
 using AttitudeMonitor = std::function<bool(int, double, double, const Attitude&)>;
 
 class FlyingAttitude {
@@ -90,7 +90,7 @@ public:
 private:
     /// Linearises everything at p; returns the film's residual norm.
     double linearise(std::span<const double> p, const Attitude& attitude);
-    void solveColumns(double tolerance, AttitudeSolution& count);
+    void solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn = {});
     Matrix3 balanceSlopes() const;
     Vector3 attitudeStep(const Vector3& right, double leading) const;
     double stepShare(const Attitude& attitude, const Vector3& step) const;

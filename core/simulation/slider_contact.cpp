@@ -19,9 +19,9 @@ std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpa
     return nullptr;
 }
 
-RecordedFields sliderContactFields(const Case& c)
+RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn)
 {
-    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c) : RecordedFields{};
+    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c, goOn) : RecordedFields{};
 }
 
 } // namespace touchdown

@@ -73,12 +73,12 @@ public:
 };
 
 /// `c` is valid, of the model "film"; null where nothing but air acts. The spacing and the surface must last. `pad` and `grid` are the
-/// film's. `goOn` is asked within long solutions; where it says false they end with a problem.
+/// film's. `goOn` is asked while it is made, and within long solutions; where it says false they end with a problem.
 std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
                                                  const CellGrid& grid, const PaddedGrid& pad,
                                                  const std::function<bool()>& goOn = {});
 
 /// The first patch that can touch, with its fields; empty where the law has no surfaces.
-RecordedFields sliderContactFields(const Case& c);
+RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

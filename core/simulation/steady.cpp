@@ -29,7 +29,10 @@ public:
     {
         for (const std::array<int, 2>& cells : filmLevels(case_.film)) {
             previous_ = std::move(level_);
-            level_ = std::make_unique<FilmLevel>(case_, recess_, spacing_, grid(cells));
+            FilmGaps gaps(recess_, grid(cells));
+            if (!tell(gaps.grid, 0, result_.residual, result_.loadError, attitude_)) return result_;
+            level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
+            if (!tell(0, result_.residual, result_.loadError, attitude_)) return result_;
             if (previous_) level_->take(previous_->known(case_));
             if (case_.film.solver == FilmSolver::LineMultigrid) takeLineMultigrid();
             const bool finest = cells[0] == case_.film.nodes[0] - 1;
@@ -78,7 +81,11 @@ private:
 
     bool tell(int iteration, double residual, double loadError, const Attitude& attitude)
     {
-        const CellGrid& grid = level_->gaps.grid;
+        return tell(level_->gaps.grid, iteration, residual, loadError, attitude);
+    }
+    bool tell(const CellGrid& grid, int iteration, double residual, double loadError, const Attitude& attitude)
+    {
+        if (result_.status == SteadyStatus::Cancelled) return false;
         const bool goOn = !callback_ || callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " +
                                                             std::to_string(grid.y.size()),
                                                    .iteration = iteration,

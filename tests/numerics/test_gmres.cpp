@@ -83,6 +83,32 @@ private slots:
         checkAgainstEigen<std::complex<double>>(20.0, 5);
     }
 
+    /// Asked after each iteration but the one that reaches the tolerance; once it says no, x is the least residual of the iterations so
+    /// far, as with so many of them at most.
+    void stops()
+    {
+        std::mt19937 random(5);
+        constexpr int n = 30;
+        const Matrix<double> a = randomMatrix<double>(n, 20.0, random), identity = Matrix<double>::Identity(n, n);
+        const Vector<double> b = randomMatrix<double>(n, 0.0, random).col(0);
+        Gmres<double> gmres(n, 5);
+        int calls = 0;
+        Vector<double> x = Vector<double>::Zero(n);
+        const GmresResult whole = solve<double>(gmres, a, identity, b, x, {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++calls > 0; }});
+        QVERIFY(whole.converged && whole.iterations > 10);
+        QCOMPARE(calls, whole.iterations - 1);
+        for (const int last : {1, 4, 5, 7}) {
+            Vector<double> stopped = Vector<double>::Zero(n), limited = stopped;
+            int asked = 0;
+            const GmresResult result = solve<double>(gmres, a, identity, b, stopped, {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++asked < last; }});
+            QVERIFY(!result.converged);
+            QCOMPARE(asked, last);
+            QCOMPARE(result.iterations, last);
+            solve<double>(gmres, a, identity, b, limited, {.tolerance = 1e-10, .maximumIterations = last});
+            QVERIFY(stopped == limited);
+        }
+    }
+
     /// The residual after k steps is the least of b - A y, y in the k-dimensional Krylov space: found here by least squares.
     void residualIsMinimal()
     {

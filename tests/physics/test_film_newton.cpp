@@ -47,9 +47,9 @@ private slots:
         std::vector<double> residuals;
         FilmNewton newton(problem.film);
         const FilmSolution solution = newton.solve(problem.p, {.tolerance = 1e-10}, [&](int iteration, double residual) {
-            if (iteration != static_cast<int>(residuals.size())) return false;
-            residuals.push_back(residual);
-            return true;
+            const auto told = static_cast<int>(residuals.size());
+            if (iteration == told) residuals.push_back(residual);
+            return iteration == told || (iteration == told - 1 && residual == residuals.back());
         });
         QVERIFY(solution.converged);
         QVERIFY(!solution.cancelled);
@@ -88,6 +88,28 @@ private slots:
         QVERIFY(solution.cancelled);
         QVERIFY(!solution.converged);
         QCOMPARE(solution.iterations, 2);
+    }
+
+    /// Asked at each of Newton's iterations and after each of the linear solver's but the last one of a solution, which its tolerance
+    /// ends: solves + 1 times. Whenever it says no, that was the last time, and the pressure is one that was accepted.
+    void isAskedAtEachLinearIteration()
+    {
+        FilmProblem problem(railed(), L, W, uniformGrid(L, W, 24, 20), setting(), flying);
+        const std::vector<double> start = problem.p;
+        int calls = 0;
+        const FilmSolution whole = FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++calls > 0; });
+        QVERIFY(whole.converged);
+        QCOMPARE(calls, whole.solves + 1);
+        for (int last = 1; last <= calls; ++last) {
+            problem.p = start;
+            int asked = 0;
+            const FilmSolution stopped = FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++asked < last; });
+            QVERIFY(stopped.cancelled && !stopped.converged);
+            QCOMPARE(asked, last);
+            std::vector<double> residual(problem.p.size());
+            problem.film.residual(problem.p, residual);
+            QVERIFY(std::abs(residualNorm(problem.film, residual) - stopped.residual) < 1e-12);
+        }
     }
 
     /// The guess does not matter: from p0 and from a wild one the same pressure.

@@ -16,6 +16,8 @@ private slots:
     void stiffnessAgreesWithDifferences();
     void theHeldAttitudeTurnsTheSlider();
     void tellsWhenItIsCancelled();
+    void isAskedAtEachLinearIteration_data();
+    void isAskedAtEachLinearIteration();
     void saysWhenItDoesNotConverge();
 };
 
@@ -138,6 +140,42 @@ void TestFlyingAttitude::tellsWhenItIsCancelled()
     QVERIFY(s.cancelled);
     QVERIFY(!s.converged);
     QCOMPARE(calls, 3);
+}
+
+/// Whatever it works on: between two calls there is one linear iteration at most beside a linearisation. Whenever it says no, it is not
+/// asked again.
+void TestFlyingAttitude::isAskedAtEachLinearIteration_data()
+{
+    QTest::addColumn<bool>("near");
+    QTest::newRow("from far") << false;
+    QTest::newRow("film and attitude together") << true;
+}
+
+void TestFlyingAttitude::isAskedAtEachLinearIteration()
+{
+    QFETCH(bool, near);
+    const Case c = test::smallSlider(33);
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    const MinimumSpacing spacing(c.surface, recess);
+    const auto solve = [&](const AttitudeMonitor& monitor) {
+        FilmLevel level(c, recess, spacing, uniformGrid(c.slider.length, c.slider.width, 32, 32));
+        Attitude attitude{20e-9, 120e-6, 0.0};
+        return near ? level.flying.solve(level.pressure, attitude, {}, monitor)
+                    : level.flying.approach(level.pressure, attitude, {}, monitor);
+    };
+    int calls = 0;
+    const AttitudeSolution whole = solve([&](int, double, double, const Attitude&) { return ++calls > 0; });
+    QVERIFY(whole.converged);
+    // A linear solution that its tolerance ends does not ask after its last iteration: of the at most four of each attitude that is so,
+    // and what is solved for the film alone asks once more for each.
+    const int solutions = 4 * (whole.iterations + 1);
+    QVERIFY2(calls >= whole.solves - solutions, qPrintable(QString("%1 calls, %2 solves").arg(calls).arg(whole.solves)));
+    for (int last = 1; last <= calls; last += 7) {
+        int asked = 0;
+        const AttitudeSolution stopped = solve([&](int, double, double, const Attitude&) { return ++asked < last; });
+        QVERIFY(stopped.cancelled && !stopped.converged);
+        QCOMPARE(asked, last);
+    }
 }
 
 void TestFlyingAttitude::saysWhenItDoesNotConverge()
