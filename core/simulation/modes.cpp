@@ -3,6 +3,7 @@
 // Air bearing modes: the s for which (s^2 M + s C + K + Z(s)) q = 0 has a solution q = (height of the mass centre, pitch, roll),
 // with M, C, K of slider and suspension and Z of the film. For a trial s the film is written as Z = K_f + s C_f with real
 // K_f, C_f; the eigenvalue of that quadratic problem next to s is the next trial. Where it stays, the equation holds exactly.
+// The eigenvalue that stands for a mode already found is left out, else two trials may end at one mode.
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -63,6 +64,7 @@ public:
     /// About the mass centre; s must not be real.
     Film film(Complex s)
     {
+        converged_ = true;
         const ComplexMatrix3 z = oscillation_->stiffness(s, byPressure_, byAttitude_, converged_);
         Film result;
         for (int k = 0; k < 3; ++k)
@@ -96,24 +98,40 @@ public:
         return {solver.eigenvalues() / perRate, scale.asDiagonal() * solver.eigenvectors().topRows<3>()};
     }
 
-    /// Follows one eigenvalue to where it stays; false if it does not, or turns real.
-    bool follow(Complex& s, Eigen::Vector3cd& shape)
+    static auto nearest(const Eigen6& eigen, const std::vector<Eigen::Index>& among, Complex s)
+    {
+        const auto nearer = [&](Eigen::Index a, Eigen::Index b) { return std::abs(eigen.values[a] - s) < std::abs(eigen.values[b] - s); };
+        return std::min_element(among.begin(), among.end(), nearer);
+    }
+
+    /// Those that oscillate, but for the nearest to each of the known modes.
+    static std::vector<Eigen::Index> unknown(const Eigen6& eigen, const std::vector<Complex>& known)
+    {
+        std::vector<Eigen::Index> left;
+        for (Eigen::Index k = 0; k < 6; ++k)
+            if (eigen.values[k].imag() > 1e-6 * std::abs(eigen.values[k])) left.push_back(k);
+        for (const Complex mode : known)
+            if (const auto same = nearest(eigen, left, mode); same != left.end()) left.erase(same);
+        return left;
+    }
+
+    /// Follows one eigenvalue to where it stays; false if it does not, if it turns real or the film is not solved.
+    bool follow(Complex& s, Eigen::Vector3cd& shape, const std::vector<Complex>& known)
     {
         for (int pass = 0; pass < 40; ++pass) {
             const Eigen6 eigen = eigenvalues(film(s));
-            Eigen::Index nearest = 0;
-            for (Eigen::Index k = 1; k < 6; ++k)
-                if (std::abs(eigen.values[k] - s) < std::abs(eigen.values[nearest] - s)) nearest = k;
-            const Complex next = eigen.values[nearest];
-            shape = eigen.vectors.col(nearest);
-            const double change = std::abs(next - s);
-            s = next;
-            if (!(std::abs(s.imag()) > 1e-6 * std::abs(s))) return false;
+            const std::vector<Eigen::Index> left = unknown(eigen, known);
+            if (!converged_ || left.empty()) return false;
+            const Eigen::Index next = *nearest(eigen, left, s);
+            shape = eigen.vectors.col(next);
+            const double change = std::abs(eigen.values[next] - s);
+            s = eigen.values[next];
             if (change <= 1e-9 * std::abs(s)) return true;
         }
         return false;
     }
 
+    /// Whether the film was solved at the last s.
     bool converged() const { return converged_; }
 
 private:
@@ -185,29 +203,33 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         }
         return goOn;
     };
-    // First trials: the modes that the film would have if it answered as at 100 kHz.
-    constexpr double firstRate = 2.0 * std::numbers::pi * 1e5;
-    const ModeSolver::Eigen6 first = solver.eigenvalues(solver.film({0.0, firstRate}));
-    std::vector<Complex> trials;
-    for (Eigen::Index k = 0; k < 6; ++k)
-        if (first.values[k].imag() > 0.0) trials.push_back(first.values[k]);
-    std::sort(trials.begin(), trials.end(), [](Complex a, Complex b) { return a.imag() < b.imag(); });
-    int lost = c.degreesOfFreedom - static_cast<int>(trials.size());
-    for (Complex s : trials) {
-        if (!tell("mode " + std::to_string(result.modes.size() + 1))) return result;
-        Eigen::Vector3cd shape;
-        if (!solver.follow(s, shape)) {
-            ++lost;
-            continue;
+    // Trials: the modes that the film would have if it answered as at 100 kHz; where that leaves one out, as at other rates.
+    std::vector<Complex> known;
+    const auto wanted = static_cast<std::size_t>(c.degreesOfFreedom);
+    for (const double frequency : {1e5, 3e5, 1e6, 3e4}) { // [Hz]
+        if (known.size() == wanted) break;
+        const ModeSolver::Eigen6 first = solver.eigenvalues(solver.film({0.0, 2.0 * std::numbers::pi * frequency}));
+        std::vector<Complex> trials;
+        for (const Eigen::Index k : solver.unknown(first, known)) trials.push_back(first.values[k]);
+        std::sort(trials.begin(), trials.end(), [](Complex a, Complex b) { return a.imag() < b.imag(); });
+        for (Complex s : trials) {
+            if (known.size() == wanted) break;
+            if (!tell("mode " + std::to_string(known.size() + 1))) return result;
+            Eigen::Vector3cd shape;
+            if (!solver.follow(s, shape, known)) continue;
+            known.push_back(s);
+            result.modes.push_back(describe(c, s, shape));
         }
-        result.modes.push_back(describe(c, s, shape));
     }
+    const std::size_t lost = wanted - known.size();
     std::sort(result.modes.begin(), result.modes.end(),
               [](const AirBearingMode& a, const AirBearingMode& b) { return a.frequency < b.frequency; });
+    bool filmSolved = true;
     for (int k = 0; k <= 8; ++k) {
         const double frequency = 1e4 * std::pow(10.0, 0.25 * k); // 10 kHz to 1 MHz
         if (!tell("dynamic stiffness")) return result;
         const Film film = solver.film({0.0, 2.0 * std::numbers::pi * frequency});
+        filmSolved = filmSolved && solver.converged();
         DynamicStiffness entry{.frequency = frequency};
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < 3; ++column) {
@@ -216,11 +238,15 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
             }
         result.stiffness.push_back(entry);
     }
+    const auto add = [&result](const std::string& sentence) {
+        if (!result.message.empty() && !sentence.empty()) result.message += "; ";
+        result.message += sentence;
+    };
     if (lost > 0)
-        result.message = std::to_string(lost) + (lost == 1 ? " mode is" : " modes are") +
-                         " so strongly damped that it does not oscillate, or could not be followed";
-    else if (result.message.empty()) result.message = coarseGrid(c, result);
-    if (!solver.converged()) {
+        add(std::to_string(lost) + (lost == 1 ? " mode is" : " modes are") +
+            " so strongly damped that it does not oscillate, or could not be followed");
+    add(coarseGrid(c, result));
+    if (!filmSolved) {
         result.status = SteadyStatus::NotConverged;
         result.message = "a linear system of the oscillating film was not solved to 1e-8";
     }

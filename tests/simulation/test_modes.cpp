@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include <complex>
 #include <numbers>
 
+#include "core/physics/film_oscillation.h"
+#include "core/simulation/film_setup.h"
 #include "core/simulation/steady.h"
 #include "tests/support/small_slider.h"
 
@@ -14,6 +17,8 @@ class TestModes : public QObject {
 private slots:
     void aHeavySliderOscillatesOnTheStaticFilm();
     void threeModesAreFound();
+    void noModeIsFoundTwiceOrLost_data();
+    void noModeIsFoundTwiceOrLost();
     void aHeldRollHasNoMode();
     void saysWhereTheGridIsTooCoarse();
     void stiffAndSoftLimitsOfTheFilm();
@@ -22,6 +27,55 @@ private slots:
 namespace {
 
 constexpr double twoPi = 2.0 * std::numbers::pi;
+
+using Complex = std::complex<double>;
+
+/// What is left of (s^2 M + s C + K + Z(s)) q at a mode, as a share of its parts' magnitudes, the greatest of its three rows.
+/// For a film whose shear has no torques.
+double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& mode)
+{
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    const MinimumSpacing spacing(c.surface, recess);
+    FilmLevel level(c, recess, spacing, rest.grid);
+    level.gaps.pad.pad<double>(rest.pressure, level.pressure);
+    level.film.setAttitude(rest.attitude);
+    std::vector<double> residual(level.pressure.size());
+    level.film.linearise(level.pressure, residual);
+    GasFilm::ForceDerivatives forces;
+    level.film.forceDerivatives(level.pressure, forces);
+    std::array<std::vector<double>, 3> byPressure;
+    std::array<std::array<double, 3>, 3> byAttitude{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        byPressure[k] = forces.byPressure[k];
+        byAttitude[k] = forces.byAttitude[k];
+    }
+    // 2 pi f = |s| sqrt(1 - zeta^2).
+    const double omega = twoPi * mode.frequency, zeta = mode.dampingRatio;
+    const Complex s(-zeta * omega / std::sqrt(1.0 - zeta * zeta), omega);
+    bool solved = true;
+    const ComplexMatrix3 z = FilmOscillation(level.film, level.pressure).stiffness(s, byPressure, byAttitude, solved);
+    if (!solved) return INFINITY;
+    std::array<Complex, 3> q, film;
+    for (std::size_t k = 0; k < 3; ++k) q[k] = film[k] = Complex(mode.shape[k][0], mode.shape[k][1]);
+    // The film knows the height of the trailing edge, half a length behind the mass centre.
+    film[0] -= 0.5 * c.slider.length * q[1];
+    const std::array mass{c.slider.mass, c.slider.pitchInertia, c.slider.rollInertia};
+    const SuspensionCase& arm = c.suspension;
+    const std::array spring{arm.stiffness, arm.pitchStiffness, arm.rollStiffness};
+    const std::array damper{arm.damping, arm.pitchDamping, arm.rollDamping};
+    double worst = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Complex inertia = s * s * mass[k] * q[k], held = (spring[k] + s * damper[k]) * q[k];
+        Complex sum = inertia + held;
+        double size = std::abs(inertia) + std::abs(held);
+        for (std::size_t m = 0; m < 3; ++m) {
+            sum += z[k][m] * film[m];
+            size += std::abs(z[k][m] * film[m]);
+        }
+        worst = std::max(worst, std::abs(sum) / size);
+    }
+    return worst;
+}
 
 } // namespace
 
@@ -63,6 +117,35 @@ void TestModes::threeModesAreFound()
         QVERIFY(std::abs(largest - 1.0) < 1e-12);
     }
     QVERIFY(r.modes[0].frequency <= r.modes[1].frequency && r.modes[1].frequency <= r.modes[2].frequency);
+}
+
+void TestModes::noModeIsFoundTwiceOrLost_data()
+{
+    QTest::addColumn<double>("height");
+    QTest::addColumn<double>("pitch");
+    QTest::newRow("far from the frequencies that the film's answer at 100 kHz leads to") << 4e-9 << 300e-6;
+    QTest::newRow("two modes close together, far above the disk") << 60e-9 << 150e-6;
+    QTest::newRow("one strongly damped as if the film answered as at 100 kHz") << 2e-9 << 80e-6;
+}
+
+void TestModes::noModeIsFoundTwiceOrLost()
+{
+    QFETCH(double, height);
+    QFETCH(double, pitch);
+    Case c = test::smallSlider(33);
+    c.steady.fixedAttitude = true;
+    c.steady.torqueSign = 0.0;
+    c.initial.nominalTrailingEdgeHeight = height;
+    c.initial.pitch = pitch;
+    const ModesResult r = modes(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    QCOMPARE(r.modes.size(), std::size_t(3));
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k > 0) QVERIFY(r.modes[k].frequency > 1.001 * r.modes[k - 1].frequency);
+        // s stays to 1e-9, and s^2 M is about as large as the film's part.
+        const double left = imbalance(c, r.steady, r.modes[k]);
+        QVERIFY2(left < 1e-7, qPrintable(QString("%1 at %2 Hz").arg(left).arg(r.modes[k].frequency)));
+    }
 }
 
 void TestModes::aHeldRollHasNoMode()
