@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace touchdown {
@@ -211,6 +212,14 @@ void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double sh
 
 void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const
 {
+    std::vector<double> work;
+    addMeans(grid, shiftX, shiftY, out, work);
+}
+
+// First along each row of the map that a line across meets, from line to line of the columns, then across those: a map's rows are
+// met again and again where it is narrower than the grid.
+void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const
+{
     assert(out.size() == grid.cells());
     if (out.empty()) return;
     const Axis axisX(dx_, nx_, farthest(grid.x.front(), grid.x.back()), shiftX);
@@ -218,31 +227,49 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
     // Turns count from the first line, so that a surface that has come round returns the same bits.
     const std::int64_t turnX = placeOf(grid.x.front(), axisX).turn;
     const std::int64_t turnY = placeOf(grid.y.front(), axisY).turn;
-    const auto acrossAt = [&](int j) { return integralTaps(grid.y[static_cast<std::size_t>(j)], axisY, turnY); };
+    const auto columns = static_cast<std::size_t>(nx_), rows = static_cast<std::size_t>(ny_);
+    work.resize(std::max(work.size(), rows * chunk));
     std::array<Taps, chunk + 1> along;
-    std::array<double, chunk + 1> below;
+    std::array<double, chunk> perWidth, inner, outer;
     for (int begin = 0; begin < grid.nx(); begin += chunk) {
-        const int count = std::min(chunk, grid.nx() - begin);
-        Taps across = acrossAt(0);
-        for (int i = 0; i <= count; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            along[k] = integralTaps(grid.x[static_cast<std::size_t>(begin + i)], axisX, turnX);
-            below[k] = evaluate(sums_, nx_, ny_, along[k], across);
+        const auto count = static_cast<std::size_t>(std::min(chunk, grid.nx() - begin));
+        for (std::size_t i = 0; i <= count; ++i) {
+            along[i] = integralTaps(grid.x[static_cast<std::size_t>(begin) + i], axisX, turnX);
+            if (i > 0) perWidth[i - 1] = 1.0 / (along[i].cells - along[i - 1].cells);
         }
-        for (int j = 0; j < grid.ny(); ++j) {
-            const double inner = across.cells;
-            across = acrossAt(j + 1);
-            double* row = &out[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx())] + begin;
-            double left = 0.0; // the integral up to the left line, between the two lines of the row
-            for (int i = 0; i <= count; ++i) {
-                const auto k = static_cast<std::size_t>(i);
-                const double above = evaluate(sums_, nx_, ny_, along[k], across);
-                const double right = above - below[k];
-                below[k] = above;
-                if (i > 0)
-                    row[i - 1] += (right - left) / ((along[k].cells - along[k - 1].cells) * (across.cells - inner));
+        for (std::size_t l = 0; l < rows; ++l) work[l * chunk] = std::numeric_limits<double>::quiet_NaN(); // not yet known
+        const auto rowOf = [&](std::size_t l) {
+            double* row = &work[l * chunk];
+            if (!std::isnan(row[0])) return row;
+            const double* sums = &sums_[l * columns];
+            double left = dot(sums, columns - 1, along[0]);
+            for (std::size_t i = 0; i < count; ++i) {
+                const double right = dot(sums, columns - 1, along[i + 1]);
+                row[i] = (right - left) * perWidth[i];
                 left = right;
             }
+            return row;
+        };
+        const auto acrossAt = [&](int j, std::array<double, chunk>& sum) {
+            const Taps taps = integralTaps(grid.y[static_cast<std::size_t>(j)], axisY, turnY);
+            std::array<const double*, 5> row;
+            for (std::size_t k = 0; k < 5; ++k) row[k] = rowOf(taps.index[k]);
+            const Weights& w = taps.weight;
+            for (std::size_t i = 0; i < count; ++i)
+                sum[i] = w[0] * row[0][i] + w[1] * row[1][i] + w[2] * row[2][i] + w[3] * row[3][i] + w[4] * row[4][i];
+            if (taps.turns != 0.0) {
+                const double* last = rowOf(rows - 1);
+                for (std::size_t i = 0; i < count; ++i) sum[i] += taps.turns * last[i];
+            }
+            return taps.cells;
+        };
+        double before = acrossAt(0, inner);
+        for (int j = 0; j < grid.ny(); ++j) {
+            const double behind = acrossAt(j + 1, outer), perHeight = 1.0 / (behind - before);
+            double* row = &out[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx())] + begin;
+            for (std::size_t i = 0; i < count; ++i) row[i] += (outer[i] - inner[i]) * perHeight;
+            std::swap(inner, outer);
+            before = behind;
         }
     }
 }

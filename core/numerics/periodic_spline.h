@@ -28,6 +28,8 @@ public:
     void addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// Adds the means over the grid's cells.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// The same; allocates nothing once `work` has served for this spline.
+    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const;
 
     int nx() const { return nx_; }
     int ny() const { return ny_; }

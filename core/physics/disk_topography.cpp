@@ -106,8 +106,14 @@ void DiskTopography::heights(const UniformGrid& grid, double shiftX, double shif
 
 void DiskTopography::cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const
 {
+    std::vector<double> work;
+    cellMeans(grid, shiftX, shiftY, out, work);
+}
+
+void DiskTopography::cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const
+{
     std::ranges::fill(out, 0.0);
-    for (const PeriodicSpline& map : maps_) map.addMeans(grid, shiftX, shiftY, out);
+    for (const PeriodicSpline& map : maps_) map.addMeans(grid, shiftX, shiftY, out, work);
     waves_.addMeans(grid, shiftX, shiftY, out);
     bumps_.addMeans(grid, shiftX, shiftY, out);
 }

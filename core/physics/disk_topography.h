@@ -30,7 +30,8 @@
 
 namespace touchdown {
 
-/// Does not change after construction: any number of threads may read it. Nothing but the constructor allocates.
+/// Does not change after construction: any number of threads may read it. Nothing but the constructor and what takes work space
+/// allocates.
 class DiskTopography {
 public:
     /// Flat.
@@ -49,6 +50,8 @@ public:
     /// The mean of w over each cell, for cells of any width: of waves and maps exact but for rounding, of bumps to
     /// 0.5 % of their height. What is shorter than a cell is averaged out, not aliased into a height that is not there.
     void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// The same, again and again: `work` is allocated by the first call.
+    void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const;
 
     /// No w is higher, or lower [m]. True bounds, a little beyond the extremes themselves: adequate to rule contact out.
     double highest() const { return highest_; }

@@ -26,7 +26,7 @@ void DiskUnderFilm::at(double time, std::span<double> height)
         return;
     }
     if (std::isnan(meansTime_) || (moves() && time != meansTime_)) {
-        surface_.cellMeans(grid_, velocity_.x * time, velocity_.y * time, means_);
+        surface_.cellMeans(grid_, velocity_.x * time, velocity_.y * time, means_, work_);
         meansTime_ = time;
     }
     const auto nx = static_cast<std::size_t>(pad_.nx);

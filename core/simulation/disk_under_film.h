@@ -2,6 +2,10 @@
 //
 // The disk's surface as the film's cells see it: its mean over each cell, moved along with the disk or held still. What is shorter than
 // a cell does not act on the film. The whole surface moves as it does under the slider's centre.
+//
+// It acts in all cells, also where the gap is large: there are many of them. Fig. 2, case II (RMS 0.2 nm), moves otherwise by 5e-14 m
+// within 12 us if the half of the cells is left out that has a gap above 2 um, by 7e-12 m without those above 0.2 um: the run's error
+// of a step is 1e-11 m. What waves of the slider's length do to the air in a deep cavity is more.
 #pragma once
 
 #include <limits>
@@ -29,7 +33,7 @@ public:
     bool moves() const { return velocity_.x != 0.0 || velocity_.y != 0.0; }
     /// Velocity of the surface under the slider's centre [m/s].
     Velocity velocity() const { return velocity_; }
-    /// Mean heights at a time [s]; padded [m], the rings as the nearest cell. Allocates nothing.
+    /// Mean heights at a time [s]; padded [m], the rings as the nearest cell. Allocates nothing after the first time.
     void at(double time, std::span<double> height);
 
 private:
@@ -38,6 +42,7 @@ private:
     const PaddedGrid& pad_;
     Velocity velocity_;
     std::vector<double> means_; // row by row [m], at meansTime_
+    std::vector<double> work_;
     double meansTime_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -309,10 +309,15 @@ private slots:
         for (int i = 0; i <= 300; ++i) cells.x.push_back(0.4 * i);
         cells.y = {0.0, 1.0, 5.0};
         std::vector<double> values(grid.cells(), 0.0), means(cells.cells(), 0.0);
+        std::vector<double> work, again = means;
+        s.addMeans(cells, 0.0, 0.0, means, work);
+        std::ranges::fill(means, 0.0);
         const long long before = test::allocations;
         s.addValues(grid, 1.7, 0.3, values);
-        s.addMeans(cells, 1.7, 0.3, means);
+        s.addMeans(cells, 1.7, 0.3, means, work);
         QCOMPARE(test::allocations.load(), before);
+        s.addMeans(cells, 1.7, 0.3, again);
+        QVERIFY(means == again);
     }
 };
 

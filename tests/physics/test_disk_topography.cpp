@@ -265,10 +265,14 @@ private slots:
         for (int i = 0; i <= 150; ++i) film.x.push_back(5e-6 * i);
         for (int j = 0; j <= 20; ++j) film.y.push_back(4e-6 * j);
         std::vector<double> heights(patch.cells()), means(film.cells());
+        std::vector<double> work, again(film.cells());
+        disk.cellMeans(film, 1.1e-6, 0.0, again, work);
         const long long before = test::allocations;
         disk.heights(patch, 1.3e-6, 0.2e-6, heights);
-        disk.cellMeans(film, 1.3e-6, 0.2e-6, means);
+        disk.cellMeans(film, 1.3e-6, 0.2e-6, again, work);
         QCOMPARE(test::allocations.load(), before);
+        disk.cellMeans(film, 1.3e-6, 0.2e-6, means);
+        QVERIFY(means == again);
     }
 
     void threadsMayReadAtOnce()
