@@ -33,28 +33,66 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
                     if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) add(x, y);
                 }
         }
+    setBlocks();
+}
+
+void MinimumSpacing::setBlocks()
+{
+    for (std::size_t first = 0; first < candidates_.size(); first += blockSize) {
+        const Candidate& c = candidates_[first];
+        Block block{c.x, c.x, c.y, c.y, c.recess};
+        for (std::size_t k = first; k < std::min(first + blockSize, candidates_.size()); ++k) {
+            const auto& [x, y, recess] = candidates_[k];
+            block = {std::min(block.x0, x), std::max(block.x1, x), std::min(block.y0, y), std::max(block.y1, y),
+                     std::min(block.recess, recess)};
+        }
+        blocks_.push_back(block);
+    }
 }
 
 MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 {
-    Place best{std::numeric_limits<double>::infinity(), {}};
-    for (const Candidate& c : candidates_) {
-        const double spacing = above(c, attitude);
-        if (spacing < best.spacing) best = {spacing, {c.x, c.y}};
-    }
-    return best;
+    double spacing = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0; // of all that come so near, the first
+    const auto look = [&](std::size_t block) {
+        const std::size_t end = std::min((block + 1) * blockSize, candidates_.size());
+        for (std::size_t k = block * blockSize; k < end; ++k) {
+            const double here = above(candidates_[k], attitude);
+            if (here < spacing || (here == spacing && k < nearest)) {
+                spacing = here;
+                nearest = k;
+            }
+        }
+    };
+    // First where it seems lowest: then little is left to look at.
+    std::size_t lowest = 0;
+    double least = spacing;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (const double here = bound(blocks_[b], attitude); here < least) {
+            least = here;
+            lowest = b;
+        }
+    look(lowest);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (bound(blocks_[b], attitude) <= spacing) look(b);
+    return {spacing, {candidates_[nearest].x, candidates_[nearest].y}};
 }
 
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
 {
     const double least = at(attitude).spacing;
     double weights = 0.0, x = 0.0, y = 0.0;
-    for (const Candidate& c : candidates_) {
-        const double weight = 1.0 - (above(c, attitude) - least) / depth;
-        if (weight <= 0.0) continue;
-        weights += weight;
-        x += weight * c.x;
-        y += weight * c.y;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        if (1.0 - (bound(blocks_[b], attitude) - least) / depth <= 0.0) continue;
+        const std::size_t end = std::min((b + 1) * blockSize, candidates_.size());
+        for (std::size_t k = b * blockSize; k < end; ++k) {
+            const Candidate& c = candidates_[k];
+            const double weight = 1.0 - (above(c, attitude) - least) / depth;
+            if (weight <= 0.0) continue;
+            weights += weight;
+            x += weight * c.x;
+            y += weight * c.y;
+        }
     }
     return {least, {x / weights, y / weights}};
 }

@@ -12,6 +12,10 @@ private slots:
     void aPitchedPlaneIsNearestAtItsTrailingEdge();
     void aRailIsNearestAtItsRearCorner();
     void aCrownedSurfaceIsNearestInside();
+    void isALowerCornerHoweverItIsTilted_data();
+    void isALowerCornerHoweverItIsTilted();
+    void aLevelPlaneBearsInItsCentre();
+    void isNoneWithoutAnAttitude();
     void mayBeNegative();
     void aSymmetricEdgeBearsInItsMiddle();
 };
@@ -67,6 +71,42 @@ void TestMinimumSpacing::aCrownedSurfaceIsNearestInside()
     const auto place = nearest(surface, {50e-9, 20e-6, 0.0});
     QVERIFY(std::abs(place.spacing - 38.75e-9) < 0.0013e-9);
     QVERIFY(std::abs(place.at.x - 0.625e-3) < length / 128);
+}
+
+void TestMinimumSpacing::isALowerCornerHoweverItIsTilted_data()
+{
+    QTest::addColumn<double>("pitch");
+    QTest::addColumn<double>("roll");
+    for (const double pitch : {-200e-6, 0.0, 100e-6})
+        for (const double roll : {-50e-6, 0.0, 3e-6}) QTest::addRow("%g, %g urad", 1e6 * pitch, 1e6 * roll) << pitch << roll;
+}
+
+/// The lowest of the rail's four corners, as above; of a level edge any point. The rest is 1 um higher.
+void TestMinimumSpacing::isALowerCornerHoweverItIsTilted()
+{
+    QFETCH(double, pitch);
+    QFETCH(double, roll);
+    double lowest = 1.0;
+    for (const double x : {0.2e-3, 0.9e-3})
+        for (const double y : {0.1e-3, 0.5e-3}) lowest = std::min(lowest, 10e-9 + pitch * (length - x) - roll * (y - 0.5 * width));
+    const auto place = nearest(withRail(), {10e-9, pitch, roll});
+    QVERIFY2(std::abs(place.spacing - lowest) < 3e-14, qPrintable(QString::number(place.spacing - lowest)));
+    QVERIFY(std::abs(10e-9 + pitch * (length - place.at.x) - roll * (place.at.y - 0.5 * width) - place.spacing) < 1e-21);
+}
+
+/// All points bear alike: the lattice's are in the middle on the average.
+void TestMinimumSpacing::aLevelPlaneBearsInItsCentre()
+{
+    AirBearingSurface surface;
+    surface.baseRecess = 0.0;
+    const auto place = MinimumSpacing(surface, Recess(surface, length, width)).bearing({5e-9, 0.0, 0.0}, 1e-11);
+    QCOMPARE(place.spacing, 5e-9);
+    QVERIFY(std::abs(place.at.x - 0.5 * length) < 1e-15 && std::abs(place.at.y - 0.5 * width) < 1e-15);
+}
+
+void TestMinimumSpacing::isNoneWithoutAnAttitude()
+{
+    QVERIFY(!(nearest(withRail(), {std::nan(""), 100e-6, 0.0}).spacing < 1.0));
 }
 
 void TestMinimumSpacing::mayBeNegative()
