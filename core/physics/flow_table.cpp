@@ -2,9 +2,11 @@
 #include "core/physics/flow_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <numbers>
 
 #include "core/numerics/vector_clones.h"
@@ -24,16 +26,28 @@ TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, c
                                                std::uint64_t pieces, double* mobility, double* derivative)
 {
     std::uint64_t outside = 0;
+    // Whole pieces are fetched one by one, which is faster than gathering their coefficients lane by lane.
+    constexpr std::size_t most = 64;
+    std::array<std::uint64_t, most> at;
+    std::array<double, most> distance;
+    std::array<double, 4 * most> c;
+    for (std::size_t first = 0; first < n; first += most) {
+        const std::size_t count = std::min(most, n - first);
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::uint64_t number = std::bit_cast<std::uint64_t>(w[k]) >> shift, place = number - firstPiece;
-        const bool inside = place < pieces;
-        const double d = w[k] - std::bit_cast<double>(number << shift);
-        const std::int64_t at = static_cast<std::int64_t>(inside ? place : 0) * 4;
-        const double c0 = coefficients[at], c1 = coefficients[at + 1], c2 = coefficients[at + 2], c3 = coefficients[at + 3];
-        mobility[k] = c0 + d * (c1 + d * (c2 + d * c3));
-        derivative[k] = c1 + d * (2.0 * c2 + d * (3.0 * c3));
-        outside += inside ? 0 : 1;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint64_t number = std::bit_cast<std::uint64_t>(w[first + k]) >> shift, place = number - firstPiece;
+            const bool inside = place < pieces;
+            distance[k] = w[first + k] - std::bit_cast<double>(number << shift);
+            at[k] = inside ? 4 * place : 0;
+            outside += inside ? 0 : 1;
+        }
+        for (std::size_t k = 0; k < count; ++k) std::memcpy(&c[4 * k], coefficients + at[k], 4 * sizeof(double));
+#pragma GCC ivdep
+        for (std::size_t k = 0; k < count; ++k) {
+            const double c0 = c[4 * k], c1 = c[4 * k + 1], c2 = c[4 * k + 2], c3 = c[4 * k + 3], d = distance[k];
+            mobility[first + k] = c0 + d * (c1 + d * (c2 + d * c3));
+            derivative[first + k] = c1 + d * (2.0 * c2 + d * (3.0 * c3));
+        }
     }
     return outside;
 }
@@ -128,9 +142,11 @@ FlowTable::FlowTable(const Slip& slip, const Air& air)
 void FlowTable::at(std::span<const double> w, std::span<const double> gap, std::span<double> mobility,
                    std::span<double> derivative) const
 {
-    if (blendEnd_ == noGap) return wide_.at(w, mobility, derivative);
+    wide_.at(w, mobility, derivative);
+    if (blendEnd_ == noGap) return;
     for (std::size_t k = 0; k < w.size(); ++k) {
-        const Value value = at(w[k], gap[k]);
+        if (gap[k] > blendEnd_) continue;
+        const Value value = narrow(w[k], gap[k]);
         mobility[k] = value.mobility;
         derivative[k] = value.derivative;
     }
