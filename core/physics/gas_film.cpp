@@ -10,44 +10,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
-
-/// The flows of a row of faces less the limited corrections.
-template <bool derived>
-TOUCHDOWN_VECTOR_CLONES void limitRow(FilmFaces& faces, const std::vector<double>& slope, std::vector<double>& flow,
-                                      std::size_t first, std::size_t count, std::size_t step)
-{
-    const double *after = slope.data() + first, *before = after - step, *in = faces.flow.data() + first;
-    const double *below = faces.below.data() + first, *above = faces.above.data() + first;
-    const double* inflow = faces.inflow.data() + first;
-    double *out = flow.data() + first, *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const double full = before[k] * below[k] + after[k] * above[k];
-        const double inverse = 1.0 / std::sqrt(inflow[k] * inflow[k] + full * full + tinySquare);
-        const double part = inflow[k] * inverse, rest = full * inverse;
-        out[k] = in[k] - full * part;
-        if constexpr (derived) {
-            share[k] = part * part * part;
-            inflowShare[k] = rest * rest * rest;
-        }
-    }
-}
-
 /// Gaps at a row of places, none below zero, where the lift is base - pitch x.
 TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x, const double* recess,
                                      double* gap)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
-}
-
-/// What a row of cells stores.
-TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
-                                       const double* history, double* stored)
-{
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
 }
 
 /// Change of the gap along each path of a row against the gap; lift falls by slope times length.
@@ -73,10 +41,13 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
         AxisState& a = axes_[axis];
         for (auto* field : {&a.gap, &a.tilt, &a.speed}) field->assign(pad.size(), 0.0);
         FilmFaces& f = faces_[axis];
-        for (auto* field : {&f.flow, &f.lower, &f.upper, &f.below, &f.above, &f.belowByMean, &f.aboveByMean, &f.inflow,
-                            &f.inflowByLower, &f.inflowByUpper, &f.ownLower, &f.ownUpper, &f.share, &f.inflowShare,
-                            &f.diffusion, &f.effective, &f.convection})
+        for (auto* field : {&f.flow, &f.inflow, &f.lower, &f.upper, &f.share, &f.inflowShare, &f.below, &f.above,
+                            &f.ownLower, &f.ownUpper, &f.diffusion, &f.effective, &f.convection, &slope_[axis]})
             field->assign(pad.size(), 0.0);
+        for (FaceMoments& m : rows_.moments[axis])
+            for (auto* row : {&m.below, &m.above, &m.belowByMean, &m.aboveByMean, &m.inflowByLower, &m.inflowByUpper})
+                row->assign(pad.stride(), 0.0);
+        for (auto* rows : {&rows_.flow[axis], &rows_.slope[axis]}) rows->assign(2 * pad.stride(), 0.0);
         const int along = axis == 0 ? pad.nx : pad.ny, across = axis == 0 ? pad.ny : pad.nx;
         for (int k = 0; k < across; ++k) a.width.push_back(axis == 0 ? grid.widthY(k) : grid.widthX(k));
         for (int k = 0; k < along; ++k) a.perWidth.push_back(1.0 / (axis == 0 ? grid.widthX(k) : grid.widthY(k)));
@@ -96,16 +67,24 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
-    flows_.resize(pad.size());
+    rows_.stored.assign(2 * pad.stride(), 0.0);
     noStorage_.assign(pad.stride(), 0.0);
-    for (int j = 0; j <= pad.ny; ++j)
-        steppedRows_.push_back(static_cast<std::size_t>(
-            std::lower_bound(gaps_.steppedCells.begin(), gaps_.steppedCells.end(), pad.at(-PaddedGrid::rings, j)) -
-            gaps_.steppedCells.begin()));
+    for (int j = 0; j <= pad.ny + 1; ++j) {
+        const std::size_t row = pad.at(-PaddedGrid::rings, j);
+        const std::vector<std::size_t>& stepped = gaps_.steppedCells;
+        steppedRows_.push_back(static_cast<std::size_t>(std::lower_bound(stepped.begin(), stepped.end(), row) - stepped.begin()));
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
+            const auto isBefore = [](const CutPlace& place, std::size_t at) { return place.at < at; };
+            cutRows_[axis].push_back(static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), row, isBefore) - cut.begin()));
+        }
+    }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
         const FilmGaps::Faces& faces = gaps_.faces[axis];
         axes_[axis].cutSurface.assign(faces.cut.size(), 0.0);
+        cutFlows_[axis].resize(faces.cut.size());
+        cutFlowsByPressure_[axis].resize(faces.cut.size());
         for (const CutPlace& place : faces.cut) {
             const int i = pad.column(place.at), j = pad.row(place.at);
             const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
@@ -113,9 +92,6 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
             axes_[axis].cutArms.push_back({0.5 * gaps_.length - x, 0.5 * gaps_.width - y});
         }
     }
-    const std::size_t mostCut = std::max(gaps_.faces[0].cut.size(), gaps_.faces[1].cut.size());
-    cutFlows_.resize(mostCut);
-    cutFlowsByPressure_.resize(mostCut);
     for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_,
                       &rowRise_, &rowByGap_})
         row->assign(pad.stride(), 0.0);
@@ -249,63 +225,6 @@ double GasFilm::meanGap(int i, int j) const
     const std::size_t at = gaps_.pad.at(i, j);
     return gaps_.meanRecess[at] - surfaceAt(at) + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
 }
-
-template <bool derived>
-void GasFilm::completeFlows(std::size_t axis, int j)
-{
-    const PaddedGrid& pad = gaps_.pad;
-    const std::size_t first = pad.at(0, j), count = static_cast<std::size_t>(pad.nx + (axis == 0));
-    if (complete())
-        limitRow<derived>(faces_[axis], flows_.slope[axis], flows_.flow[axis], first, count,
-                          pad.step(static_cast<int>(axis)));
-    else
-        std::copy_n(&faces_[axis].flow[first], count, &flows_.flow[axis][first]);
-}
-
-/// After the flows, row by row, each part where what it needs is still at hand.
-template <typename Number>
-void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
-{
-    constexpr bool derived = !std::is_same_v<Number, double>;
-    setFaceFlows<Number>(p);
-    const PaddedGrid& pad = gaps_.pad;
-    const std::size_t nx = static_cast<std::size_t>(pad.nx);
-    flows_.stored.resize(storagePerTime_ != 0.0 ? p.size() : 0);
-    for (int j = 0; j <= pad.ny; ++j) {
-        const std::size_t first = pad.at(0, j);
-        if (j < pad.ny) {
-            if (storagePerTime_ != 0.0)
-                setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], &flows_.stored[first]);
-            const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
-            if (complete())
-                setSlopes(j, flowX, flowY, flowY + pad.stride(), storedRow(flows_, j), &flows_.slope[0][first],
-                          &flows_.slope[1][first]);
-            completeFlows<derived>(0, j);
-        }
-        completeFlows<derived>(1, j);
-        if (j > 0) {
-            const double* flowY = &flows_.flow[1][first];
-            divergence<double>(j - 1, &flows_.flow[0][first - pad.stride()], flowY - pad.stride(), flowY,
-                               storedRow(flows_, j - 1), out);
-        }
-    }
-    if (!derived || !complete()) return;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        FilmFaces& f = faces_[axis];
-        const std::vector<double>& slope = flows_.slope[axis];
-        const std::size_t step = pad.step(static_cast<int>(axis));
-        for (std::size_t at = step; at < slope.size(); ++at) {
-            const double byMean =
-                0.5 * f.share[at] * (slope[at - step] * f.belowByMean[at] + slope[at] * f.aboveByMean[at]);
-            f.ownLower[at] = -byMean - f.inflowShare[at] * f.inflowByLower[at];
-            f.ownUpper[at] = -byMean - f.inflowShare[at] * f.inflowByUpper[at];
-        }
-    }
-}
-
-void GasFilm::residual(std::span<const double> p, std::span<double> out) { evaluate<double>(p, out); }
-
-void GasFilm::linearise(std::span<const double> p, std::span<double> out) { evaluate<ByPressure>(p, out); }
 
 void GasFilm::clearRings(std::span<double> field) const
 {

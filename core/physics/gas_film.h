@@ -44,13 +44,11 @@ struct FilmSetting {
 /// The flow through the faces across one axis, linearised. Padded arrays, by face.
 struct FilmFaces {
     std::vector<double> flow;          // without what the flow across adds [Pa m^3/s]
-    std::vector<double> lower, upper;  // its derivatives by the pressures below and above [m^3/s]
-    std::vector<double> below, above;  // moments; zero unless the scheme is complete flux [m]
-    std::vector<double> belowByMean, aboveByMean; // their derivatives by pm [m/Pa]
     std::vector<double> inflow;        // what the upstream cell would send without the other one [Pa m^3/s]
-    std::vector<double> inflowByLower, inflowByUpper; // [m^3/s]
-    std::vector<double> ownLower, ownUpper; // what the correction's own change adds to `lower` and `upper` [m^3/s]
+    std::vector<double> lower, upper;  // the flow's derivatives by the pressures below and above [m^3/s]
     std::vector<double> share, inflowShare; // derivatives of the limited correction by the full one, by the inflow [-]
+    std::vector<double> below, above;  // moments times share: by the slopes; zero unless the scheme is complete flux [m]
+    std::vector<double> ownLower, ownUpper; // what the correction's own change adds to `lower` and `upper` [m^3/s]
     std::vector<double> diffusion;     // K, for multigrid [m^3/s]
     std::vector<double> effective;     // E >= |convection|/2 [m^3/s]
     std::vector<double> convection;    // lower + upper [m^3/s]
@@ -60,6 +58,12 @@ struct FilmFaces {
 /// answer to the gap in the middle of the path and to its rise along the path. Padded, by face.
 struct GapSlopes {
     std::vector<double> flowByGap, flowByRise, ownByGap, ownByRise; // [Pa m^2/s]
+};
+
+/// What a row of faces needs besides until its flows are complete: the paths' moments and their derivatives by the mean
+/// pressure [m], [m/Pa], and the inflow's by the pressures [m^3/s].
+struct FaceMoments {
+    std::vector<double> below, above, belowByMean, aboveByMean, inflowByLower, inflowByUpper;
 };
 
 /// Flows through the faces across x and across y, with each cell's slopes and what it stores: padded work space.
@@ -106,7 +110,7 @@ public:
     /// R(p) alone, and R(p) with the linearisation at p.
     void residual(std::span<const double> p, std::span<double> out);
     void linearise(std::span<const double> p, std::span<double> out);
-    /// The linearisation of the last call; flow and inflow of the last residual.
+    /// The last linearisation; flow and inflow of the last residual.
     const std::array<FilmFaces, 2>& faces() const { return faces_; }
     /// Of the disk along an axis at the faces across it, halved; padded [m/s].
     std::span<const double> halfSpeeds(std::size_t axis) const { return axes_[axis].speed; }
@@ -215,13 +219,16 @@ private:
     void addPoiseuilleSlopes(std::size_t axis, std::span<const double> p, ForceDerivatives& out) const;
     void addCutSlopes(std::size_t axis, std::span<const double> p, ForceDerivatives& out) const;
 
-    /// Calls visit(row of faces), with the mobilities of smooth ones.
-    template <typename Visit>
-    void forSmoothRows(std::size_t axis, std::span<const double> p, Visit&& visit) const;
+    struct FaceRow;
+    /// A row of faces, with the mobilities of smooth ones.
+    FaceRow smoothRow(std::size_t axis, int j, std::span<const double> p) const;
+    /// Flows through a row of faces; those of cut ones are there.
     template <ConvectionScheme scheme, typename Number>
-    void setFaceFlows(std::size_t axis, std::span<const double> p);
+    void setFaceRow(std::size_t axis, int j, std::span<const double> p);
     template <typename Number>
-    void setFaceFlows(std::span<const double> p);
+    void setFaceRow(std::size_t axis, int j, std::span<const double> p);
+    template <typename Number>
+    void setCutFlows(std::span<const double> p);
     template <typename Number>
     void evaluate(std::span<const double> p, std::span<double> out);
     template <ConvectionScheme scheme>
@@ -242,11 +249,7 @@ private:
     void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
                    T* slopeY) const;
     void setSlopes(FaceFlows<double>& flows) const;
-    /// Takes the limited corrections off the flows through a row of faces across an axis; their derivatives are kept for the
-    /// linear maps below.
-    template <bool derived>
-    void completeFlows(std::size_t axis, int j);
-    /// The same for small changes.
+    /// What the limited corrections take off the flows, for small changes.
     void completeChanges(FaceFlows<double>& flows) const;
     template <typename T>
     void divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
@@ -269,6 +272,7 @@ private:
     std::vector<double> volume_, area_;
     std::vector<double> noStorage_;        // of a row
     std::vector<std::size_t> steppedRows_; // the first stepped cell of each row, and the end
+    std::array<std::vector<std::size_t>, 2> cutRows_; // the first cut face of each row, and the end
     std::vector<double> centreX_; // of the cells' columns [m]
     std::vector<CutCell> cutCells_;
     CutPieces cutPieces_;
@@ -291,9 +295,17 @@ private:
         std::vector<double> gap, pressure, byGap, byPressure;
     };
     mutable ForceWork forceWork_;
-    std::vector<PathFlow<double>> cutFlows_;
-    std::vector<PathFlow<ByPressure>> cutFlowsByPressure_;
-    FaceFlows<double> flows_; // at the last pressure, complete
+    std::array<std::vector<PathFlow<double>>, 2> cutFlows_;
+    std::array<std::vector<PathFlow<ByPressure>>, 2> cutFlowsByPressure_;
+    /// Of the last two rows, each between rings.
+    struct RowWork {
+        std::array<std::array<FaceMoments, 2>, 2> moments; // by axis
+        std::array<std::vector<double>, 2> flow, slope;    // complete flows
+        std::vector<double> stored;
+    };
+    RowWork rows_;
+    std::array<std::vector<double>, 2> slope_; // of the flows along each axis at the last linearisation; padded [Pa m^2/s]
+    double massFlow_ = 0.0; // into the film at the last residual [Pa m^3/s]
 };
 
 } // namespace touchdown

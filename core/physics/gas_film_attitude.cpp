@@ -118,7 +118,7 @@ void GasFilm::addCutCorrections(std::size_t axis, std::size_t k, std::span<const
         const PathFlow<ByAttitude>& flow = cutFlows[n];
         const double inflow = axes_[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
         out[at] -= f.share[at] *
-                       (flows_.slope[axis][at - step] * flow.below.by[k] + flows_.slope[axis][at] * flow.above.by[k]) +
+                       (slope_[axis][at - step] * flow.below.by[k] + slope_[axis][at] * flow.above.by[k]) +
                    f.inflowShare[at] * inflow;
     }
 }

@@ -44,22 +44,22 @@ TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWid
 
 /// Takes off the flows through a row of faces what the slopes in the cells below and above correct.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share, const double* below,
-                                         const double* above, const T* slopeBelow, const T* slopeAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
+                                         const T* slopeBelow, const T* slopeAbove, T* flow)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) flow[k] -= share[k] * (slopeBelow[k] * below[k] + slopeAbove[k] * above[k]);
+    for (std::size_t k = 0; k < count; ++k) flow[k] -= slopeBelow[k] * below[k] + slopeAbove[k] * above[k];
 }
 
 /// Besides, adds the corrections' own change, by the cells below and above.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void
-completeRow(std::size_t count, const double* share, const double* below, const double* above, const double* ownLower,
-            const double* ownUpper, const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
+completeRow(std::size_t count, const double* below, const double* above, const double* ownLower, const double* ownUpper,
+            const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
-        flow[k] = (flow[k] - share[k] * (slopeBelow[k] * below[k] + slopeAbove[k] * above[k])) +
+        flow[k] = (flow[k] - (slopeBelow[k] * below[k] + slopeAbove[k] * above[k])) +
                   (ownLower[k] * vBelow[k] + ownUpper[k] * vAbove[k]);
 }
 
@@ -106,7 +106,7 @@ void GasFilm::completeChanges(FaceFlows<double>& flows) const
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
             const std::size_t at = pad.at(0, j);
             const double* slope = &flows.slope[axis][at];
-            completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.share[at], &f.below[at], &f.above[at],
+            completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.below[at], &f.above[at],
                         slope - pad.step(static_cast<int>(axis)), slope, &flows.flow[axis][at]);
         }
     }
@@ -144,7 +144,7 @@ void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::sp
     const std::vector<double>& perWidth = axes_[axis].perWidth;
     const auto add = [&](std::size_t cell, int line, double sign) {
         const double rate = sign * storagePerTime_ * motionShare_[axis] * volume_[cell] * perWidth[static_cast<std::size_t>(line)];
-        const double above = rate * f.share[cell] * f.above[cell], below = rate * f.share[cell + step] * f.below[cell + step];
+        const double above = rate * f.above[cell], below = rate * f.below[cell + step];
         convection[cell] += above;
         effective[cell] -= 0.5 * above;
         convection[cell + step] += below;
@@ -181,8 +181,8 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis)), count = nx + (axis == 0);
         T* flow = row(work.flow[axis], j);
         const T *slope = row(work.slope[axis], j), *before = axis == 0 ? slope - 1 : row(work.slope[axis], j - 1);
-        completeRow(count, &f.share[at], &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope,
-                    &v[at - step], &v[at], flow);
+        completeRow(count, &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope, &v[at - step],
+                    &v[at], flow);
     };
     start(1, 0);
     for (int j = 0; j <= pad.ny; ++j) {
@@ -230,8 +230,8 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
         const double drop = v[before] - v[at];
         work.flow[axis][at] = drop;
         if (!complete()) return;
-        work.slope[axis][before] -= f.share[at] * f.below[at] * drop;
-        work.slope[axis][at] -= f.share[at] * f.above[at] * drop;
+        work.slope[axis][before] -= f.below[at] * drop;
+        work.slope[axis][at] -= f.above[at] * drop;
         out[before] += f.ownLower[at] * drop;
         out[at] += f.ownUpper[at] * drop;
     });

@@ -10,43 +10,46 @@
 
 namespace touchdown {
 
-namespace {
-
-using ByPressure = Dual<1>;
-
-void setFace(FilmFaces& f, std::size_t at, const PathFlow<double>& flow, bool against, double p1, double p2)
-{
-    f.flow[at] = flow.A * p1 - flow.B * p2;
-    f.below[at] = flow.below;
-    f.above[at] = flow.above;
-    f.inflow[at] = against ? flow.B * p2 : flow.A * p1;
-}
-
-void setFace(FilmFaces& f, std::size_t at, const PathFlow<ByPressure>& flow, bool against, double p1, double p2)
-{
-    const double A = flow.A.value, B = flow.B.value;
-    setFace(f, at, PathFlow<double>{A, B, flow.K.value, flow.below.value, flow.above.value}, against, p1, p2);
-    const double byMeanA = 0.5 * flow.A.by[0] * p1, byMeanB = 0.5 * flow.B.by[0] * p2;
-    const double lower = A + (byMeanA - byMeanB), upper = (byMeanA - byMeanB) - B;
-    f.lower[at] = lower;
-    f.upper[at] = upper;
-    f.belowByMean[at] = flow.below.by[0];
-    f.aboveByMean[at] = flow.above.by[0];
-    f.inflowByLower[at] = against ? byMeanB : A + byMeanA;
-    f.inflowByUpper[at] = against ? B + byMeanB : byMeanA;
-    f.diffusion[at] = flow.K.value;
-    f.convection[at] = lower + upper;
-    f.effective[at] = std::max(0.5 * (A + B), 0.5 * std::abs(lower + upper));
-}
-
-/// One row of faces; those that are cut pass nothing here.
-struct FaceRow {
+/// Those that are cut pass nothing here.
+struct GasFilm::FaceRow {
     std::size_t first, count, step; // of the row in padded arrays; from the cell below a face to the one above
     std::span<const double> p, gap, tilt, speed;
     std::span<const double> length, lowerShare, width; // of the paths
     std::span<const double> mobility, mobilityByProduct;
     double viscosity;
 };
+
+namespace {
+
+using ByPressure = Dual<1>;
+
+/// Face number k of a row, `at` in padded arrays.
+void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<double>& flow, bool against, double p1,
+             double p2)
+{
+    f.flow[at] = flow.A * p1 - flow.B * p2;
+    f.inflow[at] = against ? flow.B * p2 : flow.A * p1;
+    m.below[k] = flow.below;
+    m.above[k] = flow.above;
+}
+
+void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<ByPressure>& flow, bool against,
+             double p1, double p2)
+{
+    const double A = flow.A.value, B = flow.B.value;
+    setFace(f, m, at, k, PathFlow<double>{A, B, flow.K.value, flow.below.value, flow.above.value}, against, p1, p2);
+    const double byMeanA = 0.5 * flow.A.by[0] * p1, byMeanB = 0.5 * flow.B.by[0] * p2;
+    const double lower = A + (byMeanA - byMeanB), upper = (byMeanA - byMeanB) - B;
+    f.lower[at] = lower;
+    f.upper[at] = upper;
+    m.belowByMean[k] = flow.below.by[0];
+    m.aboveByMean[k] = flow.above.by[0];
+    m.inflowByLower[k] = against ? byMeanB : A + byMeanA;
+    m.inflowByUpper[k] = against ? B + byMeanB : byMeanA;
+    f.diffusion[at] = flow.K.value;
+    f.convection[at] = lower + upper;
+    f.effective[at] = std::max(0.5 * (A + B), 0.5 * std::abs(lower + upper));
+}
 
 /// Mean pressure times gap; any number where the gap is closed.
 TOUCHDOWN_VECTOR_CLONES void setProducts(std::size_t count, const double* below, const double* above, const double* gap, double* out)
@@ -55,8 +58,8 @@ TOUCHDOWN_VECTOR_CLONES void setProducts(std::size_t count, const double* below,
     for (std::size_t k = 0; k < count; ++k) out[k] = 0.5 * (below[k] + above[k]) * (gap[k] > closedGap ? gap[k] : 1e-6);
 }
 
-template <ConvectionScheme scheme, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row)
+template <ConvectionScheme scheme, typename Number, typename FaceRow>
+TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, FaceMoments& moments, const FaceRow& row)
 {
     const double* p = row.p.data() + row.first - row.step;
     const double* gap = row.gap.data() + row.first;
@@ -72,12 +75,12 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, const FaceRow& row
         if constexpr (!std::is_same_v<Number, double>) mobility.by[0] = byProduct[k] * gap[k];
         const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k],
                                                          Number(gap[k]), Number(tilt[k]), mobility);
-        setFace(faces, first + k, flow, speed[k] < 0.0, p[k], p[k + step]);
+        setFace(faces, moments, first + k, k, flow, speed[k] < 0.0, p[k], p[k + step]);
     }
 }
 
 /// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the gap.
-template <ConvectionScheme scheme>
+template <ConvectionScheme scheme, typename FaceRow>
 TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope,
                                              const double* byGap, const FaceRow& row)
 {
@@ -114,76 +117,85 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& fa
 
 } // namespace
 
-template <typename Visit>
-void GasFilm::forSmoothRows(std::size_t axis, std::span<const double> p, Visit&& visit) const
+GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const double> p) const
 {
     const PaddedGrid& pad = gaps_.pad;
     const AxisState& a = axes_[axis];
     const FilmGaps::Faces& paths = gaps_.faces[axis];
     const std::size_t step = pad.step(static_cast<int>(axis));
-    const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
-    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
-        const std::size_t first = pad.at(0, j);
-        const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
-        setProducts(count, below, above, gap, rowProduct_.data());
-        table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByProduct_);
-        FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
-                    mobilityByProduct_, setting_.air.viscosity};
-        if (axis == 0) {
-            std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
-            row.width = rowWidth_;
-        } else {
-            std::fill(rowLength_.begin(), rowLength_.end(), paths.pathLength[static_cast<std::size_t>(j)]);
-            std::fill(rowShare_.begin(), rowShare_.end(), paths.upperShare[static_cast<std::size_t>(j)]);
-            row.length = rowLength_;
-            row.lowerShare = rowShare_;
-        }
-        visit(row);
+    const std::size_t first = pad.at(0, j), count = static_cast<std::size_t>(pad.nx + (axis == 0));
+    const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
+    setProducts(count, below, above, gap, rowProduct_.data());
+    table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByProduct_);
+    FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
+                mobilityByProduct_, setting_.air.viscosity};
+    if (axis == 0) {
+        std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
+        row.width = rowWidth_;
+    } else {
+        std::fill(rowLength_.begin(), rowLength_.end(), paths.pathLength[static_cast<std::size_t>(j)]);
+        std::fill(rowShare_.begin(), rowShare_.end(), paths.upperShare[static_cast<std::size_t>(j)]);
+        row.length = rowLength_;
+        row.lowerShare = rowShare_;
     }
-}
-
-template <ConvectionScheme scheme, typename Number>
-void GasFilm::setFaceFlows(std::size_t axis, std::span<const double> p)
-{
-    const AxisState& a = axes_[axis];
-    const FilmGaps::Faces& paths = gaps_.faces[axis];
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-    forSmoothRows(axis, p, [this, axis](const FaceRow& row) { setSmoothFaces<scheme, Number>(faces_[axis], row); });
-    const auto setCut = [&](auto& flows) {
-        cutPaths_[axis].flows(p, attitude_, a.cutSurface, table_, setting_.air.viscosity, cutWork_, flows);
-        for (std::size_t n = 0; n < flows.size(); ++n) {
-            const std::size_t at = paths.cut[n].at;
-            setFace(faces_[axis], at, flows[n], a.speed[at] < 0.0, p[at - step], p[at]);
-        }
-    };
-    if constexpr (std::is_same_v<Number, double>) setCut(cutFlows_);
-    else setCut(cutFlowsByPressure_);
+    return row;
 }
 
 template <typename Number>
-void GasFilm::setFaceFlows(std::span<const double> p)
+void GasFilm::setCutFlows(std::span<const double> p)
 {
-    for (std::size_t axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
-            using enum ConvectionScheme;
-        case Upwind: setFaceFlows<Upwind, Number>(axis, p); break;
-        case Hybrid: setFaceFlows<Hybrid, Number>(axis, p); break;
-        case PowerLaw: setFaceFlows<PowerLaw, Number>(axis, p); break;
-        case Exponential: setFaceFlows<Exponential, Number>(axis, p); break;
-        case CompleteFlux: setFaceFlows<CompleteFlux, Number>(axis, p); break;
-        }
+    const auto set = [&](auto& flows) {
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_, flows[axis]);
+    };
+    if constexpr (std::is_same_v<Number, double>) set(cutFlows_);
+    else set(cutFlowsByPressure_);
 }
 
-template void GasFilm::setFaceFlows<double>(std::span<const double>);
-template void GasFilm::setFaceFlows<Dual<1>>(std::span<const double>);
+template <ConvectionScheme scheme, typename Number>
+void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
+{
+    FaceMoments& moments = rows_.moments[axis][static_cast<std::size_t>(j % 2)];
+    const FaceRow row = smoothRow(axis, j, p);
+    setSmoothFaces<scheme, Number>(faces_[axis], moments, row);
+    const std::vector<std::size_t>& rows = cutRows_[axis];
+    const auto setCut = [&](const auto& flows) {
+        for (std::size_t n = rows[static_cast<std::size_t>(j)]; n < rows[static_cast<std::size_t>(j) + 1]; ++n) {
+            const std::size_t at = gaps_.faces[axis].cut[n].at;
+            setFace(faces_[axis], moments, at, at - row.first, flows[n], row.speed[at] < 0.0, p[at - row.step], p[at]);
+        }
+    };
+    if constexpr (std::is_same_v<Number, double>) setCut(cutFlows_[axis]);
+    else setCut(cutFlowsByPressure_[axis]);
+}
+
+template <typename Number>
+void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
+{
+    switch (setting_.scheme) {
+        using enum ConvectionScheme;
+    case Upwind: return setFaceRow<Upwind, Number>(axis, j, p);
+    case Hybrid: return setFaceRow<Hybrid, Number>(axis, j, p);
+    case PowerLaw: return setFaceRow<PowerLaw, Number>(axis, j, p);
+    case Exponential: return setFaceRow<Exponential, Number>(axis, j, p);
+    case CompleteFlux: return setFaceRow<CompleteFlux, Number>(axis, j, p);
+    }
+}
+
+template void GasFilm::setCutFlows<double>(std::span<const double>);
+template void GasFilm::setCutFlows<Dual<1>>(std::span<const double>);
+template void GasFilm::setFaceRow<double>(std::size_t, int, std::span<const double>);
+template void GasFilm::setFaceRow<Dual<1>>(std::size_t, int, std::span<const double>);
 
 template <ConvectionScheme scheme>
 void GasFilm::setGapSlopes(std::size_t axis, std::span<const double> p, GapSlopes& out) const
 {
-    forSmoothRows(axis, p, [&](const FaceRow& row) {
+    for (int j = 0; j < gaps_.pad.ny + (axis == 1); ++j) {
+        const FaceRow row = smoothRow(axis, j, p);
         const double* gap = axes_[axis].gap.data() + row.first;
         for (std::size_t k = 0; k < row.count; ++k) rowByGap_[k] = table_.gapDerivative(rowProduct_[k], gap[k]);
-        setSmoothSlopes<scheme>(out, faces_[axis], flows_.slope[axis].data() + row.first, rowByGap_.data(), row);
-    });
+        setSmoothSlopes<scheme>(out, faces_[axis], slope_[axis].data() + row.first, rowByGap_.data(), row);
+    }
 }
 
 void GasFilm::setGapSlopes(std::span<const double> p, std::array<GapSlopes, 2>& out) const

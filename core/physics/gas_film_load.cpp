@@ -248,12 +248,7 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     result.rollTorque = total[2];
     result.shearX = total[3];
     result.shearY = total[4];
-    for (int j = 0; j < pad.ny; ++j)
-        result.massFlow +=
-            std::max(0.0, flows_.flow[0][pad.at(0, j)]) + std::max(0.0, -flows_.flow[0][pad.at(pad.nx, j)]);
-    for (int i = 0; i < pad.nx; ++i)
-        result.massFlow +=
-            std::max(0.0, flows_.flow[1][pad.at(i, 0)]) + std::max(0.0, -flows_.flow[1][pad.at(i, pad.ny)]);
+    result.massFlow = massFlow_;
     return result;
 }
 
