@@ -84,28 +84,37 @@ void PlotPainter::paintArrows(QPainter& painter) const
 
 void PlotPainter::paintPointMarks(QPainter& painter) const
 {
-    painter.setFont(numberFont_);
-    const QFontMetricsF metrics(numberFont_);
+    struct Placed {
+        const PointMark* mark;
+        QPointF tip;
+    };
+    std::vector<Placed> placed;
     std::vector<QRectF> taken;
+    painter.setPen(Qt::NoPen);
     for (const PointMark& mark : plot_.pointMarks()) {
         const QPointF at(across(plot_.xAxis().position(mark.x)), up(plot_.yAxis().position(mark.y)));
         if (!area_.contains(at)) continue;
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme_.colour(mark.style));
         const QPointF tip = at - QPointF(0.0, 3.0);
+        painter.setBrush(theme_.colour(mark.style));
         painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
-        painter.setBrush(Qt::NoBrush);
-
-        const QSizeF size(metrics.horizontalAdvance(mark.label) + 4.0, metrics.height());
-        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
-                                   tip + QPointF(6.0, -size.height()),
-                                   tip - QPointF(6.0 + size.width(), size.height())};
+        placed.push_back({&mark, tip});
+        taken.emplace_back(tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setFont(numberFont_);
+    const QFontMetricsF metrics(numberFont_);
+    for (const auto& [mark, tip] : placed) {
+        const QSizeF size(metrics.horizontalAdvance(mark->label) + 4.0, metrics.height());
+        // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
+        const double beside = std::max(tip.y() - size.height(), area_.top());
+        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()), {tip.x() + 6.0, beside},
+                                   {tip.x() - 6.0 - size.width(), beside}};
         for (const QPointF& corner : corners) {
             const QRectF box(corner, size);
             const auto meets = [&](const QRectF& other) { return other.intersects(box); };
             if (!area_.contains(box) || std::any_of(taken.begin(), taken.end(), meets)) continue;
             taken.push_back(box);
-            paintLabel(painter, box, mark.label, theme_.text);
+            paintLabel(painter, box, mark->label, theme_.text);
             break; // without room anywhere the marker stands alone
         }
     }

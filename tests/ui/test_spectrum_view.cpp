@@ -43,6 +43,7 @@ private slots:
     void settingEmitsNothing();
     void badValuesStayAway();
     void peaksAreLabelledInKilohertz();
+    void theHighestPeakHasRoomForItsLabel();
     void unitsFollowQuantityAndScaling();
     void logarithmicFrequency();
     void otherUnitsClear();
@@ -137,6 +138,22 @@ void TestSpectrumView::peaksAreLabelledInKilohertz()
     QCOMPARE(marks[0].y, 1e-18); // on the top of the line
     QCOMPARE(marks[1].label, QStringLiteral("152.4 kHz"));
     QCOMPARE(marks[1].y, 1e-20);
+}
+
+/// The curve reaches almost to the plot's upper edge: what stands above it there would be cut off.
+void TestSpectrumView::theHighestPeakHasRoomForItsLabel()
+{
+    PlotWidget* plot = view_->plot();
+    for (const int height : {160, 200, 300, 600}) {
+        view_->resize(700, height);
+        view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}});
+        plot->refreshNow();
+        const QImage labelled = plot->grab().toImage();
+        std::vector<PointMark> marks = plot->pointMarks();
+        marks[0].label.clear();
+        plot->setPointMarks(std::move(marks));
+        QVERIFY2(plot->grab().toImage() != labelled, qPrintable(QStringLiteral("%1 px").arg(height)));
+    }
 }
 
 void TestSpectrumView::unitsFollowQuantityAndScaling()
