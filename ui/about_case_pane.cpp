@@ -79,7 +79,7 @@ QString resultText(const RunRecord& run)
     if (!run.summary) return {};
     const Summary& summary = *run.summary;
     QString text;
-    if (summary.status == RunStatus::Completed && !summary.figures.empty()) {
+    if (summary.status == RunStatus::Completed && run.value.model == ModelKind::Contact) {
         const auto add = [&](const char* name, const QString& what) {
             const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
             if (figure == summary.figures.end()) return;
@@ -92,13 +92,16 @@ QString resultText(const RunRecord& run)
         text += QLatin1Char('.');
     } else if (summary.status == RunStatus::Completed) {
         QStringList ends;
-        for (const char* name : {"flying_height", "pitch", "net_contact_force"}) {
+        const bool film = run.value.model == ModelKind::Film;
+        for (const char* name : {film ? "minimum_spacing" : "flying_height", "pitch", "net_contact_force"}) {
             const int index = findQuantity(run.quantities, name);
             const std::optional<double> value = run.last(name);
             if (index < 0 || !value) continue;
             const Quantity& quantity = run.quantities[static_cast<std::size_t>(index)];
             if (quantity.name == "flying_height")
                 ends << AboutCasePane::tr("flying height %1").arg(readout(*value, quantity));
+            else if (quantity.name == "minimum_spacing")
+                ends << AboutCasePane::tr("minimum spacing %1").arg(readout(*value, quantity));
             else if (quantity.name == "pitch")
                 ends << AboutCasePane::tr("pitch %1").arg(readout(*value, quantity));
             else if (*value != 0.0)

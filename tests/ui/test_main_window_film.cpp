@@ -187,6 +187,9 @@ void TestMainWindowFilm::runsInTime()
     QVERIFY2(run.summary->status == RunStatus::Completed, run.summary->message.c_str());
     QVERIFY(f.window.runView().isVisible());
     QCOMPARE(run.sampleCount(), std::size_t(81));
+    const QString told = f.window.messages().text();
+    QVERIFY2(told.contains(QStringLiteral("with minimum spacing ")) && told.contains(QStringLiteral(" pitch ")), qPrintable(told));
+    QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("with minimum spacing ")));
     for (const char* name : {"spacing", "pitch", "roll", "energy"}) QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
     // Without contact there are no forces of contact to show, and what is asked for comes.
     QVERIFY(!f.window.plots().plot(QStringLiteral("forces"))->isVisible());
