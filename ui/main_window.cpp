@@ -2,7 +2,6 @@
 #include "ui/main_window.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -11,14 +10,9 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QStatusBar>
-#include <QVBoxLayout>
 
 #include "ui/icons.h"
-#include "ui/plot_export.h"
 #include "ui/quantity_format.h"
 #include "ui/theme.h"
 
@@ -38,11 +32,9 @@ MainWindow::MainWindow(QWidget* parent)
     setWindowIcon(programIcon());
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    buildCentre();
-    buildDocks();
-    statusBar()->addWidget(runs_->progress(), 1);
-    statusBar()->addWidget(film_->progress(), 1);
-    statusBar()->setSizeGripEnabled(false);
+    pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *casePanel_, *aboutCase_, *messages_});
+    runFiles_ = new RunFiles(runs(), *page(), *this);
+    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
     connectFiles();
     connectRuns();
     connectFilm();
@@ -63,180 +55,6 @@ MainWindow::~MainWindow()
     film_->controller().stopAndWait();
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
-}
-
-void MainWindow::buildCentre()
-{
-    pages_ = new QStackedWidget(this);
-    pages_->addWidget(runs_->view());
-    pages_->addWidget(film_->view());
-
-    pageTabs_ = new QTabBar(this);
-    for (const QString& name : {tr("Static state"), tr("Run in time")}) pageTabs_->addTab(name);
-    pageTabs_->setAccessibleName(tr("What is shown of the film"));
-    pageTabs_->setExpanding(false);
-    pageTabs_->setFocusPolicy(Qt::StrongFocus);
-    pageTabs_->hide();
-
-    auto* centre = new QWidget(this);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(pageTabs_);
-    layout->addWidget(pages_, 1);
-    layout->addWidget(messages_);
-    setCentralWidget(centre);
-    runFiles_ = new RunFiles(runs(), *pages_, *this);
-    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
-}
-
-void MainWindow::buildDocks()
-{
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* parameters = addDock(QStringLiteral("parameters"), tr("Parameters"), casePanel_, Qt::LeftDockWidgetArea);
-    QDockWidget* about = addDock(QStringLiteral("about"), tr("About this case"), aboutCase_, Qt::RightDockWidgetArea);
-    QDockWidget* runs = addDock(QStringLiteral("runs"), tr("Runs"), runs_->panel(), Qt::RightDockWidgetArea);
-    QDockWidget* values = addDock(QStringLiteral("values"), tr("Values at the cursors"), runs_->values(), Qt::RightDockWidgetArea);
-    QDockWidget* attitude = addDock(QStringLiteral("attitude"), tr("Static attitude"), film_->attitude(), Qt::RightDockWidgetArea);
-    resizeDocks({parameters, about}, {340, 340}, Qt::Horizontal);
-    resizeDocks({about, runs, values}, {280, 240, 260}, Qt::Vertical);
-    runDocks_ = {runs, values};
-    filmDocks_ = {attitude};
-    openDocks_ = filmDocks_;
-    attitude->hide();
-    attitude->toggleViewAction()->setVisible(false);
-    film_->progress()->hide();
-}
-
-QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
-{
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(content);
-    dock->setAccessibleName(title);
-    addDockWidget(area, dock);
-    actions_->panes->addAction(dock->toggleViewAction());
-    return dock;
-}
-
-void MainWindow::connectFiles()
-{
-    connect(actions_->newCase, &QAction::triggered, files_, &CaseFiles::newCase);
-    connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
-    connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
-    connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
-    connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);
-    connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
-    connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-    connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
-    connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
-    connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
-    connect(actions_->resetAll, &QAction::triggered, &edits_, &CaseEdits::resetAll);
-    connect(actions_->findParameter, &QAction::triggered, this, [this] {
-        casePanel_->search()->setFocus();
-        casePanel_->search()->selectAll();
-    });
-    connect(actions_->openResults, &QAction::triggered, runFiles_, &RunFiles::chooseOpen);
-    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), false); });
-    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
-    connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
-    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*pages_); });
-    connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
-    connect(files_, &CaseFiles::saved, this, [this] {
-        casePanel_->setPreset({});
-        updateTitle();
-        messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
-    });
-    connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
-    connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
-    connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
-    connect(runFiles_, &RunFiles::succeeded, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
-    connect(runFiles_, &RunFiles::failed, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
-    connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
-    connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
-    connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
-}
-
-void MainWindow::connectRuns()
-{
-    connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
-    RunController* controller = &this->controller();
-    connect(actions_->pause, &QAction::triggered, controller, [controller](bool on) { on ? controller->pause() : controller->resume(); });
-    connect(actions_->step, &QAction::triggered, controller, &RunController::step);
-    connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
-    connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
-    connect(actions_->pace, &QComboBox::currentIndexChanged, controller,
-            [this, controller] { controller->setPace(actions_->pace->currentData().toDouble()); });
-    connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
-    connect(controller, &RunController::recordingFailed, this,
-            [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
-    connect(runs_, &RunWindow::started, this, [this] {
-        aboutCase_->setResult({});
-        messages_->clear();
-    });
-    connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
-    connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
-    connect(runs_->panel(), &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
-    connect(runs_->panel(), &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
-    connect(runs_->panel(), &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
-    connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
-    connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
-}
-
-void MainWindow::connectFilm()
-{
-    connect(actions_->solve, &QAction::triggered, this, &MainWindow::solveStaticState);
-    connect(actions_->solveGiven, &QAction::triggered, this, &MainWindow::solveAtGivenAttitude);
-    connect(pageTabs_, &QTabBar::currentChanged, this, [this] { showModel(shownModel_); });
-    // What comes into the list is there to be seen.
-    connect(&runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
-    connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
-    connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
-    connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
-    connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
-}
-
-void MainWindow::connectView()
-{
-    PlotGroup* group = plots().group();
-    connect(actions_->fit, &QAction::triggered, runs_->view(), &RunView::fit);
-    connect(actions_->follow, &QAction::triggered, group,
-            [group](bool on) { group->setFollow(on ? PlotGroup::Follow::WholeRun : PlotGroup::Follow::Frozen); });
-    connect(group, &PlotGroup::followChanged, this,
-            [this](PlotGroup::Follow follow) { actions_->follow->setChecked(follow != PlotGroup::Follow::Frozen); });
-    connect(actions_->zoomBack, &QAction::triggered, group, &PlotGroup::goBack);
-    connect(actions_->zoomForward, &QAction::triggered, group, &PlotGroup::goForward);
-    const auto updateHistory = [this, group] {
-        actions_->zoomBack->setEnabled(group->canGoBack());
-        actions_->zoomForward->setEnabled(group->canGoForward());
-    };
-    connect(group, &PlotGroup::historyChanged, this, updateHistory);
-    updateHistory();
-    for (const LivePlots::Entry& entry : plots().plots()) actions_->plots->addAction(entry.wanted);
-    actions_->plots->addAction(runs_->view()->spectrumWanted());
-
-    connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
-    connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
-    connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
-}
-
-void MainWindow::connectHelp()
-{
-    connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
-    connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
-    connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
-    connect(actions_->aboutQt, &QAction::triggered, this, [this] {
-        auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
-                                    tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
-                                       "Public License, version 3.")
-                                        .arg(QString::fromLatin1(qVersion())),
-                                    QMessageBox::Close, this);
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->open();
-    });
 }
 
 bool MainWindow::readyToRun()
@@ -306,41 +124,6 @@ void MainWindow::onSolved(const SteadyResult& result)
     emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
 }
 
-void MainWindow::showModel(ModelKind model)
-{
-    const bool film = model == ModelKind::Film;
-    shownModel_ = model;
-    pageTabs_->setVisible(film);
-    showPage(film && pageTabs_->currentIndex() == static_cast<int>(Page::StaticState));
-}
-
-void MainWindow::showPage(bool staticState)
-{
-    const bool before = std::exchange(staticShown_, staticState);
-    actions_->setPage(shownModel_, staticState);
-    updateRunActions();
-    if (staticState == before) return;
-    pages_->setCurrentWidget(staticState ? static_cast<QWidget*>(film_->view()) : runs_->view());
-    const std::vector<QDockWidget*> coming = std::exchange(openDocks_, {});
-    for (QDockWidget* dock : staticState ? runDocks_ : filmDocks_) {
-        if (!dock->isHidden()) openDocks_.push_back(dock);
-        dock->hide();
-        dock->toggleViewAction()->setVisible(false);
-    }
-    for (QDockWidget* dock : staticState ? filmDocks_ : runDocks_) dock->toggleViewAction()->setVisible(true);
-    for (QDockWidget* dock : coming) dock->show();
-    // The tables are long, and what a film case says about itself is short.
-    if (staticState)
-        resizeDocks({findChild<QDockWidget*>(QStringLiteral("about")), filmDocks_.front()}, {180, 560}, Qt::Vertical);
-}
-
-/// That of the page; and of the other one while something is under way there.
-void MainWindow::updateProgress()
-{
-    runs_->progress()->setVisible(!staticShown_ || controller().active());
-    film_->progress()->setVisible(staticShown_ || film_->controller().active());
-}
-
 void MainWindow::onCaseOpened()
 {
     casePanel_->setPreset(files_->sample());
@@ -380,7 +163,7 @@ void MainWindow::onCaseEdited()
     aboutCase_->setCase(edits_.value());
     film_->edit(edits_.value());
     runs_->edit(edits_.value());
-    showModel(edits_.value().model);
+    pages_->showModel(edits_.value().model);
     updateRunActions();
     updateTitle();
 }
@@ -395,7 +178,7 @@ void MainWindow::updateRunActions()
     actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)") : cannot);
     actions_->solve->setToolTip(reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
     for (QAction* action : {actions_->solve, actions_->solveGiven})
-        action->setEnabled(shownModel_ == ModelKind::Film && reason.isEmpty());
+        action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
         messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the field"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
@@ -409,7 +192,7 @@ void MainWindow::updateRunActions()
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
     actions_->exportCsv->setEnabled(anyEnded);
-    updateProgress();
+    pages_->updateProgress();
 }
 
 void MainWindow::updateTitle()
@@ -510,14 +293,14 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::saveSession()
 {
-    showModel(ModelKind::Springs); // the next session begins with its panes
+    pages_->showModel(ModelKind::Springs); // the next session begins with its panes
     session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
 void MainWindow::restoreSession()
 {
     session_->restore();
-    for (QDockWidget* dock : filmDocks_) dock->hide(); // comes with a film
+    pages_->hideStaticPanes();
     look();
 }
 

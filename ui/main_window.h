@@ -13,11 +13,10 @@
 #include "ui/run_files.h"
 #include "ui/run_window.h"
 #include "ui/window_actions.h"
+#include "ui/window_pages.h"
 #include "ui/window_session.h"
 
 #include <QMainWindow>
-#include <QStackedWidget>
-#include <QTabBar>
 
 namespace touchdown {
 
@@ -39,12 +38,11 @@ public:
     /// Solves a film case for the pressure at the attitude of its start.
     void solveAtGivenAttitude();
     void openResults(const QString& file) { runFiles_->openRun(file); }
-    /// A film has both; any other case runs in time only.
-    enum class Page { StaticState, Run };
-    void setPage(Page page) { pageTabs_->setCurrentIndex(static_cast<int>(page)); }
-    QTabBar* pageTabs() const { return pageTabs_; }
+    using Page = WindowPages::Page;
+    void setPage(Page page) { pages_->setPage(page); }
+    QTabBar* pageTabs() const { return pages_->tabs(); }
     /// The page that is shown, as it is exported.
-    QWidget* page() const { return pages_; }
+    QWidget* page() const { return pages_->pages(); }
 
     CaseEdits& edits() { return edits_; }
     CaseFiles& files() { return *files_; }
@@ -72,9 +70,6 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void buildCentre();
-    void buildDocks();
-    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void connectFiles();
     void connectRuns();
     void connectFilm();
@@ -89,10 +84,6 @@ private:
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
     void solve(bool given);
-    void showModel(ModelKind model);
-    /// Brings the page and the panes of the static state, or those of the runs.
-    void showPage(bool staticState);
-    void updateProgress();
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
@@ -108,16 +99,10 @@ private:
     RunFiles* runFiles_ = nullptr;
     CasePanel* casePanel_;
     AboutCasePane* aboutCase_;
-    QTabBar* pageTabs_ = nullptr;
-    QStackedWidget* pages_ = nullptr;
     RunWindow* runs_;
     FilmWindow* film_;
-    std::vector<QDockWidget*> runDocks_;   // of a run over time
-    std::vector<QDockWidget*> filmDocks_;  // of a static state
-    std::vector<QDockWidget*> openDocks_;  // of the page that is not shown: those that come back with it
-    ModelKind shownModel_ = ModelKind::Springs;
-    bool staticShown_ = false;
     MessageStrip* messages_;
+    WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
     std::unique_ptr<WindowSession> session_;
     QString recordTo_;
