@@ -19,7 +19,7 @@ void addBounded(std::span<double> p, std::span<const double> step)
 }
 
 FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
-    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size(), 0.0)
+    : film_(film), stencil_(film.pad()), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size(), 0.0)
 {
     work_.resize(film.pad().size());
     for (auto* pair : {&effective_, &convection_})
@@ -35,18 +35,27 @@ void FilmLinearSolver::prepare(double shift)
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
                             FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
                            diagonal_);
+    film_.setStencil(stencil_);
 }
 
-void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)
+void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out) const
 {
-    film_.applyJacobian(v, out, work_);
+    stencil_.apply(v, film_.storagePerTime(), film_.volumes(), out);
+    addShift(v, out);
+}
+
+void FilmLinearSolver::addShift(std::span<const double> v, std::span<double> out) const
+{
     if (shift_ == 0.0) return;
     for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
 }
 
 GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)
 {
-    const auto apply = [this](std::span<const double> v, std::span<double> out) { this->apply(v, out); };
+    const auto apply = [this](std::span<const double> v, std::span<double> out) {
+        film_.applyJacobian(v, out, work_);
+        addShift(v, out);
+    };
     const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
     return gmres_.solve(apply, precondition, b, x, options);
 }

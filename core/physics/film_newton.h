@@ -12,6 +12,7 @@
 
 #include "core/numerics/gmres.h"
 #include "core/numerics/multigrid.h"
+#include "core/physics/film_stencil.h"
 #include "core/physics/gas_film.h"
 
 namespace touchdown {
@@ -39,8 +40,8 @@ public:
 
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
-    /// out = J v; padded, zero rings.
-    void apply(std::span<const double> v, std::span<double> out);
+    /// out = J v to single precision (film_stencil.h), of what was prepared; padded, zero rings. Cells store as the film does now.
+    void apply(std::span<const double> v, std::span<double> out) const;
     /// v = roughly J^-1 b, padded: along x, then along y (Multigrid::solveFactors); so, and by coarser grids; by a full cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
     void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
@@ -53,7 +54,10 @@ public:
     GmresResult solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
 private:
+    void addShift(std::span<const double> v, std::span<double> out) const;
+
     const GasFilm& film_;
+    FilmStencil stencil_;
     Multigrid<double> multigrid_;
     Gmres<double> gmres_;
     FaceFlows<double> work_;

@@ -68,6 +68,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     rows_.stored.assign(2 * pad.stride(), 0.0);
+    stencilRows_.assign(12 * pad.stride(), 0.0);
     noStorage_.assign(pad.stride(), 0.0);
     for (int j = 0; j <= pad.ny + 1; ++j) {
         const std::size_t row = pad.at(-PaddedGrid::rings, j);

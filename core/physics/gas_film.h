@@ -29,6 +29,7 @@
 #include "core/physics/disk_velocity.h"
 #include "core/physics/film_forces.h"
 #include "core/physics/film_gaps.h"
+#include "core/physics/film_stencil.h"
 #include "core/physics/flow_table.h"
 #include "core/physics/path_flow.h"
 
@@ -117,6 +118,8 @@ public:
     /// The part of the linearisation that a face has from its two cells, with what their storage takes off the flow: F = lower v1
     /// + upper v2 = c (v1 + v2)/2 - E (v2 - v1); padded [m^3/s].
     void ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const;
+    /// The linearisation without what the cells store, and what their faces pass on of that.
+    void setStencil(FilmStencil& out) const;
     /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of setStorage.
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
@@ -285,6 +288,7 @@ private:
     mutable std::vector<double> rowWidth_, rowLength_,
         rowShare_;                            // of the paths of a row where all are alike [m], [m], [-]
     mutable std::vector<double> rowByGap_;    // the mobility's own derivative [Pa]
+    mutable std::vector<double> stencilRows_; // slopes of four rows, by three cells each [m^2/s]
     std::vector<double> rowRecess_, rowRise_; // of a row over a disk that is not flat [m]
     mutable CutPaths::Work cutWork_;
     mutable std::vector<CutForces<double>> cutForces_;

@@ -218,6 +218,32 @@ private slots:
             QVERIFY(std::abs(image[at] - Complex(Ju[at], Jv[at])) < 1e-13 * norm(Jv));
     }
 
+    /// The nine numbers a cell say the same, also when cells store at another rate: rounded by up to 2^-24 each, with random v.
+    void stencil_data() { addSettings(); }
+    void stencil()
+    {
+        QFETCH(FilmSetting, setting);
+        QFETCH(double, waves);
+        OverDisk problem(setting, waves);
+        const PaddedGrid& pad = problem.gaps.pad;
+        problem.p = roughPressure(pad, problem.film.ambient());
+        std::vector<double> residual(pad.size()), history(pad.size(), 0.0), Jv(pad.size(), 0.0), image(pad.size(), 0.0);
+        FaceFlows<double> work;
+        work.resize(pad.size());
+        problem.film.setStorage(3e6, history);
+        problem.film.linearise(problem.p, residual);
+        FilmStencil stencil(pad);
+        problem.film.setStencil(stencil);
+        const std::vector<double> v = randomCells(pad, 5);
+        for (const double rate : {0.0, 3e6, 2e7}) {
+            problem.film.setStorage(rate, history);
+            problem.film.applyJacobian<double>(v, Jv, work);
+            stencil.apply(v, rate, problem.film.volumes(), image);
+            for (std::size_t at = 0; at < image.size(); ++at) image[at] -= Jv[at];
+            QVERIFY2(norm(image) < 1e-7 * norm(Jv), qPrintable(QString::number(norm(image) / norm(Jv))));
+        }
+    }
+
     /// dR/dheight, dR/dpitch, dR/droll against central differences of fourth order; steps that move the gap by at most 0.05 nm,
     /// of 20 nm and more.
     void attitudeColumns_data() { addSettings(); }
