@@ -94,8 +94,13 @@ FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
     }
     if (film.cancelled) return State::Stopped;
     if (film.converged) return State::Ready;
+    const double spacing = spacing_.at(start_).spacing;
+    const std::string height = case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
     return fail("the film was not solved at the initial attitude, where the minimum spacing is " +
-                formatQuantity(std::round(spacing_.at(start_).spacing * 1e13) / 1e13, "nm"));
+                formatQuantity(std::round(spacing * 1e13) / 1e13, "nm") +
+                (spacing > 0.0 ? "; start higher (" + height + ") or allow more film.maximum_iterations"
+                               : "; start higher (" + height +
+                                     "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
 }
 
 std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& attitude, std::span<const double> p) const

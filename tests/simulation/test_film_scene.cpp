@@ -62,6 +62,29 @@ private slots:
         }
     }
 
+    /// Of a film that is to be solved more exactly than numbers are.
+    void saysHowToBegin_data()
+    {
+        QTest::addColumn<double>("height");
+        QTest::addColumn<QString>("advice");
+        QTest::newRow("above") << 20e-9 << "start higher (initial.nominal_trailing_edge_height) or allow more film.maximum_iterations";
+        QTest::newRow("below") << -60e-9 << "start higher (initial.nominal_trailing_edge_height): air that the rails shut in";
+    }
+    void saysHowToBegin()
+    {
+        QFETCH(double, height);
+        QFETCH(QString, advice);
+        Case c = case_;
+        c.contact = ContactKind::None;
+        c.diskSurface.kind = DiskSurfaceKind::Flat;
+        c.film.tolerance = 1e-30;
+        c.film.maximumIterations = 3;
+        c.initial.nominalTrailingEdgeHeight = height;
+        FilmScene scene(c);
+        QVERIFY(scene.prepare([] { return true; }) == FilmScene::State::Failed);
+        QVERIFY2(scene.message().find(advice.toStdString()) != std::string::npos, scene.message().c_str());
+    }
+
 private:
     Case case_ = touching();
     int calls_ = 0;
