@@ -51,9 +51,9 @@ std::vector<Field> filmFields()
         choice({.key = "film.solver",
                 .label = "solver",
                 .choices = {"newton", "line-multigrid"},
-                .help = "Solution of the film: newton = Newton's method with the exact Jacobian, line-multigrid = "
-                        "alternating line "
-                        "sweeps with full multigrid.",
+                .help = "Solution of the film in a static state: newton = Newton's method with the exact Jacobian, "
+                        "line-multigrid = alternating line sweeps with full multigrid. A step in time is always solved by "
+                        "Newton's method.",
                 .source = "paper, section 2: line sweeps with multigrid; ours: newton"},
                at(&Case::film, &FilmCase::solver), withFilm),
         number(
@@ -62,7 +62,8 @@ std::vector<Field> filmFields()
              .minimum = 1e-13,
              .maximum = 1e-2,
              .help =
-                 "Net mass flow of the cells, summed, against the flow through the film, at which the film is solved.",
+                 "Net mass flow of the cells, summed, against the flow through the film, at which the film of a static state "
+                 "or at the start of a run is solved; its steps in time are solved as far as run.step_error asks.",
              .source = "ours"},
             at(&Case::film, &FilmCase::tolerance), withFilm),
         plain(Integer,
@@ -70,7 +71,7 @@ std::vector<Field> filmFields()
                .label = "most iterations",
                .minimum = 1,
                .maximum = 10000,
-               .help = "Iterations on one grid after which the film counts as not converged.",
+               .help = "Iterations on one grid after which the film of a static state counts as not converged.",
                .source = "ours"},
               at(&Case::film, &FilmCase::maximumIterations), withFilm),
         choice(

@@ -16,7 +16,6 @@ constexpr const char* none = "ours: none";
 bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
 bool withOffsets(const Case& c) { return withFilm(c) && c.initial.state == InitialState::Static; }
 bool withRollOffset(const Case& c) { return withOffsets(c) && withRoll(c); }
-bool withStepError(const Case& c) { return withFilm(c) && c.run.steps == StepControl::Adaptive; }
 /// The gap and the pressure of the film, and those of a contact patch.
 bool withSnapshots(const Case& c) { return withFilm(c) || withSurfaces(c); }
 
@@ -178,9 +177,10 @@ std::vector<Field> integrationFields()
              .minimum = 1e-18,
              .maximum = 1e-6,
              .help =
-                 "By which one time step's discretisation may displace the slider; sets how long adaptive steps are.",
+                 "By which one time step's discretisation may displace the slider; sets how long adaptive steps are, and how "
+                 "far every step is solved.",
              .source = "ours"},
-            at(&Case::run, &RunCase::stepError), withStepError),
+            at(&Case::run, &RunCase::stepError), withFilm),
         number(
             {.key = "run.tolerance",
              .label = "tolerance",

@@ -186,10 +186,10 @@ private:
         result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
         if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;
-            char text[200];
+            char text[260];
             std::snprintf(text, sizeof text,
                           "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
-                          "the slider touches, and contact is no part of this model",
+                          "the slider touches, and a static state knows the film alone: contact has a part in runs in time",
                           -result_.minimumSpacing * 1e9);
             result_.message = text;
         }

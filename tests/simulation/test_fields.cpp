@@ -255,7 +255,7 @@ private slots:
         ofFilm("step of adaptive steps", "run.step", "run.integrator=rk4", false);
         ofFilm("step of fixed steps", "run.step", "run.steps=fixed", true);
         ofFilm("error of adaptive steps", "run.step_error", "", true);
-        ofFilm("error of fixed steps", "run.step_error", "run.steps=fixed", false);
+        ofFilm("error of fixed steps", "run.step_error", "run.steps=fixed", true);
         ofFilm("tolerance of a film case", "run.tolerance", "", false);
         ofFilm("step check of a film case", "run.step_check", "run.integrator=rk4 run.steps=fixed", false);
         ofFilm("coupling of a film case", "film.coupling", "", true);
