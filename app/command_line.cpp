@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +18,8 @@
 #include "app/run_command.h"
 #include "app/steady_command.h"
 #include "app/study_command.h"
+#include "core/simulation/nearest_name.h"
+#include "core/simulation/quotation.h"
 
 namespace touchdown {
 namespace {
@@ -26,7 +32,8 @@ void addCase(CLI::App& command, CaseArguments& arguments)
 }
 
 // `--set a=1 fig10a`: the option takes all that follows, so the last one may be the case.
-void findCase(const CLI::App& command, CaseArguments& arguments, const char* wanted = "CASE")
+void findCase(const CLI::App& command, CaseArguments& arguments,
+              const char* wanted = "CASE, a file or a sample case of `touchdown list`,")
 {
     if (arguments.name.empty() && !arguments.settings.empty() &&
         arguments.settings.back().find('=') == std::string::npos) {
@@ -34,6 +41,32 @@ void findCase(const CLI::App& command, CaseArguments& arguments, const char* wan
         arguments.settings.pop_back();
     }
     if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
+}
+
+// `touchdown help run` asks as `touchdown run --help` does.
+std::vector<std::string> argumentsOf(int argc, char** argv)
+{
+    std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    if (!arguments.empty() && arguments.front() == "help") {
+        arguments.erase(arguments.begin());
+        arguments.emplace_back("--help");
+    }
+    return arguments;
+}
+
+// What stands first and is no option must be a command.
+void checkCommand(const CLI::App& app, const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> names;
+    std::string list;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+        list += (list.empty() ? "" : ", ") + command->get_name();
+    }
+    if (arguments.empty()) throw CLI::RequiredError("A command (" + list + ")");
+    if (arguments.front().starts_with('-') || std::ranges::find(names, arguments.front()) != names.end()) return;
+    throw CLI::ParseError(inQuotes(arguments.front()) + " is no command" + didYouMean(nearestName(arguments.front(), names)),
+                          CLI::ExitCodes::ExtrasError);
 }
 
 // A full disk or a closed pipe behind standard output is found out at the last moment.
@@ -129,8 +162,11 @@ int commandLine(int argc, char** argv)
     addJson(describe);
 
     try {
-        app.parse(argc, argv);
-        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+        std::vector<std::string> arguments = argumentsOf(argc, argv);
+        checkCommand(app, arguments);
+        std::ranges::reverse(arguments); // as CLI11 wants them
+        app.parse(std::move(arguments));
+        if (app.get_subcommands().empty()) checkCommand(app, {});
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);

@@ -100,7 +100,10 @@ std::optional<std::string> setList(Case& target, const Field& field, std::string
     for (const std::string_view element : listElements(text)) {
         if (values.size() > field.maximumCount) break;
         const auto number = readNumber(field, withoutMarks(element));
-        if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
+        if (const auto* problem = std::get_if<UnitProblem>(&number)) {
+            const bool several = element.find_first_of(' ') != std::string_view::npos && field.unit.empty();
+            return several ? inQuotes(element) + " is no number; commas part the numbers of a list" : problem->message;
+        }
         values.push_back(std::get<double>(number));
     }
     return setFromNumbers(target, field, values);

@@ -68,12 +68,16 @@ std::string nearestKey(std::string_view key)
         keys.push_back(field.key);
         leaves.emplace_back(leaf(field.key));
     }
+    const auto withLeaf = [&](std::string_view name) {
+        const auto found = std::ranges::find(leaves, name);
+        return found == leaves.end() ? std::string() : keys[static_cast<std::size_t>(found - leaves.begin())];
+    };
+    // The right name in no table; what is misspelt; the right name in the wrong table.
+    if (key.find('.') == std::string_view::npos)
+        if (auto right = withLeaf(key); !right.empty()) return right;
     if (auto nearest = nearestName(key, keys); !nearest.empty()) return nearest;
-
-    // The right name in the wrong table, or in none.
     const std::string name = nearestName(leaf(key), leaves, leaf(key).size() / 5);
-    if (name.empty()) return {};
-    return keys[static_cast<std::size_t>(std::ranges::find(leaves, name) - leaves.begin())];
+    return name.empty() ? std::string() : withLeaf(name);
 }
 
 } // namespace touchdown

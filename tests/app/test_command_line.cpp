@@ -38,6 +38,8 @@ void TestCommandLine::helpAndVersion_data()
     QTest::newRow("help of run") << QStringList{"run", "--help"} << QByteArray("--set KEY=VALUE");
     QTest::newRow("help of validate") << QStringList{"validate", "--help"} << QByteArray("CASE");
     QTest::newRow("help of list") << QStringList{"list", "--help"} << QByteArray("--json");
+    QTest::newRow("a command asked for help") << QStringList{"help", "run"} << QByteArray("--set KEY=VALUE");
+    QTest::newRow("help as a command") << QStringList{"help"} << QByteArray("Exit codes:");
     QTest::newRow("help of describe") << QStringList{"describe", "--help"} << QByteArray("KEY");
 }
 
@@ -55,8 +57,10 @@ void TestCommandLine::wrongArguments_data()
 {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QByteArray>("says");
-    QTest::newRow("none") << QStringList{} << QByteArray("subcommand");
-    QTest::newRow("unknown command") << QStringList{"fly"} << QByteArray("fly");
+    QTest::newRow("none") << QStringList{} << QByteArray("A command (run, steady, modes, ");
+    QTest::newRow("unknown command") << QStringList{"fly"} << QByteArray("\"fly\" is no command\n");
+    QTest::newRow("misspelt command") << QStringList{"runn", "fig10a"} << QByteArray("\"runn\" is no command; did you mean run?\n");
+    QTest::newRow("only options") << QStringList{"--json"} << QByteArray("--json");
     QTest::newRow("unknown option") << QStringList{"run", "fig10a", "--fast"} << QByteArray("--fast");
     QTest::newRow("no case") << QStringList{"run"} << QByteArray("CASE");
     QTest::newRow("no case but settings") << QStringList{"run", "--set", "springs.cutoff=1e-9"} << QByteArray("CASE");

@@ -407,6 +407,8 @@ private slots:
                                          << "ono_yamane.friction";
         QTest::newRow("no table") << "friction"
                                   << "ono_yamane.friction";
+        QTest::newRow("a slip would be another") << "nodes"
+                                                 << "film.nodes";
         QTest::newRow("nothing like it") << "banana.split"
                                          << "";
         QTest::newRow("a slip in a list") << "film.node"
