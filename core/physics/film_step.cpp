@@ -11,8 +11,10 @@ namespace touchdown {
 namespace {
 
 constexpr double linearShare = 0.4;       // of what may be left, for the rest of the linear systems
-constexpr double errorPerChange = 2.0 / 11; // of a step's discretisation in time
-constexpr int mostRepeats = 4, longestUnmeasured = 20;
+constexpr double thirdShare = 0.48;         // of what BDF3 adds to BDF2 (Vatsa, Carpenter & Lockard 2010)
+constexpr double mostGrowthForThird = 1.5;  // of a step against the last one: BDF3 is stable to 1.53 (Calvo, Grande & Grigorieff 1990)
+constexpr double firstErrorPerChange = 0.001; // of a step that had no parabola to begin with, cautiously
+constexpr int mostRepeats = 4, longestUnmeasured = 40;
 constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
 
 /// Eight sums side by side, whatever the width of vectors.
@@ -26,38 +28,64 @@ TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<cons
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-/// Of cells as in setHistory.
-TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, double last, double before, const double* volume,
-                                          const double* content1, const double* content2, double* history)
+/// Of the squares of a + b - c.
+TOUCHDOWN_VECTOR_CLONES double squaredSum(std::span<const double> a, std::span<const double> b, std::span<const double> c)
 {
+    std::array<double, 8> sums{};
+    const std::size_t whole = a.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8)
+        for (std::size_t k = 0; k < 8; ++k) {
+            const double value = a[i + k] + b[i + k] - c[i + k];
+            sums[k] += value * value;
+        }
+    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += (a[i] + b[i] - c[i]) * (a[i] + b[i] - c[i]);
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+/// Of cells as in setHistory.
+TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, const std::array<double, 3>& share, const double* volume,
+                                          const double* content1, const double* content2, const double* content3, double* history)
+{
+    const auto [last, before, beforeThat] = share;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        const double stored = last * content1[k] - before * content2[k];
+        const double stored = last * content1[k] + before * content2[k] + beforeThat * content3[k];
         history[k] = volume[k] > 0.0 ? stored : 0.0;
     }
 }
 
-/// Of cells as in guess.
-TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, double byLast, double byBefore, const double* last,
-                                         const double* before, const double* beforeThat, double* p)
+/// Of cells as in guess; `foreseen` is without the third difference.
+TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, const std::array<double, 3>& parabola, const std::array<double, 4>& third,
+                                         const std::array<const double*, 4>& content, const double* last, const double* volume,
+                                         double* p, double* foreseen)
 {
+    const auto [m1, m2, m3, m4] = content;
+    const auto [a1, a2, a3] = parabola;
+    const auto [b1, b2, b3, b4] = third;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        const double p1 = last[k], p2 = before[k], p3 = beforeThat[k];
-        const double guess = p1 + byLast * (p1 - p2) - byBefore * (p2 - p3), least = 0.5 * p1, most = 2.0 * p1;
+        const double open = volume[k] > 0.0 ? 1.0 / volume[k] : 0.0;
+        const double even = (a1 * m1[k] + a2 * m2[k] + a3 * m3[k]) * open;
+        const double guess = even + (b1 * m1[k] + b2 * m2[k] + b3 * m3[k] + b4 * m4[k]) * open;
+        const double least = 0.5 * last[k], most = 2.0 * last[k];
         const double raised = guess < least ? least : guess;
-        p[k] = raised > most ? most : raised;
+        p[k] = open > 0.0 ? (raised > most ? most : raised) : last[k];
+        foreseen[k] = open > 0.0 ? even : last[k];
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES void setContents(std::size_t count, const double* volume, const double* p, double* pressure,
-                                         double* content)
+/// Returns how many cells have no content that had some before.
+TOUCHDOWN_VECTOR_CLONES long long setContents(std::size_t count, const double* volume, const double* p, const double* before,
+                                              double* pressure, double* content)
 {
+    long long closed = 0;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
         pressure[k] = p[k];
         content[k] = volume[k] * p[k];
+        closed += content[k] == 0.0 && before[k] > 0.0 ? 1 : 0;
     }
+    return closed;
 }
 
 /// out -= part v
@@ -74,7 +102,7 @@ TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v,
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_}) field->assign(size, 0.0);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_}) field->assign(size, 0.0);
     for (auto* vectors : {&directions_, &images_})
         for (auto& vector : *vectors) vector.assign(size, 0.0);
     for (Past& past : past_)
@@ -86,8 +114,10 @@ void FilmStepper::start(std::span<const double> p)
     std::copy(p.begin(), p.end(), p_.begin());
     for (Past& past : past_) past.dt = 0.0;
     dt_ = 0.0;
+    closings_ = 0;
     remember();
     linearisedPerTime_ = 0.0;
+    unmeasured_ = longestUnmeasured;
 }
 
 bool FilmStepper::accept()
@@ -103,37 +133,86 @@ void FilmStepper::follow(const Attitude& attitude, std::span<const double> chang
     addBounded(p_, change);
 }
 
+std::array<double, 3> FilmStepper::timeErrorLoad() const
+{
+    const PaddedGrid& pad = film_.pad();
+    const FilmGaps& gaps = film_.gaps();
+    std::array<double, 3> load{};
+    for (int j = 0; j < pad.ny && extrapolated_; ++j) {
+        double force = 0.0, torque = 0.0;
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            const double cell = (p_[at] - foreseen_[at]) * film_.areas()[at];
+            force += cell;
+            torque += cell * (0.5 * gaps.length - gaps.grid.centreX(i));
+        }
+        load[0] += force;
+        load[1] += torque;
+        load[2] -= force * (gaps.grid.centreY(j) - 0.5 * gaps.width);
+    }
+    for (double& part : load) part *= errorPerChange_;
+    return load;
+}
+
 void FilmStepper::remember()
 {
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     Past& last = past_[0];
     last.dt = dt_;
-    setContents(p_.size(), film_.volumes().data(), p_.data(), last.pressure.data(), last.content.data());
+    const long long closed = setContents(p_.size(), film_.volumes().data(), p_.data(), past_[1].content.data(), last.pressure.data(),
+                                         last.content.data());
+    if (past_[0].dt > 0.0) closings_ += closed;
     converged_ = false;
 }
 
+/// By Newton's divided differences of V p at t, t1 = t - dt, t2, t3: f[t, t1] + dt f[t, t1, t2] is BDF2, and BDF3 adds
+/// dt (t - t2) f[t, t1, t2, t3].
 void FilmStepper::setHistory(double dt)
 {
-    const bool second = options_.method == FilmTimeMethod::Bdf2 && past_[0].dt > 0.0;
-    const double r = second ? dt / past_[0].dt : 0.0; // r = 0 is Euler
+    const double h1 = past_[0].dt, h2 = past_[1].dt;
+    const bool second = options_.method == FilmTimeMethod::Bdf2 && h1 > 0.0;
+    const double r = second ? dt / h1 : 0.0; // r = 0 is Euler
     perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
-    const double last = (1.0 + r) / dt, before = r * r / (1.0 + r) / dt;
+    std::array<double, 3> share{(1.0 + r) / dt, -r * r / (1.0 + r) / dt, 0.0};
+    errorPerChange_ = 2.0 / 11;
+    if (second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
+        // Of dt (t - t2) f[t, t1, t2, t3] the parts of V p and m1..m3.
+        const double factor = thirdShare * dt * (dt + h1), all = dt + h1 + h2;
+        const double added = factor / (dt * (dt + h1) * all);
+        perTime_ += added;
+        share[0] += factor / (dt * h1 * (h1 + h2));
+        share[1] -= factor / ((dt + h1) * h1 * h2);
+        share[2] += factor / (all * (h1 + h2) * h2);
+        const double error = (1.0 - thirdShare) / 3.0 / (1.5 + thirdShare / 3.0); // of equal steps, against the third difference
+        errorPerChange_ = error / (1.0 + error);
+    }
     // A cell that has closed has pressed its air out; what was left is lost.
-    setHistories(history_.size(), last, before, film_.volumes().data(), past_[0].content.data(),
-                 past_[1].content.data(), history_.data());
+    setHistories(history_.size(), share, film_.volumes().data(), past_[0].content.data(), past_[1].content.data(),
+                 past_[2].content.data(), history_.data());
     film_.setStorage(perTime_, history_);
 }
 
-/// Through the last three pressures (Newton's divided differences), or as many as there are; each at most doubled or halved.
+/// Through the last four pressures (Lagrange's polynomials), or as many as there are; each at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
-    const double h1 = past_[0].dt, h2 = past_[1].dt;
-    const double slope = h1 > 0.0 ? dt / h1 : 0.0;
-    const double bend = h1 > 0.0 && h2 > 0.0 ? dt * (dt + h1) / (h1 + h2) : 0.0;
-    extrapolated_ = bend > 0.0;
-    const double byLast = bend > 0.0 ? slope + bend / h1 : slope, byBefore = bend > 0.0 ? bend / h2 : 0.0;
-    extrapolate(p_.size(), byLast, byBefore, past_[0].pressure.data(), past_[1].pressure.data(),
-                past_[2].pressure.data(), p_.data());
+    const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;
+    std::array<double, 3> parabola{1.0, 0.0, 0.0};
+    std::array<double, 4> third{};
+    extrapolated_ = h1 > 0.0 && h2 > 0.0;
+    if (extrapolated_) {
+        parabola = {(dt + h1) * (dt + h1 + h2) / (h1 * (h1 + h2)), -dt * (dt + h1 + h2) / (h1 * h2),
+                    dt * (dt + h1) / ((h1 + h2) * h2)};
+    } else if (h1 > 0.0) {
+        parabola = {1.0 + dt / h1, -dt / h1, 0.0};
+    }
+    if (extrapolated_ && h3 > 0.0) {
+        const double factor = dt * (dt + h1) * (dt + h1 + h2); // times p[t1, t2, t3, t4]
+        third = {factor / (h1 * (h1 + h2) * (h1 + h2 + h3)), -factor / (h1 * h2 * (h2 + h3)), factor / ((h1 + h2) * h2 * h3),
+                 -factor / ((h1 + h2 + h3) * (h2 + h3) * h3)};
+    }
+    extrapolate(p_.size(), parabola, third,
+                {past_[0].content.data(), past_[1].content.data(), past_[2].content.data(), past_[3].content.data()},
+                past_[0].pressure.data(), film_.volumes().data(), p_.data(), foreseen_.data());
 }
 
 double FilmStepper::size(std::span<const double> change) const
@@ -146,16 +225,18 @@ void FilmStepper::linearise(FilmStepResult& result)
     film_.linearise(p_, residual_);
     linear_.prepare();
     linearisedPerTime_ = perTime_;
-    age_ = measuredAge_ = repeats_ = 0;
+    age_ = repeats_ = 0;
     solver_ = Solver::Factors;
     contraction_ = 0.0;
     ++result.linearisations;
 }
 
-/// From what the first change adds to the guess; where that is no parabola, cautiously.
+/// From what the first change adds to the guess.
 void FilmStepper::setTimeError(const FilmStepResult& result)
 {
-    if (result.iterations == 0 && fresh_) timeError_ = (extrapolated_ ? errorPerChange : 0.001) * size(change_);
+    if (result.iterations > 0 || !fresh_) return;
+    const double square = squaredSum(change_, p_, foreseen_) / static_cast<double>(film_.pad().cells());
+    timeError_ = (extrapolated_ ? errorPerChange_ : firstErrorPerChange) * std::sqrt(square) / film_.ambient();
 }
 
 std::optional<double> FilmStepper::iterate(FilmStepResult& result)
@@ -249,7 +330,7 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     FilmStepResult result;
     if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
     else film_.residual(p_, residual_);
-    const bool measures = age_ > 0 && (age_ >= 3 * measuredAge_ || age_ >= measuredAge_ + longestUnmeasured);
+    const bool measures = age_ > 0 && ++unmeasured_ > longestUnmeasured;
     if (measures) solver_ = Solver::Factors;
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
@@ -259,20 +340,19 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
         const double now = size(change_);
         if (!std::isfinite(now)) break;
         const bool second = result.iterations > 1;
-        if (second) {
-            kappa_ = before > 0.0 ? now / before : 0.0;
-            measuredAge_ = age_;
+        if (second && age_ > 0) {
+            kappaPerStep_ = before > 0.0 ? now / before / age_ : 0.0;
+            unmeasured_ = 0;
         }
-        const bool known = second || !measures;
-        double kappa = 1.0;
-        if (known) kappa = kappa_ * std::max(1.0, static_cast<double>(age_) / std::max(1, measuredAge_));
+        double kappa = second && before > 0.0 ? now / before : kappaPerStep_ * age_;
+        if (measures && !second) kappa = 1.0;
         // A Jacobian of the guess itself leaves what is of second order.
         if (age_ == 0 && !second) kappa = std::min(1.0, bending * now);
         result.error = std::max(rest, kappa * now);
         result.timeError = timeError_;
         converged_ = result.converged = result.error <= allowed();
         if (converged_) break;
-        if (known && age_ > 0) ++repeats_;
+        if (!measures && age_ > 0) ++repeats_;
         if (second && now > 0.3 * before) linearise(result);
         else film_.residual(p_, residual_);
         before = now;

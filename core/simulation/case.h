@@ -167,7 +167,7 @@ struct RunCase {
     IntegratorKind integrator = IntegratorKind::Dopri5;
     double step = 10e-9;           // fixed-step methods [s]
     StepControl steps = StepControl::Adaptive; // film; fixed: `step`
-    double stepError = 1e-11;      // film, adaptive: by which one step's discretisation may displace the slider [m]
+    double stepError = 5e-12;      // film, adaptive: by which one step's discretisation may displace the slider [m]
     double tolerance = 1e-8;       // adaptive methods, local error against the static state's scale [-]
     double newmarkBeta = 0.25;     // [-]
     double newmarkGamma = 0.5;     // [-]

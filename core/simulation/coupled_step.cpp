@@ -13,7 +13,6 @@ namespace {
 
 constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
-constexpr double errorPerChange = 2.0 / 11; // of BDF2, from what a parabola did not foresee
 constexpr double longestForFourth = 1.4;    // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
 
@@ -92,8 +91,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     film_.setAttitude(attitude);
     stepper_.start(p);
     filmForce_ = filmForceAt(stepper_.pressure());
-    past_ = {PastForce{filmForce_, time}};
-    pastForces_ = 1;
+    starting_ = true;
     response_.forget();
     contraction_ = 0.0;
     jerk_ = stiffJerk_ = {};
@@ -255,17 +253,25 @@ CoupledStepResult CoupledStepper::step(double dt)
 double CoupledStepper::fastestRate() const
 {
     if (!response_.known()) return 0.0;
-    double square = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-        square += (std::abs(response_.stiffness()[k][k]) + std::abs(contactStiffness_[k][k]) + body_.springs()[k]) / body_.inertia()[k];
-    return std::sqrt(square);
+    Eigen::Matrix3d perMass;
+    for (int k = 0; k < 3; ++k) {
+        const auto row = static_cast<std::size_t>(k);
+        for (int m = 0; m < 3; ++m) {
+            const auto column = static_cast<std::size_t>(m);
+            const double scale = (m == 0 ? 1.0 : 1.0 / film_.gaps().length) * (k == 0 ? 1.0 : film_.gaps().length);
+            perMass(k, m) = scale * (response_.stiffness()[row][column] + contactStiffness_[row][column]) / body_.inertia()[row];
+        }
+        perMass(k, k) += body_.springs()[row] / body_.inertia()[row];
+    }
+    if (body_.holdsRoll()) perMass.row(2).setZero();
+    return std::sqrt(perMass.eigenvalues().cwiseAbs().maxCoeff());
 }
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first step, whose
 /// earlier tries may know the stiffness and may not.
 void CoupledStepper::setRule(double dt)
 {
-    fourth_ = pastForces_ > 1 && response_.known() && fastestRate() * dt < longestForFourth;
+    fourth_ = !starting_ && response_.known() && fastestRate() * dt < longestForFourth;
     later_ = fourth_ ? 1.0 / 12 : 0.25;
     shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
 }
@@ -308,25 +314,14 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
 }
 
 /// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from where a change
-/// of the acceleration was not foreseen. Of the film, what a parabola through its last three forces did not foresee, as the
-/// displacement that would balance it.
+/// of the acceleration was not foreseen. Of the film, as the displacement that would balance its force.
 void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 {
     Vector3 change{};
     for (std::size_t k = 0; k < 3; ++k)
         change[k] = (tried_.a[k] - motion_.a[k] - (fourth_ ? dt * jerk_[k] : 0.0)) * dt * dt / 12.0;
-    result.timeError = body_.displacement(change);
-    if (pastForces_ < past_.size()) return;
-    const double t = time_ + dt;
-    Vector3 unforeseen = filmForce_;
-    for (std::size_t n = 0; n < past_.size(); ++n) {
-        double weight = 1.0; // Lagrange's
-        for (std::size_t m = 0; m < past_.size(); ++m)
-            if (m != n) weight *= (t - past_[m].time) / (past_[n].time - past_[m].time);
-        for (std::size_t k = 0; k < 3; ++k) unforeseen[k] -= weight * past_[n].force[k];
-    }
-    for (double& force : unforeseen) force *= errorPerChange;
-    result.timeError += body_.displacement(solveBody(unforeseen, slowestRate * slowestRate, 0.0, response_.known()));
+    const Vector3 film = solveBody(stepper_.timeErrorLoad(), slowestRate * slowestRate, 0.0, response_.known());
+    result.timeError = body_.displacement(change) + body_.displacement(film);
 }
 
 void CoupledStepper::accept()
@@ -339,9 +334,7 @@ void CoupledStepper::accept()
     motion_ = tried_;
     time_ += dt_;
     response_.age();
-    std::rotate(past_.begin(), past_.end() - 1, past_.end());
-    past_[0] = {filmForce_, time_};
-    pastForces_ = std::min(pastForces_ + 1, past_.size());
+    starting_ = false;
     if (contact_) contact_->accept();
 }
 

@@ -89,17 +89,14 @@ public:
     std::span<const double> surface() const { return contact_ || (disk_ && !disk_->flat()) ? surface_ : std::span<const double>(); }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
+    /// How often a cell of the film has closed: the air in it is in no book.
+    long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
-    /// No motion that the stiffness of film and contact makes is faster than this angular frequency (the trace bounds the largest
-    /// eigenvalue); zero as long as it is not known, which `staggered` never does [rad/s].
+    /// The largest angular frequency that the stiffness of film and contact makes; zero as long as it is not known, which `staggered`
+    /// never does [rad/s].
     double fastestRate() const;
 
 private:
-    struct PastForce {
-        Vector3 force{}; // of the film
-        double time = 0.0; // [s]
-    };
-
     void askContact(const Attitude& attitude, double time);
     void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
@@ -138,8 +135,7 @@ private:
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_{};
-    std::array<PastForce, 3> past_;            // accepted, the last one first
-    std::size_t pastForces_ = 0;
+    bool starting_ = true;                     // no step has been accepted yet
     CoupledCost cost_;
     double contraction_ = 0.0;                 // of the iteration, as last measured [-]
 };

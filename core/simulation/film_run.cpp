@@ -22,9 +22,10 @@ constexpr double longestShare = 0.01;   // of the run, for a step
 constexpr double longestPhase = 0.5;    // omega dt: of longer steps BDF2 would damp a motion more than the film does
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
 constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
-constexpr double filmTimeShare = 0.2;   // of the film's own error in time: what is left acts always to the same side [-]
+constexpr double filmTimeShare = 0.5;   // of the film's own error in time [-]
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
 constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
+constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
 constexpr int mostTries = 12;           // for one switch
 constexpr int mostSwitches = 64;        // within chatterTime
 constexpr double chatterTime = 1e-7;    // [s]
@@ -66,7 +67,10 @@ public:
         summary.warnings = scene_.warnings();
         if (jumps_ > 0)
             summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
-                                       " times where no law switches: as cells of the film close or open, or its slip changes at once; air that is lost in cells that close is in no book");
+                                       " times where no law switches, as the film's do where its slip changes at once");
+        if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
+            summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
+                                       " times: the air that was left in them is lost, and in no book");
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
@@ -157,7 +161,8 @@ private:
     /// One accepted step, however many tries it takes. False when the run ends here.
     bool advanceOnce()
     {
-        double dt = length_.next(point_.dt, longestStep());
+        double dt = length_.next(point_.dt, (switched_ && !length_.fixed() ? shareAfterSwitch : 1.0) * longestStep());
+        switched_ = false;
         while (true) {
             const CoupledStepResult result = tryStep(dt);
             if (recorder_->stopped()) return stop();
@@ -276,6 +281,7 @@ private:
         if (!reached) return true;
         recorder_->addEvent(point_.time, contact_->cross(upper));
         stepper_->restartAcceleration();
+        switched_ = true;
         const double storedBefore = point_.contact.storedEnergy;
         point_ = pointNow(dt);
         // What the law that now holds has stored comes with it.
@@ -361,6 +367,7 @@ private:
     std::optional<FilmBooks> books_;
     StepLength length_;
     FilmPoint point_;        // the last accepted one
+    bool switched_ = false;  // the contact's law, at the last accepted point
     long long jumps_ = 0;    // of the air's force
     CoupledStepResult tried_;
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -147,6 +148,22 @@ private slots:
             lowest = std::min(lowest, p);
         }
         QVERIFY(highest > 1.2 * lowest); // it was dragged about
+    }
+    /// Pressed 2 nm into the disk: each cell that has no volume any more has closed once, also when it stays so.
+    void countsCellsThatClose()
+    {
+        Moving moving(FilmStepOptions{});
+        const auto closed = [&] { return std::ranges::count(moving.film.volumes(), 0.0); };
+        const auto before = closed(); // the rings
+        for (int k = 1; k <= 620; ++k) {
+            moving.stepper.step(5e-9, {rest.height - 0.1e-9 * k, rest.pitch, rest.roll});
+            QVERIFY(moving.stepper.accept());
+        }
+        QVERIFY(closed() > before);
+        QCOMPARE(moving.stepper.closings(), static_cast<long long>(closed() - before));
+        moving.stepper.step(5e-9, {rest.height - 62e-9, rest.pitch, rest.roll});
+        QVERIFY(moving.stepper.accept());
+        QCOMPARE(moving.stepper.closings(), static_cast<long long>(closed() - before));
     }
 
     /// What steps of the default share leave, all together, is less than that share of their errors in time.

@@ -103,7 +103,7 @@ private slots:
     void order()
     {
         QFETCH(int, coupling);
-        const int steps = 50;
+        const int steps = 100;
         Vector3 last{};
         double before = 0.0;
         for (int k = 0; k < 4; ++k) {

@@ -93,7 +93,7 @@ private slots:
     {
         Case stiff = fromRest("film_pico", 15e-6);
         stiff.initial.heightOffset = 2e-9;
-        stiff.run.stepError = 1e-12;
+        stiff.run.stepError = 1e-13;
         Case without = stiff;
         without.degreesOfFreedom = 2;
         stiff.suspension.holdsAttitude = true;
