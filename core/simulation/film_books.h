@@ -29,12 +29,17 @@ public:
     void add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point);
 
 private:
+    /// That flows, contact, shear and dampers bring at a point, whose flows and shear are the last ones [W].
+    double power(const FilmPoint& point) const;
+
     FilmEnergy energy_;
     const SliderBody& body_;
     double rest_;           // [J]
     std::vector<double> pressure_, surface_; // at the last point, where the disk is not flat (padded) [Pa], [m]
     double flows_ = 0.0;    // what they bring the air there [W]
     Vector3 shear_{};       // torques there [N m]
+    double lastPower_ = 0.0, earlierPower_ = 0.0; // at the end and the beginning of the last step [W],
+    double lastDt_ = 0.0;   // its length; zero: none yet [s]
 };
 
 } // namespace touchdown

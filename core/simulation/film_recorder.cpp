@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/simulation/film_run.h"
@@ -93,36 +94,48 @@ FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& 
 
 void FilmRecorder::begin(const FilmPoint& start)
 {
-    last_ = start;
-    record(start, start, start.time);
+    earlier_ = last_ = start;
+    addToEnergy(start);
+    record(start, start.time);
 }
 
 void FilmRecorder::add(const FilmPoint& point)
 {
     const double interval = case_.run.sampleInterval;
     const double end = std::min(point.time, case_.run.duration) + 1e-9 * interval;
-    for (double time; (time = static_cast<double>(samples_) * interval) <= end;) record(last_, point, time);
+    for (double time; (time = static_cast<double>(samples_) * interval) <= end;) record(point, time);
+    addToEnergy(point);
+    earlier_ = last_;
     last_ = point;
 }
 
-void FilmRecorder::record(const FilmPoint& from, const FilmPoint& to, double time)
+void FilmRecorder::record(const FilmPoint& to, double time)
 {
     ++samples_;
-    evaluate(from, to, time);
+    evaluate(to, time);
     batch_.time.push_back(time);
     for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
     if (batch_.size() >= samplesInBatch) flush();
 }
 
-void FilmRecorder::evaluate(const FilmPoint& from, const FilmPoint& to, double time)
+/// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none or where it is
+/// zero, as where a contact begins.
+void FilmRecorder::evaluate(const FilmPoint& to, double time)
 {
-    const double h = to.time - from.time, share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
+    const FilmPoint& from = last_;
+    const double h = to.time - from.time, h0 = from.time - earlier_.time, share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
     const SliderMotion motion = between(from, to, share);
     const Attitude attitude = body_.attitude(motion.q);
-    const auto linear = [&](double a, double b) { return a + share * (b - a); };
-    const auto ofContact = [&](double SliderContactForces::*part) { return linear(from.contact.*part, to.contact.*part); };
+    const auto along = [&](double earlier, double a, double b) {
+        const double straight = a + share * (b - a);
+        if (!(h0 > 0.0) || earlier == 0.0 || a == 0.0 || b == 0.0) return straight;
+        return straight - share * (1.0 - share) * h * h / (h + h0) * ((b - a) / h - (a - earlier) / h0);
+    };
+    const auto ofContact = [&](double SliderContactForces::*part) {
+        return along(earlier_.contact.*part, from.contact.*part, to.contact.*part);
+    };
     const double kinetic = body_.kineticEnergy(motion.v), suspension = body_.suspensionEnergy(motion.q);
-    const double film = linear(from.filmEnergy, to.filmEnergy), stored = ofContact(&SliderContactForces::storedEnergy);
+    const double film = along(earlier_.filmEnergy, from.filmEnergy, to.filmEnergy), stored = ofContact(&SliderContactForces::storedEnergy);
 
     double* out = values_.data();
     *out++ = attitude.height + attitude.pitch * (case_.slider.length - headAt_.x) -
@@ -133,23 +146,12 @@ void FilmRecorder::evaluate(const FilmPoint& from, const FilmPoint& to, double t
     *out++ = motion.q[0];
     *out++ = motion.v[0];
     *out++ = motion.v[1];
-    *out++ = linear(from.filmForce[0], to.filmForce[0]);
+    *out++ = along(earlier_.filmForce[0], from.filmForce[0], to.filmForce[0]);
     *out++ = kinetic;
     *out++ = suspension;
     *out++ = film;
-    const double energy = kinetic + suspension + film + stored, gained = linear(from.gained, to.gained);
-    *out++ = energy;
-    *out++ = gained;
-    const std::array<double, 4> parts{kinetic, suspension, film, stored};
-    if (samples_ == 1) {
-        firstEnergy_ = energy;
-        leastParts_ = mostParts_ = parts;
-    }
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        leastParts_[k] = std::min(leastParts_[k], parts[k]);
-        mostParts_[k] = std::max(mostParts_[k], parts[k]);
-    }
-    mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - gained));
+    *out++ = kinetic + suspension + film + stored;
+    *out++ = along(earlier_.gained, from.gained, to.gained);
     *out++ = to.dt;
     if (case_.degreesOfFreedom == 3) *out++ = motion.v[2];
     if (touches(case_)) {
@@ -163,6 +165,22 @@ void FilmRecorder::evaluate(const FilmPoint& from, const FilmPoint& to, double t
         *out++ = ofContact(&SliderContactForces::area);
         *out++ = ofContact(&SliderContactForces::peakPressure);
     }
+}
+
+void FilmRecorder::addToEnergy(const FilmPoint& point)
+{
+    const std::array<double, 4> parts{body_.kineticEnergy(point.motion.v), body_.suspensionEnergy(point.motion.q), point.filmEnergy,
+                                      point.contact.storedEnergy};
+    const double energy = std::accumulate(parts.begin(), parts.end(), 0.0);
+    if (samples_ == 0) {
+        firstEnergy_ = energy - point.gained;
+        leastParts_ = mostParts_ = parts;
+    }
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        leastParts_[k] = std::min(leastParts_[k], parts[k]);
+        mostParts_[k] = std::max(mostParts_[k], parts[k]);
+    }
+    mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - point.gained));
 }
 
 void FilmRecorder::addEvent(double time, std::string name)
@@ -200,7 +218,7 @@ double FilmRecorder::energyImbalance() const
 
 void FilmRecorder::finish(Summary& summary)
 {
-    if (last_.time < case_.run.duration) evaluate(last_, last_, last_.time);
+    if (last_.time < case_.run.duration) evaluate(last_, last_.time);
     summary.endTime = std::min(last_.time, case_.run.duration);
     summary.events = events_;
     if (samples_ > 0)

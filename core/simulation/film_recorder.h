@@ -36,7 +36,7 @@ public:
     /// A step from the last point to this one.
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
-    void jump(const FilmPoint& point) { last_ = point; }
+    void jump(const FilmPoint& point) { earlier_ = last_ = point; }
     void addEvent(double time, std::string name);
     void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
 
@@ -53,9 +53,10 @@ public:
     void finish(Summary& summary);
 
 private:
-    void record(const FilmPoint& from, const FilmPoint& to, double time);
-    /// Sets values_.
-    void evaluate(const FilmPoint& from, const FilmPoint& to, double time);
+    void record(const FilmPoint& to, double time);
+    /// Sets values_, between the last point and `to`.
+    void evaluate(const FilmPoint& to, double time);
+    void addToEnergy(const FilmPoint& point);
 
     const Case& case_;
     const SliderBody& body_;
@@ -65,10 +66,10 @@ private:
     RunStatistics statistics_;
     SurfacePoint headAt_;   // where the flying height is taken [m]
     double headRecess_ = 0.0;
-    FilmPoint last_;
+    FilmPoint last_, earlier_; // the same where forces have jumped
     long long samples_ = 0;
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
-    double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // [J]
+    double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]
     std::vector<double> values_;
     SampleBatch batch_;
     std::vector<RunEvent> events_, newEvents_;
