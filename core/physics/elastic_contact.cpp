@@ -78,8 +78,8 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     const UniformGrid& grid = space_.grid();
     if (grid.nx % 2 != 0 || grid.ny % 2 != 0 || std::min(grid.nx, grid.ny) < fewestCells) return;
     const UniformGrid coarse{grid.nx / 2, grid.ny / 2, 2.0 * grid.dx, 2.0 * grid.dy, grid.x0, grid.y0};
-    coarser_ = std::make_unique<ElasticContact>(HalfSpace(coarse, space_.modulus(), space_.edges()),
-                                                ElasticContactOptions{coarseTolerance, mostCoarseIterations, options.hardness});
+    coarser_ = std::make_unique<ElasticContact>(HalfSpace(coarse, space_.modulus(), space_.edges(), options.goOn),
+                                                ElasticContactOptions{coarseTolerance, mostCoarseIterations, options.hardness, options.goOn});
     coarseSeparation_.assign(coarse.cells(), 0.0);
 }
 

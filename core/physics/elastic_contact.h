@@ -38,7 +38,7 @@ struct ElasticContactOptions {
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
-    std::function<bool()> goOn{}; // asked at each step; false ends the solution where it is
+    std::function<bool()> goOn{}; // asked at each step, also on coarser grids; false ends the solution where it is
 };
 
 struct ElasticContactSummary {

@@ -31,12 +31,12 @@ double kernelAtOrigin(std::span<const double> transform, int mx, int my)
 
 } // namespace
 
-HalfSpace::HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges)
+HalfSpace::HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges, const std::function<bool()>& goOn)
     : grid_(grid), stiffnessGrid_(edges == HalfSpaceEdges::Free ? paddedGrid(grid) : grid), modulus_(modulus), edges_(edges),
       compliance_(grid.nx, grid.ny, stiffnessGrid_.nx, stiffnessGrid_.ny)
 {
     assert(grid.nx >= 1 && grid.ny >= 1 && grid.dx > 0.0 && grid.dy > 0.0 && modulus > 0.0);
-    stiffnessTransform_ = edges == HalfSpaceEdges::Free ? freeTransform() : periodicTransform();
+    stiffnessTransform_ = edges == HalfSpaceEdges::Free ? freeTransform(goOn) : periodicTransform();
     compliance_.setTransform(stiffnessTransform_);
     ownCompliance_ = kernelAtOrigin(stiffnessTransform_, stiffnessGrid_.nx, stiffnessGrid_.ny);
     largestCompliance_ = *std::max_element(stiffnessTransform_.begin(), stiffnessTransform_.end());
@@ -44,7 +44,7 @@ HalfSpace::HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edg
     ownStiffness_ = kernelAtOrigin(stiffnessTransform_, stiffnessGrid_.nx, stiffnessGrid_.ny);
 }
 
-std::vector<double> HalfSpace::freeTransform() const
+std::vector<double> HalfSpace::freeTransform(const std::function<bool()>& goOn) const
 {
     const int mx = stiffnessGrid_.nx;
     const int my = stiffnessGrid_.ny;
@@ -60,6 +60,7 @@ std::vector<double> HalfSpace::freeTransform() const
     kernel.reserve(width * static_cast<std::size_t>(my / 2 + 1));
     setCorners(below, -1);
     for (int j = 0; j <= my / 2; ++j) {
+        if (goOn && !goOn()) return std::vector<double>(width * static_cast<std::size_t>(my / 2 + 1), 0.0);
         setCorners(above, j);
         for (std::size_t i = 0; i < width; ++i)
             kernel.push_back(static_cast<double>((above[i + 1] - above[i]) - (below[i + 1] - below[i])) / (std::numbers::pi * modulus_));

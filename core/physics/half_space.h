@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -29,8 +30,10 @@ enum class HalfSpaceEdges : std::uint8_t { Free, Periodic };
 /// Keeps FFTW's plans and the transformed influence coefficients. One thread at a time for each object.
 class HalfSpace {
 public:
-    /// `modulus` E* [Pa], positive; the grid has at least one cell.
-    HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges = HalfSpaceEdges::Free);
+    /// `modulus` E* [Pa], positive; the grid has at least one cell. `goOn` is asked at each row of influence coefficients; where it
+    /// says false nothing is displaced.
+    HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges = HalfSpaceEdges::Free,
+              const std::function<bool()>& goOn = {});
 
     const UniformGrid& grid() const { return grid_; }
     double modulus() const { return modulus_; } // E* [Pa]
@@ -52,7 +55,7 @@ public:
     double ownStiffness() const { return ownStiffness_; }
 
 private:
-    std::vector<double> freeTransform() const;
+    std::vector<double> freeTransform(const std::function<bool()>& goOn) const;
     std::vector<double> periodicTransform() const;
 
     UniformGrid grid_, stiffnessGrid_;

@@ -71,7 +71,6 @@ public:
           quantities_(contactQuantities(c)),
           statistics_(c, quantities_),
           figures_(c),
-          model_(makeContactModel(c, [this] { return lookAtClock(); })),
           recordsFields_(!contactMaps(c).empty()),
           values_(quantities_.size())
     {
@@ -82,8 +81,9 @@ public:
     {
         const double begin = wallClock();
         lastUpdate_ = begin;
+        model_ = makeContactModel(case_, [this] { return lookAtClock(); });
         for (const Station& station : stations(case_))
-            if (!visit(station)) break;
+            if (!lookAtClock() || !visit(station)) break;
         flush();
         Summary summary;
         summary.status = status_;

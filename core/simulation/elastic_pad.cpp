@@ -58,12 +58,12 @@ SliderPatches patchesOf(const Case& c, const DiskTopography& surface)
 }
 
 ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn)
-    : case_(c), topography_(diskTopography(c)), modulus_(contactModulus(c.elastic.pair))
+    : case_(c), topography_(diskTopography(c, goOn)), modulus_(contactModulus(c.elastic.pair))
 {
     if (c.diskSurface.motion == SurfaceMotion::Moving && !topography_.flat())
         velocity_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
     for (ContactPatch& patch : patchesOf(c, topography_).patches) {
-        HalfSpace space(patch.grid, modulus_, edgesOf(c));
+        HalfSpace space(patch.grid, modulus_, edgesOf(c), goOn);
         const std::size_t cells = patch.grid.cells();
         std::vector<double> surface(topography_.flat() ? 0 : cells);
         const auto add = [&](auto contact) {

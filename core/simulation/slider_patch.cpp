@@ -18,7 +18,7 @@ constexpr double loosest = 1e-2;        // [-]
 
 std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
 {
-    HalfSpace space(grid, contactModulus(c.elastic.pair));
+    HalfSpace space(grid, contactModulus(c.elastic.pair), HalfSpaceEdges::Free, goOn);
     const double tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest);
     if (c.adhesion.acts())
         return AdhesiveContact(std::move(space), c.adhesion,

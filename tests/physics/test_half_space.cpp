@@ -28,6 +28,7 @@ private slots:
     void periodicStiffnessIsTheInverse();
     void ownCellsAreTheirOwn();
     void threadsGiveTheSameBits();
+    void isAskedAtEachRow();
 };
 
 namespace {
@@ -212,6 +213,24 @@ void TestHalfSpace::ownCellsAreTheirOwn()
     // Free: the square's centre, u = 2.2444 p (d/2)/E*.
     const HalfSpace square({9, 9, 1e-6, 1e-6}, modulus);
     QVERIFY(std::abs(square.ownCompliance() * modulus / 1e-6 - 4.0 / pi * std::log(1.0 + std::sqrt(2.0))) < 1e-13);
+}
+
+/// 12 x 10 cells: ten distances across and what a fast transform of twice as many adds, half of 20 or more.
+void TestHalfSpace::isAskedAtEachRow()
+{
+    const UniformGrid grid{12, 10, 1e-6, 1e-6, 0.0, 0.0};
+    int calls = 0;
+    HalfSpace asked(grid, 1e11, HalfSpaceEdges::Free, [&] { return ++calls > 0; });
+    QCOMPARE(calls, asked.stiffnessGrid().ny / 2 + 1);
+    QVERIFY(calls >= 11);
+    HalfSpace unasked(grid, 1e11);
+    QCOMPARE(asked.ownCompliance(), unasked.ownCompliance());
+    std::vector<double> field(grid.cells(), 1e8);
+    int before = 3;
+    HalfSpace stopped(grid, 1e11, HalfSpaceEdges::Free, [&] { return --before > 0; });
+    QCOMPARE(before, 0);
+    stopped.displace(field, field);
+    for (const double u : field) QCOMPARE(u, 0.0);
 }
 
 void TestHalfSpace::threadsGiveTheSameBits()

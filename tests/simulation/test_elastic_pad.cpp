@@ -141,6 +141,13 @@ private slots:
         pad.recall();
         QVERIFY(std::abs(pad.move(3e-9, 0.0).net() / far - 1.0) < 1e-6);
     }
+    /// 16 cells across: influence coefficients at the distances 0 to 16 of the domain of 32.
+    void isAskedWhileItIsMade()
+    {
+        int asked = 0;
+        const ElasticPad pad(flatPad(), [&] { return ++asked > 0; });
+        QVERIFY2(asked >= 17, qPrintable(QString::number(asked)));
+    }
     /// A solution that is stopped says that it did not converge.
     void stops()
     {
