@@ -15,6 +15,7 @@ constexpr double thirdShare = 0.48;         // of what BDF3 adds to BDF2 (Vatsa,
 constexpr double mostGrowthForThird = 1.5;  // of a step against the last one: BDF3 is stable to 1.53 (Calvo, Grande & Grigorieff 1990)
 constexpr double firstErrorPerChange = 0.001; // of a step that had no parabola to begin with, cautiously
 constexpr int mostRepeats = 4, longestUnmeasured = 40;
+constexpr double mostOfMeasured = 4.0;      // change of a step against the one of which kappa was measured
 constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
 
 /// Eight sums side by side, whatever the width of vectors.
@@ -330,8 +331,7 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     FilmStepResult result;
     if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
     else film_.residual(p_, residual_);
-    const bool measures = age_ > 0 && ++unmeasured_ > longestUnmeasured;
-    if (measures) solver_ = Solver::Factors;
+    if (++unmeasured_ > longestUnmeasured) solver_ = Solver::Factors;
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);
@@ -342,17 +342,20 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
         const bool second = result.iterations > 1;
         if (second && age_ > 0) {
             kappaPerStep_ = before > 0.0 ? now / before / age_ : 0.0;
+            largestMeasured_ = mostOfMeasured * before;
             unmeasured_ = 0;
         }
-        double kappa = second && before > 0.0 ? now / before : kappaPerStep_ * age_;
-        if (measures && !second) kappa = 1.0;
+        // What was measured holds for changes of about that size.
+        const bool known = age_ > 0 && unmeasured_ <= longestUnmeasured && now <= largestMeasured_;
+        double kappa = known ? kappaPerStep_ * age_ : 1.0;
+        if (second) kappa = before > 0.0 ? now / before : 0.0;
         // A Jacobian of the guess itself leaves what is of second order.
-        if (age_ == 0 && !second) kappa = std::min(1.0, bending * now);
+        else if (age_ == 0) kappa = std::min(1.0, bending * now);
         result.error = std::max(rest, kappa * now);
         result.timeError = timeError_;
         converged_ = result.converged = result.error <= allowed();
         if (converged_) break;
-        if (!measures && age_ > 0) ++repeats_;
+        if (known) ++repeats_;
         if (second && now > 0.3 * before) linearise(result);
         else film_.residual(p_, residual_);
         before = now;

@@ -112,6 +112,7 @@ private:
     double linearisedPerTime_ = 0.0; // at the last linearisation; zero: none yet
     int age_ = 0;                    // of the Jacobian, in steps
     double kappaPerStep_ = 0.0;      // of age, as last measured [-],
+    double largestMeasured_ = 0.0;   // for first changes up to this [-],
     int unmeasured_ = 0;             // so many steps ago
     int repeats_ = 0;                // iterations that a fresher Jacobian would have saved
     double timeError_ = 0.0;         // of the last step [-]
