@@ -6,7 +6,9 @@
 // convection is the fine faces' sum, and the exponential scheme joins the two anew. So coarse levels stay monotone whatever
 // the Peclet number, and jumps of the conductance are averaged as nature does.
 //
-// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part.
+// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part. Real ones are kept in single
+// precision inside, which is half the memory to pass over, and all that something approximate needs; a power of two keeps
+// the operator within its range.
 #pragma once
 
 #include <array>
@@ -22,6 +24,18 @@ struct FaceOperator {
     std::span<const double> diffusion;  // K: what remains of E without convection, >= 0
     std::span<const double> effective;  // E >= |c|/2
     std::span<const double> convection; // c
+};
+
+/// What multigrid keeps: of numbers, and of the real ones among them.
+template <typename T>
+struct MultigridNumbers {
+    using Number = T;
+    using Real = double;
+};
+template <>
+struct MultigridNumbers<double> {
+    using Number = float;
+    using Real = float;
 };
 
 template <typename T>
@@ -42,31 +56,47 @@ public:
     void halfCycle(std::span<const T> b, std::span<T> v);
 
 private:
+    using Number = typename MultigridNumbers<T>::Number;
+    using Real = typename MultigridNumbers<T>::Real;
+
     struct Level {
         PaddedGrid pad;
-        std::array<std::vector<double>, 2> diffusion, convection;   // by face
-        std::vector<double> west, east, south, north;               // of the stencil, <= 0
-        std::vector<T> centre;
-        std::vector<T> mass;                                        // extra diagonal
-        std::array<std::vector<T>, 2> pivot;                        // 1/pivot of the lines along x, along y
-        std::vector<T> ownValue, ownRight;
-        T* v = nullptr;       // of the finest level, the caller's
-        const T* b = nullptr;
+        std::vector<Real> west, east, south, north; // of the stencil, <= 0
+        std::vector<Number> centre;
+        std::array<std::vector<Number>, 2> pivot;   // 1/pivot of the lines along x, along y
+        std::vector<Number> value, right;
+    };
+    /// What a level's stencil is made of; of the finest, the caller's.
+    struct Source {
+        std::array<FaceOperator, 2> faces;
+        std::span<const T> mass; // extra diagonal; may be empty
+    };
+    struct CoarseSource {
+        std::array<std::vector<double>, 2> diffusion, effective, convection;
+        std::vector<T> mass;
     };
 
+    void setStencil(Level& level, const Source& source);
     void factor(Level& level);
-    void coarsen(const Level& fine, Level& coarse);
-    void stencil(Level& level, const std::array<std::span<const double>, 2>& effective);
+    static void coarsen(const PaddedGrid& from, const Source& fine, const PaddedGrid& to, CoarseSource& coarse);
+    /// b, scaled as the operator, into the finest level.
+    void take(std::span<const T> b);
+    void give(std::span<T> v) const;
+    void solveByFactors();
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
     void sweep(Level& level);
-    void restrictResidual(const Level& fine, Level& coarse, bool swept);
+    void restrictResidual(const Level& fine, Level& coarse);
     void prolong(const Level& coarse, Level& fine);
     void cycle(std::size_t l);
 
     std::vector<Level> levels_;
-    std::vector<T> row_; // of a coarse level, with a ring
-    std::array<std::vector<double>, 2> effective_;
+    std::vector<CoarseSource> sources_; // of the levels but the finest
+    // Of the finest level's lines along y: (centre, south, north) times 1/pivot.
+    std::vector<Number> factorCentre_, factorSouth_, factorNorth_;
+    double scale_ = 1.0;                // of the operator
+    std::vector<T> noMass_;
+    std::vector<Number> rows_;          // work space: a few rows with rings
 };
 
 } // namespace touchdown

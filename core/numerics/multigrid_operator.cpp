@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What multigrid makes of an operator: stencils and their factors on each level.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "core/numerics/convection.h"
+#include "core/numerics/multigrid.h"
+#include "core/numerics/vector_clones.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double leastCentre = 1e-30; // of the largest; a cell below that, as one without an open face, keeps its value
+
+/// Eight of them side by side, so that they run on vectors.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES double largest(std::span<const T> x)
+{
+    std::array<double, 8> most{};
+    const std::size_t whole = x.size() / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8)
+        for (std::size_t k = 0; k < 8; ++k) most[k] = std::max(most[k], std::abs(x[i + k]));
+    for (std::size_t i = whole; i < x.size(); ++i) most[0] = std::max(most[0], std::abs(x[i]));
+    return *std::max_element(most.begin(), most.end());
+}
+
+/// Faces across x and across y of a row of cells, from its first cell's lower ones.
+struct FaceRow {
+    const double *ex, *cx, *ey, *cy;
+};
+template <typename Real, typename Number>
+struct StencilRow {
+    Real *west, *east, *south, *north;
+    Number* centre;
+};
+
+template <typename T, typename Real, typename Number>
+TOUCHDOWN_VECTOR_CLONES void setStencilRow(std::size_t count, std::size_t up, double scale, FaceRow faces, const T* mass,
+                                           StencilRow<Real, Number> out)
+{
+    const double *ex = faces.ex, *cx = faces.cx, *ey = faces.ey, *cy = faces.cy;
+    Real *west = out.west, *east = out.east, *south = out.south, *north = out.north;
+    Number* centre = out.centre;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        east[k] = static_cast<Real>(scale * (0.5 * cx[k + 1] - ex[k + 1]));
+        west[k] = static_cast<Real>(scale * (-0.5 * cx[k] - ex[k]));
+        north[k] = static_cast<Real>(scale * (0.5 * cy[k + up] - ey[k + up]));
+        south[k] = static_cast<Real>(scale * (-0.5 * cy[k] - ey[k]));
+        const double flow = (0.5 * cx[k + 1] + ex[k + 1]) + (ex[k] - 0.5 * cx[k]) + (0.5 * cy[k + up] + ey[k + up]) +
+                            (ey[k] - 0.5 * cy[k]);
+        const T whole = scale * (flow + mass[k]);
+        centre[k] = std::abs(whole) > leastCentre ? static_cast<Number>(whole) : Number(1);
+    }
+}
+
+/// 1/pivots of lines along x, several at once.
+template <typename T, int lines, typename Real, typename Number>
+void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real* west, const Real* east, const Number* centre,
+                 Number* pivot)
+{
+    std::array<T, lines> last{};
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = first + k * apart + i;
+            const double couple = i > 0 ? static_cast<double>(west[at]) * east[at - 1] : 0.0;
+            last[k] = 1.0 / (static_cast<T>(centre[at]) - couple * last[k]);
+            pivot[at] = static_cast<Number>(last[k]);
+        }
+}
+
+/// Of lines along y, a row; below the first one the ring holds zero.
+template <typename T, typename Real, typename Number>
+TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const Real* south, const Real* north, const Number* centre,
+                                       Number* pivot)
+{
+    const Real* northBelow = north - up;
+    const Number* below = pivot - up;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k)
+        pivot[k] = static_cast<Number>(1.0 / (static_cast<T>(centre[k]) -
+                                              static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
+}
+
+template <typename Real, typename Number>
+TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const Number* pivot, const Real* factor, Number* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = factor[k] * pivot[k];
+}
+
+} // namespace
+
+template <typename T>
+void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal)
+{
+    const double most = std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
+    scale_ = most > 0.0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
+    Source source{faces, diagonal.empty() ? std::span<const T>(noMass_) : diagonal};
+    for (std::size_t l = 0;; ++l) {
+        setStencil(levels_[l], source);
+        factor(levels_[l]);
+        if (l + 1 == levels_.size()) break;
+        CoarseSource& coarse = sources_[l];
+        coarsen(levels_[l].pad, source, levels_[l + 1].pad, coarse);
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            source.faces[axis] = {coarse.diffusion[axis], coarse.effective[axis], coarse.convection[axis]};
+        source.mass = coarse.mass;
+    }
+    const Level& finest = levels_.front();
+    for (int j = 0; j < finest.pad.ny; ++j) {
+        const std::size_t at = finest.pad.at(0, j), n = static_cast<std::size_t>(finest.pad.nx);
+        const Number* pivot = &finest.pivot[1][at];
+        multiplyRow(n, pivot, &finest.centre[at], &factorCentre_[at]);
+        multiplyRow(n, pivot, &finest.south[at], &factorSouth_[at]);
+        multiplyRow(n, pivot, &finest.north[at], &factorNorth_[at]);
+    }
+}
+
+template <typename T>
+void Multigrid<T>::setStencil(Level& level, const Source& source)
+{
+    const auto& [x, y] = source.faces;
+    for (int j = 0; j < level.pad.ny; ++j) {
+        const std::size_t at = level.pad.at(0, j);
+        setStencilRow<T>(static_cast<std::size_t>(level.pad.nx), level.pad.stride(), scale_,
+                         FaceRow{&x.effective[at], &x.convection[at], &y.effective[at], &y.convection[at]}, &source.mass[at],
+                         StencilRow<Real, Number>{&level.west[at], &level.east[at], &level.south[at], &level.north[at],
+                                                  &level.centre[at]});
+    }
+    // The rings hold zero: what multiplies them is never needed.
+}
+
+template <typename T>
+void Multigrid<T>::factor(Level& level)
+{
+    const PaddedGrid& pad = level.pad;
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    const auto factor = [&]<int lines>(int j) {
+        factorLines<T, lines>(pad.at(0, j), up, n, level.west.data(), level.east.data(), level.centre.data(), level.pivot[0].data());
+    };
+    int first = 0;
+    for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
+    for (; first < pad.ny; ++first) factor.template operator()<1>(first);
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        factorRow<T>(n, up, &level.south[at], &level.north[at], &level.centre[at], &level.pivot[1][at]);
+    }
+}
+
+template <typename T>
+void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const PaddedGrid& to, CoarseSource& coarse)
+{
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::size_t step = from.step(static_cast<int>(axis)), across = from.step(axis == 0 ? 1 : 0);
+        const int n = axis == 0 ? from.nx : from.ny, nAcross = axis == 0 ? from.ny : from.nx;
+        const std::span<const double> K = fine.faces[axis].diffusion;
+        for (int j = 0; j < to.ny + (axis == 1); ++j)
+            for (int i = 0; i < to.nx + (axis == 0); ++i) {
+                const int line = axis == 0 ? i : j, side = axis == 0 ? j : i;
+                const int fineLine = std::min(2 * line, n);
+                const std::size_t first =
+                    axis == 0 ? from.at(fineLine, 2 * side) : from.at(2 * side, fineLine);
+                double diffusion = 0.0, convection = 0.0;
+                for (int k = 0; k < 2 && 2 * side + k < nAcross; ++k) {
+                    const std::size_t at = first + static_cast<std::size_t>(k) * across;
+                    convection += fine.faces[axis].convection[at];
+                    // Half a path inside the coarse cell below, the face itself, half a path inside the one above.
+                    const bool open = K[at] > 0.0;
+                    const double below = fineLine > 1 ? K[at - step] : 0.0;
+                    const double above = fineLine < n - 1 ? K[at + step] : 0.0;
+                    const bool pairBelow = fineLine > 1 && (fineLine % 2 == 0); // the coarse cell below has two cells
+                    const bool pairAbove = fineLine < n - 1;
+                    if (!open || (pairBelow && below <= 0.0) || (pairAbove && above <= 0.0)) continue;
+                    diffusion += 1.0 / (1.0 / K[at] + (pairBelow ? 0.5 / below : 0.0) + (pairAbove ? 0.5 / above : 0.0));
+                }
+                const std::size_t at = to.at(i, j);
+                coarse.diffusion[axis][at] = diffusion;
+                coarse.convection[axis][at] = convection;
+                coarse.effective[axis][at] =
+                    effectiveConductance<ConvectionScheme::Exponential>(diffusion, convection).value;
+            }
+    }
+    for (int j = 0; j < to.ny; ++j)
+        for (int i = 0; i < to.nx; ++i) {
+            T sum{};
+            for (int b = 2 * j; b < std::min(2 * j + 2, from.ny); ++b)
+                for (int a = 2 * i; a < std::min(2 * i + 2, from.nx); ++a) sum += fine.mass[from.at(a, b)];
+            coarse.mass[to.at(i, j)] = sum;
+        }
+}
+
+template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);
+template void Multigrid<std::complex<double>>::setOperator(const std::array<FaceOperator, 2>&,
+                                                           std::span<const std::complex<double>>);
+
+} // namespace touchdown
