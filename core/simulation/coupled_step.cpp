@@ -194,6 +194,7 @@ CoupledStepResult CoupledStepper::step(double dt)
     };
     while (result.iterations < options_.maximumIterations) {
         ++result.iterations;
+        if (options_.goOn && !options_.goOn()) return fail(CoupledFailure::Stopped);
         const Attitude attitude = body_.attitude(tried_.q);
         askContact(attitude, time);
         if (!contactForces_.problem.empty()) return fail(CoupledFailure::Contact);
@@ -206,7 +207,8 @@ CoupledStepResult CoupledStepper::step(double dt)
         if (!film.converged) return fail(CoupledFailure::Film);
         if (monolithic && response_.isOld()) {
             const Stopwatch watch(cost_.responseSeconds);
-            result.solves += response_.renew(stepper_.pressure(), stepper_.linear());
+            result.solves += response_.renew(stepper_.pressure(), stepper_.linear(), options_.goOn);
+            if (!response_.known()) return fail(CoupledFailure::Stopped);
         }
         filmForce_ = filmForceAt(stepper_.pressure());
 

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,9 +37,10 @@ struct CoupledStepOptions {
     FilmStepOptions film;
     double tolerance = 1e-13;    // of the slider's position, at its corners [m]
     int maximumIterations = 40;  // attitudes tried
+    std::function<bool()> goOn{}; // asked before each solution within a step; false ends the step
 };
 
-enum class CoupledFailure : std::uint8_t { None, Film, Contact, Iteration, NotFinite };
+enum class CoupledFailure : std::uint8_t { None, Film, Contact, Iteration, NotFinite, Stopped };
 
 struct CoupledStepResult {
     CoupledFailure failure = CoupledFailure::None;

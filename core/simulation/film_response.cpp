@@ -32,18 +32,22 @@ bool FilmResponse::isOld() const
     return std::abs(film_.storagePerTime() - perTime_) > sameRate * perTime_ || age_ > oldest;
 }
 
-int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear)
+int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn)
 {
+    bool goesOn = true;
+    const auto ask = [&] { return goesOn = goesOn && (!goOn || goOn()); };
+    forget();
     const double halfLength = 0.5 * film_.gaps().length;
     film_.attitudeColumns(p, columns_);
     // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
     for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= halfLength * columns_[0][at];
     film_.forceDerivatives(p, forces_);
     int iterations = 0;
-    stiffness_ = {};
     const std::size_t count = body_.holdsRoll() ? 2 : 3;
     for (std::size_t m = 0; m < count; ++m) {
-        iterations += linear.solve(columns_[m], responses_[m], {.tolerance = tolerance, .maximumIterations = mostIterations}).iterations;
+        if (ask())
+            iterations += linear.solve(columns_[m], responses_[m], {.tolerance = tolerance, .maximumIterations = mostIterations, .goOn = ask}).iterations;
+        if (!goesOn) return iterations;
         std::array<double, 5> slope{}; // d(load, shear)/dq
         for (std::size_t k = 0; k < 5; ++k) {
             double byPressure = 0.0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,8 @@ public:
     /// A step has been accepted.
     void age() { ++age_; }
     /// Of the film at pressures p (padded), by its linear systems, which are those of a pressure near to it; returns the preconditioned
-    /// iterations it took. The first call allocates.
-    int renew(std::span<const double> p, FilmLinearSolver& linear);
+    /// iterations it took. The first call allocates. `goOn` is asked at each of them; where it says false nothing is known.
+    int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
 
     /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.
     const Matrix3& stiffness() const { return stiffness_; }

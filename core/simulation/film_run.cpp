@@ -118,7 +118,9 @@ private:
         stepping.film.share = filmTimeShare;
         stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
                                                      (level.film.ambient() * case_.slider.length * case_.slider.width));
+        stepping.goOn = [this] { return goOn(); };
         stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
+        if (!goOn()) return stop();
         SliderMotion motion;
         motion.q = body_->coordinates(scene_.start());
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity, body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
@@ -329,6 +331,7 @@ private:
         case CoupledFailure::Film: why = "the film does not converge"; break;
         case CoupledFailure::Contact: why = stepper_->contactForces().problem; break;
         case CoupledFailure::Iteration: why = "film and slider do not come to agree"; break;
+        case CoupledFailure::Stopped: break;
         case CoupledFailure::NotFinite: why = "the forces are no numbers"; break;
         }
         const Attitude last = body_->attitude(point_.motion.q);

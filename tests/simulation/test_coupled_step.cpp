@@ -246,6 +246,27 @@ private slots:
         }
     }
 
+    /// Asked for each attitude and, of the first step, within the film's three responses: whenever it says no, that was the last time.
+    void stops()
+    {
+        int calls = 0, last = 1000000;
+        CoupledStepOptions options = byDefault(FilmCoupling::Monolithic);
+        options.goOn = [&] { return ++calls < last; };
+        const auto tryStep = [&] {
+            FlyingSlider slider(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
+            calls = 0;
+            return slider.stepper.step(2e-8);
+        };
+        const CoupledStepResult whole = tryStep();
+        QVERIFY(whole.converged());
+        const int asked = calls;
+        QVERIFY2(asked >= whole.iterations + 3, qPrintable(QString::number(asked)));
+        for (last = 1; last <= asked; ++last) {
+            QVERIFY(tryStep().failure == CoupledFailure::Stopped);
+            QCOMPARE(calls, last);
+        }
+    }
+
     void triesAreAlike_data() { order_data(); }
     /// Another try of a step, of another length, forgets the one before; both end within their tolerances.
     void triesAreAlike()
