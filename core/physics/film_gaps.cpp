@@ -243,15 +243,16 @@ void setPaths(FilmGaps::Faces& faces, const std::vector<double>& lines)
 
 } // namespace
 
-FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
+FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<bool()>& goOn)
     : grid(std::move(cells)), pad{grid.nx(), grid.ny()}, length(recess.length()), width(recess.width())
 {
+    const auto goesOn = [&] { return !goOn || goOn(); };
     Sampler sampler(recess, *this);
     setPaths(faces[0], grid.x);
     setPaths(faces[1], grid.y);
     // At the cells' centres; in the rings, at the outline beside them.
     meanRecess.assign(pad.size(), 0.0);
-    for (int j = -1; j <= pad.ny; ++j)
+    for (int j = -1; j <= pad.ny && goesOn(); ++j)
         for (int i = -1; i <= pad.nx; ++i) {
             const auto place = [](const std::vector<double>& lines, int k, int count) {
                 const std::size_t line = static_cast<std::size_t>(std::clamp(k, 0, count));
@@ -266,7 +267,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells)
         f.rise.assign(pad.size(), 0.0);
         const std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
         const std::vector<double>& acrossLines = axis == 0 ? grid.y : grid.x;
-        for (int j = 0; j < pad.ny + (axis == 1); ++j)
+        for (int j = 0; j < pad.ny + (axis == 1) && goesOn(); ++j)
             for (int i = 0; i < pad.nx + (axis == 0); ++i) {
                 const std::size_t line = static_cast<std::size_t>(axis == 0 ? i : j);
                 const std::size_t across = static_cast<std::size_t>(axis == 0 ? j : i);

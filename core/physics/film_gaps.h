@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
@@ -41,7 +42,8 @@ struct GapRow {
 };
 
 struct FilmGaps {
-    FilmGaps(const Recess& recess, CellGrid grid);
+    /// `goOn` is asked at each row; where it says false the rest is missing, and it is of no use.
+    FilmGaps(const Recess& recess, CellGrid grid, const std::function<bool()>& goOn = {});
 
     CellGrid grid;
     PaddedGrid pad;

@@ -72,7 +72,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
 {
-    FilmGaps gaps(recess_, rest.grid);
+    FilmGaps gaps(recess_, rest.grid, goOn);
     if (!goOn()) return false;
     level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
     level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);

@@ -29,8 +29,10 @@ public:
     {
         for (const std::array<int, 2>& cells : filmLevels(case_.film)) {
             previous_ = std::move(level_);
-            FilmGaps gaps(recess_, grid(cells));
-            if (!tell(gaps.grid, 0, result_.residual, result_.loadError, attitude_)) return result_;
+            CellGrid cellGrid = grid(cells);
+            const auto goOn = [&] { return tell(cellGrid, 0, result_.residual, result_.loadError, attitude_); };
+            FilmGaps gaps(recess_, cellGrid, goOn);
+            if (!goOn()) return result_;
             level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
             if (!tell(0, result_.residual, result_.loadError, attitude_)) return result_;
             if (previous_) level_->take(previous_->known(case_));

@@ -48,6 +48,24 @@ class TestFilmGaps : public QObject {
     Q_OBJECT
 
 private slots:
+    /// For the recess at the centres of 7 rows of cells and one beside them on either side, for 7 rows of faces across x and 8 across y.
+    void isAskedAtEachRow()
+    {
+        AirBearingSurface surface;
+        surface.baseRecess = 1e-6;
+        surface.rails = {box(0.2e-3, 0.7e-3, 0.1e-3, 0.6e-3, 0.0)};
+        const Recess recess(surface, L, W);
+        int calls = 0;
+        const FilmGaps gaps(recess, grid(9, 7), [&] { return ++calls > 0; });
+        QCOMPARE(calls, 9 + 7 + 8);
+        QVERIFY(gaps.rows.size() == FilmGaps(recess, grid(9, 7)).rows.size());
+        // Once it was told to stop each of the three asks once more.
+        for (int last = 1; last <= 24; ++last) {
+            int asked = 0;
+            const FilmGaps stopped(recess, grid(9, 7), [&] { return ++asked < last; });
+            QVERIFY(asked >= last && asked <= last + 2);
+        }
+    }
     /// Cells 1, 3 and 4 wide: centres at 0.5, 2.5, 6; the outermost paths end at the outline.
     void paths()
     {
