@@ -89,6 +89,17 @@ TOUCHDOWN_VECTOR_CLONES long long setContents(std::size_t count, const double* v
     return closed;
 }
 
+/// change *= sqrt(volume at the linearisation/volume now), within a factor of two.
+TOUCHDOWN_VECTOR_CLONES void scaleToVolumes(std::size_t count, const double* before, const double* now, double* change)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double shrunk = std::sqrt(before[k] / (now[k] > 0.0 ? now[k] : before[k]));
+        const double least = shrunk > 0.5 ? shrunk : 0.5;
+        change[k] *= before[k] > 0.0 ? (least < 2.0 ? least : 2.0) : 1.0;
+    }
+}
+
 /// out -= part v
 TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v, std::vector<double>& out)
 {
@@ -103,7 +114,7 @@ TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v,
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_}) field->assign(size, 0.0);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_}) field->assign(size, 0.0);
     for (auto* vectors : {&directions_, &images_})
         for (auto& vector : *vectors) vector.assign(size, 0.0);
     for (Past& past : past_)
@@ -225,6 +236,7 @@ void FilmStepper::linearise(FilmStepResult& result)
 {
     film_.linearise(p_, residual_);
     linear_.prepare();
+    std::copy(film_.volumes().begin(), film_.volumes().end(), linearisedVolume_.begin());
     linearisedPerTime_ = perTime_;
     age_ = repeats_ = 0;
     solver_ = Solver::Factors;
@@ -335,6 +347,12 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);
+        if (age_ > 0) {
+            // J's columns have grown and shrunk with the gaps since: in all that is stored and swept along in proportion, less in what
+            // pressure drives. Half of it, as a power, serves best.
+            scaleToVolumes(change_.size(), linearisedVolume_.data(), film_.volumes().data(), change_.data());
+            setTimeError(result);
+        }
         addBounded(p_, change_);
         ++result.iterations;
         const double now = size(change_);

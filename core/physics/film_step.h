@@ -104,6 +104,7 @@ private:
     std::array<Past, 4> past_; // from the last accepted one back
     std::vector<double> p_, residual_, right_, change_, rest_, history_;
     std::vector<double> foreseen_; // by a parabola [Pa]
+    std::vector<double> linearisedVolume_; // of the cells at the last linearisation [m^3]
     static constexpr std::size_t mostDirections = 8;
     std::array<std::vector<double>, mostDirections> directions_, images_;
     std::array<double, mostDirections> squares_{}; // of the images
