@@ -7,12 +7,18 @@
 
 namespace touchdown {
 
+void complainOf(const CaseDocument& document)
+{
+    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
+    for (const InputProblem& problem : document.problems) complain(problem.text());
+}
+
 CaseDocument openCaseOrComplain(const CaseArguments& arguments)
 {
     CaseDocument document = openCase(arguments.name);
     if (!arguments.settings.empty()) applySettings(document, arguments.settings);
-    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
-    for (const InputProblem& problem : document.problems) complain(problem.text());
+    complainOf(document);
+    for (const InputProblem& unused : document.unused) complain("warning: " + unused.text());
     return document;
 }
 
@@ -48,7 +54,8 @@ int validateCommand(const CaseArguments& arguments, bool json)
                         {"title", document.value.title},
                         {"valid", document.valid()},
                         {"problems", jsonList(document.problems)},
-                        {"warnings", jsonList(document.warnings)}}));
+                        {"warnings", jsonList(document.warnings)},
+                        {"unused", jsonList(document.unused)}}));
     } else if (document.valid()) {
         print(document.name + ": valid\n");
     }

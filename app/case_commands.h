@@ -8,7 +8,10 @@
 
 namespace touchdown {
 
-/// The case that the arguments name, with its settings; each of its problems has gone to standard error.
+/// Tells standard error what a case says that is not modelled, and each of its problems.
+void complainOf(const CaseDocument& document);
+
+/// The case that the arguments name, with its settings; all of that, and what has no effect, has gone to standard error.
 CaseDocument openCaseOrComplain(const CaseArguments& arguments);
 
 /// The same of a case that must have an air film.

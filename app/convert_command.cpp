@@ -39,7 +39,9 @@ std::string writeCml(const CaseDocument& document, const fs::path& to)
 
 int convertCommand(const std::string& from, const std::string& to)
 {
-    const CaseDocument document = openCaseOrComplain({from, {}});
+    // What has no effect now is kept, so that nothing is lost on the way back.
+    const CaseDocument document = openCase(from);
+    complainOf(document);
     if (!document.valid()) return exitWrongInput;
     const bool toml = fs::path(to).extension() == ".toml";
     const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);

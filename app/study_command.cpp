@@ -92,7 +92,8 @@ int convergenceCommand(const StudyArguments& arguments)
 int designCommand(const DesignArguments& arguments)
 {
     const DesignDocument document = readDesign(arguments.study.name, arguments.study.settings);
-    for (const InputProblem& warning : document.start.warnings) complain("warning: " + warning.text());
+    for (const auto* list : {&document.start.warnings, &document.start.unused})
+        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
     for (const InputProblem& problem : document.problems) complain(problem.text());
     const bool good = targetsAreGood(arguments.out, arguments.csv, arguments.study.name);
     if (!document.valid() || !good) return exitWrongInput;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Combinations of values that make no sense, although each is in its range.
+// Combinations of values that make no sense, although each is in its range; values that have no effect beside others.
 #include "core/simulation/fields.h"
 
 #include "core/physics/surface_check.h"
@@ -136,7 +136,33 @@ void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
     checkFilmContact(c, problems);
 }
 
+/// The choices of one field with which another would be used, as "a = \"x\" or \"y\""; empty if there are none.
+std::string choicesFor(const Case& c, const Field& wanted, const Field& chosen)
+{
+    std::string names;
+    Case other = c;
+    const auto consider = [&](const FieldValue& value, const std::string& name) {
+        chosen.set(other, value);
+        if (wanted.used(other)) names += (names.empty() ? chosen.key + " = " : " or ") + name;
+    };
+    for (const std::string& choice : chosen.choices) consider(choice, '"' + choice + '"');
+    if (chosen.kind == FieldKind::Boolean)
+        for (const bool value : {false, true}) consider(value, value ? "true" : "false");
+    return names;
+}
+
 } // namespace
+
+std::string unusedMessage(const Case& c, const Field& field)
+{
+    if (field.used(c)) return {};
+    const std::string message = "has no effect here";
+    // What is chosen last hangs on what was chosen before: the nearest condition is behind the model.
+    for (auto chosen = fields().rbegin(); chosen != fields().rend(); ++chosen)
+        if (chosen->used(c))
+            if (const std::string choices = choicesFor(c, field, *chosen); !choices.empty()) return message + ", only with " + choices;
+    return message;
+}
 
 std::vector<CaseProblem> checkCombinations(const Case& c)
 {

@@ -22,6 +22,8 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
+std::string_view keyOf(std::string_view setting) { return trimmed(setting.substr(0, setting.find('='))); }
+
 /// Applies one "key=value"; returns its problem.
 std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
 {
@@ -30,7 +32,7 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     };
     const auto equals = setting.find('=');
     if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
-    const std::string_view key = trimmed(setting.substr(0, equals));
+    const std::string_view key = keyOf(setting);
     std::string_view value = trimmed(setting.substr(equals + 1));
     const Field* field = findField(key);
     if (field == nullptr)
@@ -111,6 +113,13 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
         document.problems.push_back({document.name, 0, problem.key, problem.message});
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
+    // What had no effect in the file may have one now; a setting may have none.
+    std::erase_if(document.unused, [&](const InputProblem& unused) { return findField(unused.key)->used(document.value); });
+    for (const std::string& setting : settings) {
+        const std::string key(keyOf(setting));
+        if (const std::string message = unusedMessage(document.value, *findField(key)); !message.empty())
+            document.unused.push_back({"--set", 0, key, message});
+    }
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
 }
 

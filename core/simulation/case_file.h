@@ -31,6 +31,7 @@ struct CaseDocument {
     std::filesystem::path folder;       // of the files that the text names
     std::vector<InputProblem> problems; // all of them
     std::vector<InputProblem> warnings; // what the input says and is not modelled; the case is valid all the same
+    std::vector<InputProblem> unused;   // what it gives without effect beside what else it says
     bool valid() const { return problems.empty(); }
 };
 
@@ -45,7 +46,8 @@ CaseDocument readCaseFile(const std::filesystem::path& file);
 /// A case file, or the name of a sample case.
 CaseDocument openCase(const std::string& fileOrName);
 
-/// "key=value" as given to --set, applied in order; problems are added to the document, as is the check of combinations.
+/// "key=value" as given to --set, applied in order; problems are added to the document, as are the check of combinations and what
+/// has no effect.
 void applySettings(CaseDocument& document, const std::vector<std::string>& settings);
 
 /// The whole case as TOML, every used field written, with a comment per group.

@@ -18,6 +18,15 @@ namespace touchdown {
 
 namespace {
 
+/// The usual numbers of a list, or two for their unit's sake.
+std::string exampleOf(const Field& field)
+{
+    if (field.unit.empty())
+        if (std::string usual = toText(Case{}, field); !usual.empty()) return usual;
+    const std::string one = field.unit.empty() ? "1" : "\"1 " + field.displayUnit + '"';
+    return one + ", " + one;
+}
+
 std::string needed(const Field& field)
 {
     switch (field.kind) {
@@ -27,10 +36,7 @@ std::string needed(const Field& field)
     case FieldKind::Choice: return "allowed is " + allowedRange(field);
     case FieldKind::Boolean: return "true or false is needed";
     case FieldKind::Text: return "text in quotation marks is needed";
-    case FieldKind::List: {
-        const std::string one = field.unit.empty() ? "1" : "\"1 " + field.displayUnit + '"';
-        return "a list such as [" + one + ", " + one + "] is needed";
-    }
+    case FieldKind::List: return "a list such as [" + exampleOf(field) + "] is needed";
     }
     return {};
 }
@@ -105,6 +111,7 @@ public:
         for (const InputProblem& problem : readSurface(toml, document_.value.surface))
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);
+        addUnused(toml);
         if (document_.valid())
             for (const InputProblem& problem : diskFileProblems(document_.value)) document_.problems.push_back(problem);
         std::ranges::stable_sort(document_.problems, {}, &InputProblem::line);
@@ -210,6 +217,34 @@ private:
         for (const std::string& sentence : surfaceWarnings(c.surface, c.slider.length, c.slider.width)) {
             const std::string key = surfaceKeyOf(sentence);
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
+        }
+    }
+
+    /// What is set and has no effect; the keys of a table that want the same choice in one sentence.
+    void addUnused(const TomlDocument& toml)
+    {
+        if (!document_.valid()) return;
+        struct Unused {
+            const TomlEntry& first;
+            std::string message;
+            std::vector<std::string> others;
+        };
+        std::vector<Unused> all;
+        for (const TomlEntry& entry : toml.entries) {
+            const Field* field = findField(entry.key);
+            if (field == nullptr) continue;
+            const std::string message = unusedMessage(document_.value, *field);
+            if (message.empty()) continue;
+            const auto same = std::ranges::find_if(all, [&](const Unused& unused) {
+                return unused.message == message && findField(unused.first.key)->group() == field->group();
+            });
+            if (same == all.end()) all.push_back({entry, message, {}});
+            else same->others.push_back(entry.key);
+        }
+        for (const Unused& unused : all) {
+            std::string others;
+            for (const std::string& key : unused.others) others += (others.empty() ? "; the same holds for " : ", ") + key;
+            document_.unused.push_back({document_.name, unused.first.line, unused.first.key, unused.message + others});
         }
     }
 

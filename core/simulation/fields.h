@@ -54,6 +54,10 @@ Case defaultsOf(ModelKind model);
 /// Whether the air bearing surface takes part.
 bool usesSliderSurface(const Case& c);
 
+/// Says that a field has no effect on a case, and which one choice would give it one: "has no effect here, only with run.steps =
+/// \"fixed\""; empty where it is used.
+std::string unusedMessage(const Case& c, const Field& field);
+
 /// All fields, in the order of a case file.
 std::span<const Field> fields();
 /// The field of a key; nullptr if there is none.

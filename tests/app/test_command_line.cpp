@@ -117,6 +117,11 @@ void TestCommandLine::validate()
     QCOMPARE(problem["key"].toString(), "slider.mass");
     QCOMPARE(bad.errorLines().size(), 1);
     QVERIFY(folder_->touchdown({"validate", "fig10a", "--json"}).json()["valid"].toBool());
+
+    const Outcome idle = folder_->touchdown({"validate", "fig10a", "--json", "--set", "film.coupling=staggered"});
+    QCOMPARE(idle.code, 0);
+    QCOMPARE(idle.err, QByteArray("warning: --set: film.coupling: has no effect here, only with model = \"film\"\n"));
+    QCOMPARE(idle.json()["unused"].toArray().size(), 1);
 }
 
 void TestCommandLine::list()

@@ -136,6 +136,45 @@ private slots:
         QVERIFY(checkCombinations(c).empty());
     }
 
+    void saysWhatAValueWithoutEffectWants_data()
+    {
+        QTest::addColumn<QStringList>("settings"); // key=value
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("message");
+
+        const auto row = [](const char* name, const QStringList& settings, const char* key, const char* message) {
+            QTest::newRow(name) << settings << QString(key) << QString(message);
+        };
+        row("a step that is adaptive", {"model=film", "contact=none"}, "run.step",
+            "has no effect here, only with run.steps = \"fixed\"");
+        row("a step that is fixed", {"model=film", "contact=none", "run.steps=fixed"}, "run.step", "");
+        row("a step of an adaptive integrator", {}, "run.step",
+            "has no effect here, only with run.integrator = \"rk4\" or \"rk4-events\" or \"newmark\"");
+        row("an integrator of the film", {"model=film", "contact=none"}, "run.integrator",
+            "has no effect here, only with model = \"springs\"");
+        row("a coupling of springs", {}, "film.coupling", "has no effect here, only with model = \"film\"");
+        row("a contact that is not there", {"contact=none"}, "ono_yamane.touch_down",
+            "has no effect here, only with contact = \"ono-yamane\"");
+        row("a load at a fixed attitude", {"model=film", "contact=none", "steady.fixed_attitude=true"}, "steady.load_tolerance",
+            "has no effect here, only with steady.fixed_attitude = false");
+        row("a window of springs that do not move by themselves", {"model=contact", "contact=elastic"}, "spectrum.window",
+            "has no effect here, only with model = \"springs\" or \"film\"");
+        // Neither the model alone nor the contact alone would make a pad of it.
+        row("what wants more than one other choice", {"contact=none"}, "pad.radius", "has no effect here");
+    }
+    void saysWhatAValueWithoutEffectWants()
+    {
+        QFETCH(QStringList, settings);
+        QFETCH(QString, key);
+        QFETCH(QString, message);
+        Case c;
+        for (const QString& setting : settings)
+            QVERIFY(!setFromText(c, *findField(setting.section('=', 0, 0).toStdString()), setting.section('=', 1).toStdString()));
+        const Field* field = findField(key.toStdString());
+        QVERIFY(field != nullptr);
+        QCOMPARE(QString::fromStdString(unusedMessage(c, *field)), message);
+    }
+
     void everyProblemIsReported()
     {
         Case c;

@@ -139,7 +139,7 @@ private slots:
         row("springs that roll", "degrees_of_freedom = 3",
             "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch alone");
         row("a number for a list", "[film]\nnodes = 97",
-            "a.toml:2: film.nodes: is a number; a list such as [1, 1] is needed");
+            "a.toml:2: film.nodes: is a number; a list such as [193, 193] is needed");
         row("a text for a list", "[steady]\nradii = '20 mm'",
             "a.toml:2: steady.radii: is text; a list such as [\"1 mm\", \"1 mm\"] is needed");
         row("a short list", "[film]\nnodes = [97]",
@@ -297,6 +297,8 @@ private slots:
         QTest::newRow("a short list")
             << QStringList("film.nodes=97")
             << QStringList("--set: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
+        QTest::newRow("list without commas") << QStringList("film.nodes=97 193")
+                                             << QStringList("--set: film.nodes: \"97 193\" is no number; commas part the numbers of a list");
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(
@@ -349,6 +351,10 @@ private slots:
         QFETCH(QString, name);
         const CaseDocument document = openCase(name.toStdString());
         QCOMPARE(problemsOf(document), QStringList());
+        QStringList said;
+        for (const auto* list : {&document.warnings, &document.unused})
+            for (const InputProblem& warning : *list) said << QString::fromStdString(warning.text());
+        QCOMPARE(said, QStringList());
         QVERIFY(!document.value.about.paper.empty());
         QVERIFY(!document.value.about.watch.empty());
         QVERIFY(!document.value.about.assumed.empty());
