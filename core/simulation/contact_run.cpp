@@ -2,33 +2,25 @@
 #include "core/simulation/contact_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/physics/contact_path.h"
 #include "core/simulation/contact_figures.h"
 #include "core/simulation/contact_model.h"
 #include "core/simulation/run_statistics.h"
+#include "core/simulation/run_updates.h"
 #include "core/simulation/units.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double longestSilence = 0.015; // between updates [s]
-constexpr std::size_t samplesInBatch = 1024;
-constexpr std::size_t mostEvents = 100'000;
 constexpr double jumpResolution = 1e-12; // of the separation [m]
 constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
 constexpr double suddenChange = 4.0;     // of the force over a step, against the one before: worth a search [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
-
-double wallClock()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Where the pad goes: the times of all states, and which of them are recorded.
 struct Station {
@@ -67,20 +59,17 @@ class ContactRun {
 public:
     ContactRun(const Case& c, const RunCallback& callback)
         : case_(c),
-          callback_(callback),
           quantities_(contactQuantities(c)),
           statistics_(c, quantities_),
           figures_(c),
+          updates_(quantities_.size(), c.run.duration, callback),
           recordsFields_(!contactMaps(c).empty()),
           values_(quantities_.size())
-    {
-        batch_.columns.resize(quantities_.size());
-    }
+    {}
 
     Summary run()
     {
         const double begin = wallClock();
-        lastUpdate_ = begin;
         model_ = makeContactModel(case_, [this] { return lookAtClock(); });
         for (const Station& station : stations(case_))
             if (!lookAtClock() || !visit(station)) break;
@@ -91,7 +80,7 @@ public:
         summary.endTime = time_;
         summary.steps = steps_;
         summary.evaluations = iterations_;
-        summary.events = std::move(events_);
+        summary.events = updates_.events();
         if (haveSample_)
             for (std::size_t i = 0; i < quantities_.size(); ++i)
                 summary.final.emplace_back(quantities_[i].name, values_[i]);
@@ -110,7 +99,7 @@ public:
                                        formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
         if (summary.fit && !summary.fit->describes) summary.warnings.push_back(summary.fit->message);
         summary.wallSeconds = wallClock() - begin;
-        summary.solverSeconds = summary.wallSeconds - secondsOutside_;
+        summary.solverSeconds = summary.wallSeconds - updates_.secondsOutside();
         return summary;
     }
 
@@ -121,18 +110,19 @@ private:
         const double d = padSeparation(case_, station.time);
         const bool away = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
-                     known.name);
+            updates_.addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
+                              known.name);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
         figures_.add(forces_, away);
         if (station.sample) record(station.time);
         if (station.snapshot && recordsFields_) {
-            fields_.push_back({station.time, 0, {}});
-            model_->observe(fields_.back());
+            FieldSnapshot snapshot{station.time, 0, {}};
+            model_->observe(snapshot);
+            updates_.addFields(std::move(snapshot));
         }
-        if (batch_.size() >= samplesInBatch) flush();
+        if (updates_.full()) flush();
         return lookAtClock();
     }
 
@@ -203,7 +193,7 @@ private:
 
     void takeJump(const ContactJump& jump, const std::function<double(double)>& timeAt)
     {
-        addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
+        updates_.addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
         figures_.addJump(jump);
         widestBracket_ = std::max(widestBracket_, std::abs(jump.after - jump.before));
     }
@@ -224,14 +214,13 @@ private:
     {
         contactValues(case_, forces_, values_.data());
         haveSample_ = true;
-        batch_.time.push_back(time);
-        for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
+        updates_.addSample(time, values_);
     }
 
     /// Within a long solution, too. False when somebody stopped the run.
     bool lookAtClock()
     {
-        if (wallClock() - lastUpdate_ > longestSilence) flush();
+        if (updates_.silent()) flush();
         return status_ == RunStatus::Completed;
     }
 
@@ -246,34 +235,21 @@ private:
         return false;
     }
 
-    void addEvent(double time, const std::string& name)
-    {
-        if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, name});
-    }
-
     void flush()
     {
         const double begin = wallClock();
-        statistics_.add(batch_);
-        if (callback_ && !callback_({time_, case_.run.duration, batch_, newEvents_, fields_}) &&
-            status_ == RunStatus::Completed) {
+        statistics_.add(updates_.samples());
+        if (!updates_.send(time_, begin) && status_ == RunStatus::Completed) {
             status_ = RunStatus::Cancelled;
             message_ = "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us");
         }
-        events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
-        newEvents_.clear();
-        fields_.clear();
-        batch_.time.clear();
-        for (std::vector<double>& column : batch_.columns) column.clear();
-        lastUpdate_ = wallClock();
-        secondsOutside_ += lastUpdate_ - begin;
     }
 
     const Case& case_;
-    const RunCallback& callback_;
     std::vector<Quantity> quantities_;
     RunStatistics statistics_;
     ContactFigures figures_;
+    RunUpdates updates_;
     std::unique_ptr<ContactModel> model_;
     bool recordsFields_;
     std::vector<double> values_; // of the newest sample
@@ -284,12 +260,8 @@ private:
     double widestBracket_ = 0.0; // of a jump [m]
     double lastChange_ = 0.0;    // of the net force over the last step [N]
     long long steps_ = 0, iterations_ = 0;
-    SampleBatch batch_;
-    std::vector<RunEvent> events_, newEvents_;
-    std::vector<FieldSnapshot> fields_;
     RunStatus status_ = RunStatus::Completed;
     std::string message_;
-    double lastUpdate_ = 0.0, secondsOutside_ = 0.0; // wall clock [s]
 };
 
 } // namespace

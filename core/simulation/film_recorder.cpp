@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/film_recorder.h"
 
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -11,15 +10,6 @@
 namespace touchdown {
 
 namespace {
-
-constexpr double longestSilence = 0.015; // between updates [s]
-constexpr std::size_t samplesInBatch = 1024;
-constexpr std::size_t mostEvents = 100'000;
-
-double wallClock()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool touches(const Case& c) { return c.contact != ContactKind::None; }
 bool hasSurfaces(const Case& c) { return c.contact == ContactKind::Elastic; }
@@ -81,15 +71,14 @@ SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share)
 
 FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
                            const RunCallback& callback)
-    : case_(c), body_(body), spacing_(spacing), callback_(callback), quantities_(filmQuantities(c)), statistics_(c, quantities_),
-      values_(quantities_.size()), lastUpdate_(wallClock())
+    : case_(c), body_(body), spacing_(spacing), quantities_(filmQuantities(c)), statistics_(c, quantities_),
+      updates_(quantities_.size(), c.run.duration, callback), values_(quantities_.size())
 {
     headAt_ = {c.slider.length, 0.5 * c.slider.width};
     if (!c.surface.pointsOfInterest.empty()) {
         headAt_ = c.surface.pointsOfInterest.front();
         headRecess_ = recess.at(headAt_.x, headAt_.y);
     }
-    batch_.columns.resize(quantities_.size());
 }
 
 void FilmRecorder::begin(const FilmPoint& start)
@@ -113,9 +102,8 @@ void FilmRecorder::record(const FilmPoint& to, double time)
 {
     ++samples_;
     evaluate(to, time);
-    batch_.time.push_back(time);
-    for (std::size_t i = 0; i < values_.size(); ++i) batch_.columns[i].push_back(values_[i]);
-    if (batch_.size() >= samplesInBatch) flush();
+    updates_.addSample(time, values_);
+    if (updates_.full()) flush();
 }
 
 /// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none or where it is
@@ -183,30 +171,17 @@ void FilmRecorder::addToEnergy(const FilmPoint& point)
     mostMissing_ = std::max(mostMissing_, std::abs(energy - firstEnergy_ - point.gained));
 }
 
-void FilmRecorder::addEvent(double time, std::string name)
-{
-    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, std::move(name)});
-}
-
 bool FilmRecorder::lookAtClock()
 {
-    if (wallClock() - lastUpdate_ > longestSilence) flush();
+    if (updates_.silent()) flush();
     return !stopped_;
 }
 
 void FilmRecorder::flush()
 {
     const double begin = wallClock();
-    statistics_.add(batch_);
-    const double reached = std::min(last_.time, case_.run.duration);
-    if (callback_ && !callback_({reached, case_.run.duration, batch_, newEvents_, fields_})) stopped_ = true;
-    events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
-    newEvents_.clear();
-    fields_.clear();
-    batch_.time.clear();
-    for (std::vector<double>& column : batch_.columns) column.clear();
-    lastUpdate_ = wallClock();
-    secondsOutside_ += lastUpdate_ - begin;
+    statistics_.add(updates_.samples());
+    if (!updates_.send(std::min(last_.time, case_.run.duration), begin)) stopped_ = true;
 }
 
 double FilmRecorder::energyImbalance() const
@@ -220,7 +195,7 @@ void FilmRecorder::finish(Summary& summary)
 {
     if (last_.time < case_.run.duration) evaluate(last_, last_.time);
     summary.endTime = std::min(last_.time, case_.run.duration);
-    summary.events = events_;
+    summary.events = updates_.events();
     if (samples_ > 0)
         for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
     statistics_.finish(summary);

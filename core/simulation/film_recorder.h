@@ -10,6 +10,7 @@
 
 #include "core/simulation/coupled_step.h"
 #include "core/simulation/run_statistics.h"
+#include "core/simulation/run_updates.h"
 
 namespace touchdown {
 
@@ -37,14 +38,14 @@ public:
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point) { earlier_ = last_ = point; }
-    void addEvent(double time, std::string name);
-    void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
+    void addEvent(double time, std::string name) { updates_.addEvent(time, std::move(name)); }
+    void addFields(FieldSnapshot snapshot) { updates_.addFields(std::move(snapshot)); }
 
     /// Tells where it is time to. False when somebody stopped the run.
     bool lookAtClock();
     void flush();
     bool stopped() const { return stopped_; }
-    double secondsOutside() const { return secondsOutside_; }
+    double secondsOutside() const { return updates_.secondsOutside(); }
 
     /// The largest difference so far between the change of the energy and what was gained, against the largest range of one of its
     /// parts [-].
@@ -61,9 +62,9 @@ private:
     const Case& case_;
     const SliderBody& body_;
     const MinimumSpacing& spacing_;
-    const RunCallback& callback_;
     std::vector<Quantity> quantities_;
     RunStatistics statistics_;
+    RunUpdates updates_;
     SurfacePoint headAt_;   // where the flying height is taken [m]
     double headRecess_ = 0.0;
     FilmPoint last_, earlier_; // the same where forces have jumped
@@ -71,11 +72,7 @@ private:
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]
     std::vector<double> values_;
-    SampleBatch batch_;
-    std::vector<RunEvent> events_, newEvents_;
-    std::vector<FieldSnapshot> fields_;
     bool stopped_ = false;
-    double lastUpdate_ = 0.0, secondsOutside_ = 0.0; // wall clock [s]
 };
 
 } // namespace touchdown

@@ -2,7 +2,6 @@
 #include "core/simulation/spring_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -13,33 +12,15 @@
 
 namespace touchdown {
 
-namespace {
-
-constexpr std::size_t samplesInBatch = 1024;
-constexpr double longestSilence = 0.015; // between updates [s]
-
-double wallClock()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-} // namespace
-
 SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities, const RunCallback& callback)
     : model_(model),
-      callback_(callback),
-      points_(samplesInBatch),
+      points_(RunUpdates::samplesInBatch),
       interval_(c.run.sampleInterval),
       slack_(std::max(1e-9 * c.run.sampleInterval, 4.0 * std::numeric_limits<double>::epsilon() * c.run.duration)),
-      duration_(c.run.duration),
       values_(quantities.size()),
       energyColumn_(static_cast<std::size_t>(findQuantity(quantities, "energy"))),
-      lastUpdate_(wallClock())
-{
-    batch_.time.reserve(samplesInBatch);
-    batch_.columns.resize(quantities.size());
-    for (std::vector<double>& column : batch_.columns) column.reserve(samplesInBatch);
-}
+      updates_(quantities.size(), c.run.duration, callback)
+{}
 
 void SpringRecorder::begin(const State& y, Mode mode)
 {
@@ -52,13 +33,13 @@ void SpringRecorder::begin(const State& y, Mode mode)
 void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
 {
     if (guard != SpringModel::Pad) lostSince_[guard == SpringModel::Front ? 0 : 1] = upper ? -1.0 : time;
-    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, model_.eventName(guard, before, after)});
+    updates_.addEvent(time, model_.eventName(guard, before, after));
 }
 
 void SpringRecorder::lookAtClock()
 {
     stepsSinceLook_ = 0;
-    if (wallClock() - lastUpdate_ > longestSilence) flush();
+    if (updates_.silent()) flush();
 }
 
 bool SpringRecorder::judge(const Point& point, const double* values)
@@ -81,15 +62,12 @@ bool SpringRecorder::judge(const Point& point, const double* values)
 void SpringRecorder::flush()
 {
     const double begin = wallClock();
-    batch_.time.clear();
-    for (std::vector<double>& column : batch_.columns) column.clear();
     for (std::size_t i = 0; i < filled_ && verdict_.status == RunStatus::Completed; ++i) {
         const Point& point = points_[i];
         model_.observe(point.y, point.mode, values_.data());
         if (!judge(point, values_.data())) break;
         lastGood_ = point;
-        batch_.time.push_back(point.time);
-        for (std::size_t k = 0; k < values_.size(); ++k) batch_.columns[k].push_back(values_[k]);
+        updates_.addSample(point.time, values_);
     }
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet told to its end.
@@ -98,15 +76,11 @@ void SpringRecorder::flush()
         if (judge(last_, values_.data())) lastGood_ = last_;
     }
     last_ = lastGood_;
-    if (batchSeen) batchSeen(batch_);
-    if (callback_ && !callback_({last_.time, duration_, batch_, newEvents_, {}}) && verdict_.status == RunStatus::Completed) {
+    if (batchSeen) batchSeen(updates_.samples());
+    if (!updates_.send(last_.time, begin) && verdict_.status == RunStatus::Completed) {
         verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }
-    events_.insert(events_.end(), newEvents_.begin(), newEvents_.end());
-    newEvents_.clear();
-    lastUpdate_ = wallClock();
-    secondsOutside_ += lastUpdate_ - begin;
 }
 
 IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/numerics/switched_system.h"
-#include "core/simulation/run.h"
+#include "core/simulation/run_updates.h"
 #include "core/simulation/spring_model.h"
 
 namespace touchdown {
@@ -56,8 +56,8 @@ public:
     const Point& last() const { return last_; }
     const Verdict& verdict() const { return verdict_; }
     /// Wall time spent in batches and callbacks [s].
-    double secondsOutside() const { return secondsOutside_; }
-    const std::vector<RunEvent>& events() const { return events_; }
+    double secondsOutside() const { return updates_.secondsOutside(); }
+    const std::vector<RunEvent>& events() const { return updates_.events(); }
     /// When the front or rear spring was lost and has not come back; negative if it carries [s].
     double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
 
@@ -66,30 +66,24 @@ public:
 
 private:
     static constexpr int stepsBetweenLooks = 1024;
-    static constexpr std::size_t mostEvents = 100'000;
     void lookAtClock();
     bool judge(const Point& point, const double* values);
 
     const SpringModel& model_;
-    const RunCallback& callback_;
     std::vector<Point> points_;
     std::size_t filled_ = 0;
-    double interval_, slack_, duration_; // [s]
-    double nextTime_ = 0.0;              // of the next sample [s]
-    long long index_ = 0;                // of the next sample
+    double interval_, slack_; // [s]
+    double nextTime_ = 0.0;   // of the next sample [s]
+    long long index_ = 0;     // of the next sample
     int stepsSinceLook_ = 0;
     bool goOn_ = true;
     Point last_;
     Point lastGood_; // the newest that was looked at and sane
     Verdict verdict_;
-    SampleBatch batch_;
     std::vector<double> values_;
     std::size_t energyColumn_;
-    std::vector<RunEvent> events_;
-    std::vector<RunEvent> newEvents_;
     std::array<double, 2> lostSince_{-1.0, -1.0};
-    double lastUpdate_ = 0.0; // wall clock [s]
-    double secondsOutside_ = 0.0;
+    RunUpdates updates_;
 };
 
 /// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a fixed-step one.

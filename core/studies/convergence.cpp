@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/contact_check.h"
 #include "core/simulation/contact_run.h"
 #include "core/simulation/elastic_pad.h"
@@ -22,11 +23,6 @@ namespace {
 constexpr double highestOrder = 3.0;
 /// Steps from the start to the closest approach where the state depends on how it was reached.
 constexpr int stepsOfAdhesion = 40;
-
-double wallClock()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The cell of the last but one level is that of the case.
 double cellOf(const Case& c, int level, int levels) { return std::ldexp(c.elastic.cell, levels - 2 - level); }
