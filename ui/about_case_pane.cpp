@@ -69,7 +69,7 @@ void AboutCasePane::write()
     part(tr("What this run shows"), result_, colours.change);
     part(tr("How that was decided"), rule_, colours.muted);
     part(tr("Its figures"), figures_, colours.muted);
-    part(tr("⚠ What the file says and is not modelled"), warnings_.join(QLatin1Char('\n')), colours.warning);
+    part(tr("⚠ What the file says without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
 }

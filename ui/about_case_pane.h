@@ -19,7 +19,7 @@ public:
     void setCase(const Case& c);
     /// Of the run of this case that has ended, by which rule, and what else is read off it; empty while it runs.
     void setResult(const QString& result, const QString& rule = {}, const QString& figures = {});
-    /// What the file that was imported says and is not modelled.
+    /// What the file says and has no effect or is not modelled.
     void setWarnings(const QStringList& warnings);
 
 protected:

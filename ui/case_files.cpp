@@ -49,8 +49,10 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     if (!file.isEmpty()) remember(file);
     emit opened();
     QStringList warnings;
-    for (const InputProblem& warning : document.warnings) warnings << QString::fromStdString(warning.text());
+    for (const auto* list : {&document.warnings, &document.unused})
+        for (const InputProblem& warning : *list) warnings << QString::fromStdString(warning.text());
     if (import) emit imported(file, warnings);
+    else if (!warnings.isEmpty()) emit warned(warnings);
 }
 
 bool CaseFiles::openNow(const QString& fileOrSample)

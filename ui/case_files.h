@@ -61,6 +61,8 @@ signals:
     void resultsFileChosen(const QString& file);
     /// After `opened`; the warnings say what is not modelled.
     void imported(const QString& path, const QStringList& warnings);
+    /// After `opened`, of a case file that says something that is not modelled or has no effect.
+    void warned(const QStringList& warnings);
     void exported(const QString& path, const QStringList& warnings);
 
 private:

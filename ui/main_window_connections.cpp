@@ -39,6 +39,7 @@ void MainWindow::connectFiles()
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });
     connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
+    connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
     connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
     connect(runFiles_, &RunFiles::succeeded, this,

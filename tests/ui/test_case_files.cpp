@@ -115,6 +115,12 @@ void TestCaseFiles::tellsWhatIsNotModelled()
     files_->take(document, path(QStringLiteral("slider.cml")));
     QCOMPARE(imported[0][1].toStringList().size(), 1);
     QVERIFY(imported[0][1].toStringList().front().startsWith(QStringLiteral("run.dat:12")));
+
+    QSignalSpy warned(files_, &CaseFiles::warned);
+    files_->take(document, path(QStringLiteral("slider.toml")));
+    QCOMPARE(imported.count(), 1);
+    QCOMPARE(warned.count(), 1);
+    QCOMPARE(warned[0][0], imported[0][1]);
 }
 
 void TestCaseFiles::namesAnImport_data()
