@@ -145,7 +145,7 @@ void FlowTable::at(std::span<const double> w, std::span<const double> gap, std::
     wide_.at(w, mobility, derivative);
     if (blendEnd_ == noGap) return;
     for (std::size_t k = 0; k < w.size(); ++k) {
-        if (gap[k] > blendEnd_) continue;
+        if (gap[k] > blendEnd_ || gap[k] <= 0.0) continue;
         const Value value = narrow(w[k], gap[k]);
         mobility[k] = value.mobility;
         derivative[k] = value.derivative;

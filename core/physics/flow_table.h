@@ -77,7 +77,7 @@ public:
     /// w = p h [Pa m], the gap [m]; the derivative by w holds the gap.
     Value at(double w, double gap) const { return gap > blendEnd_ ? wide_.at(w) : narrow(w, gap); }
 
-    /// The same for many at once.
+    /// The same for many at once; any number where the gap is closed.
     void at(std::span<const double> w, std::span<const double> gap, std::span<double> mobility,
             std::span<double> derivative) const;
 
