@@ -31,11 +31,13 @@ void FilmLinearSolver::prepare(double shift)
     shift_ = shift;
     for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
     const auto& faces = film_.faces();
-    for (std::size_t axis = 0; axis < 2; ++axis) film_.ownOperator(axis, effective_[axis], convection_[axis]);
+    film_.setStencil(stencil_);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        stencil_.addStored(axis, film_.storagePerTime(), film_.volumes(), {faces[axis].effective, faces[axis].convection},
+                           effective_[axis], convection_[axis]);
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
                             FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
                            diagonal_);
-    film_.setStencil(stencil_);
 }
 
 void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out) const

@@ -37,6 +37,19 @@ TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const S
     }
 }
 
+TOUCHDOWN_VECTOR_CLONES void addStoredRow(std::size_t count, std::size_t step, double rate, const double* volume, const float* below,
+                                          const float* above, const double* effective, const double* convection,
+                                          double* effectiveOut, double* convectionOut)
+{
+    const double* volumeBelow = volume - step;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double lower = rate * volumeBelow[k] * below[k], upper = rate * volume[k] * above[k];
+        convectionOut[k] = convection[k] + (lower + upper);
+        effectiveOut[k] = effective[k] + 0.5 * (lower - upper);
+    }
+}
+
 } // namespace
 
 FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
@@ -54,6 +67,17 @@ void FilmStencil::apply(std::span<const double> v, double rate, std::span<const 
         StencilRow row{{}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
         for (std::size_t k = 0; k < beside.size(); ++k) row.beside[k] = &beside[k][at];
         applyRow(static_cast<std::size_t>(pad.nx), pad.stride(), row, rate, &volume[at], &v[at], &out[at]);
+    }
+}
+
+void FilmStencil::addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,
+                            std::span<double> effective, std::span<double> convection) const
+{
+    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+        const std::size_t at = pad.at(0, j);
+        addStoredRow(static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)), rate, &volume[at],
+                     &storedBelow[axis][at], &storedAbove[axis][at], &own.effective[at], &own.convection[at], &effective[at],
+                     &convection[at]);
     }
 }
 

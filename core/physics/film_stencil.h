@@ -24,6 +24,14 @@ struct FilmStencil {
     /// out = J v, where cells store rate V v [1/s], [m^3]; padded, v zero in its rings, out there left as it is.
     void apply(std::span<const double> v, double rate, std::span<const double> volume, std::span<double> out) const;
 
+    /// What a face across an axis has from its two cells, F = c (v1 + v2)/2 - E (v2 - v1), without and with what it passes on of
+    /// their storage, rate V v; padded [m^3/s].
+    struct Own {
+        std::span<const double> effective, convection;
+    };
+    void addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own, std::span<double> effective,
+                   std::span<double> convection) const;
+
     PaddedGrid pad;
     std::array<std::vector<float>, 8> beside; // from south west to north east, row by row; padded [m^3/s]
     std::vector<float> sum;                   // of the nine [m^3/s]

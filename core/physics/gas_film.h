@@ -115,9 +115,6 @@ public:
     const std::array<FilmFaces, 2>& faces() const { return faces_; }
     /// Of the disk along an axis at the faces across it, halved; padded [m/s].
     std::span<const double> halfSpeeds(std::size_t axis) const { return axes_[axis].speed; }
-    /// The part of the linearisation that a face has from its two cells, with what their storage takes off the flow: F = lower v1
-    /// + upper v2 = c (v1 + v2)/2 - E (v2 - v1); padded [m^3/s].
-    void ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const;
     /// The linearisation without what the cells store, and what their faces pass on of that.
     void setStencil(FilmStencil& out) const;
     /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of setStorage.

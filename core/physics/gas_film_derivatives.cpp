@@ -133,29 +133,6 @@ template void GasFilm::setSlopes(int, const double*, const double*, const double
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
                                   std::span<double>) const;
 
-void GasFilm::ownOperator(std::size_t axis, std::span<double> effective, std::span<double> convection) const
-{
-    const PaddedGrid& pad = gaps_.pad;
-    const FilmFaces& f = faces_[axis];
-    std::copy(f.effective.begin(), f.effective.end(), effective.begin());
-    std::copy(f.convection.begin(), f.convection.end(), convection.begin());
-    if (!complete() || storagePerTime_ == 0.0) return;
-    const std::size_t step = pad.step(static_cast<int>(axis));
-    const std::vector<double>& perWidth = axes_[axis].perWidth;
-    const auto add = [&](std::size_t cell, int line, double sign) {
-        const double rate = sign * storagePerTime_ * motionShare_[axis] * volume_[cell] * perWidth[static_cast<std::size_t>(line)];
-        const double above = rate * f.above[cell], below = rate * f.below[cell + step];
-        convection[cell] += above;
-        effective[cell] -= 0.5 * above;
-        convection[cell + step] += below;
-        effective[cell + step] += 0.5 * below;
-    };
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) add(pad.at(i, j), axis == 0 ? i : j, 1.0);
-    // These have no slopes.
-    for (const std::size_t at : gaps_.steppedCells) add(at, axis == 0 ? pad.column(at) : pad.row(at), -1.0);
-}
-
 /// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the faces
 /// above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
 template <typename T>

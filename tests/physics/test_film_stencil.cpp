@@ -49,6 +49,25 @@ private slots:
         QCOMPARE(out[cell - up], 7.0 - 6.0 * 0.0625);
     }
 
+    /// A face across y passes on 2 * 3 * (1/4) of the cell below and 2 * 5 * (-1/16) of the one above: F = 1.5 v1 - 0.625 v2, besides
+    /// E = 7 and c = 1, of which c (v1 + v2)/2 - E (v2 - v1) = 7.5 v1 - 6.5 v2.
+    void passesOnWhatIsStored()
+    {
+        const PaddedGrid pad{3, 4};
+        FilmStencil stencil(pad);
+        std::vector<double> volume(pad.size(), 0.0), E(pad.size(), 7.0), c(pad.size(), 1.0), effective(pad.size()), convection(pad.size());
+        const std::size_t face = pad.at(1, 2);
+        volume[face - pad.stride()] = 3.0;
+        volume[face] = 5.0;
+        stencil.storedBelow[1][face] = 0.25f;
+        stencil.storedAbove[1][face] = -0.0625f;
+        stencil.addStored(1, 2.0, volume, {E, c}, effective, convection);
+        QCOMPARE(0.5 * convection[face] + effective[face], 7.5 + 1.5);    // by v1
+        QCOMPARE(0.5 * convection[face] - effective[face], -6.5 - 0.625); // by v2
+        QCOMPARE(effective[face + 1], 7.0);
+        QCOMPARE(convection[face + 1], 1.0);
+    }
+
     /// Five cells with conductances of a third, which single precision rounds by up to 2^-24 of itself: the smoothest mode,
     /// v = sin(pi (i + 1)/(n + 1)) sin(pi (j + 1)/(n + 1)), has J v = lambda v with lambda = (8/3) sin^2(pi/(2 (n + 1))), 3e-4 of the
     /// largest. It is as exact as the conductances; numbers times v itself would be wrong by 2^-24/3e-4.
