@@ -39,7 +39,7 @@ struct FilmStepOptions {
     FilmTimeMethod method = FilmTimeMethod::Bdf2;
     // What may be left of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
     double tolerance = 1e-9;    // this
-    double share = 0.5;         // and this share of the step's error of discretisation in time, up to 1e-2
+    double share = 0.3;         // and this share of the step's error of discretisation in time, up to 1e-3
     int maximumIterations = 12; // of Newton's method
 };
 
@@ -72,7 +72,7 @@ public:
     /// How often a cell has closed since the start: its air is lost.
     long long closings() const { return closings_; }
     /// What may be left of the last step, as `tolerance` measures it [-].
-    double allowed() const { return std::max(options_.tolerance, std::min(1e-2, options_.share * timeError_)); }
+    double allowed() const { return std::max(options_.tolerance, std::min(1e-3, options_.share * timeError_)); }
     /// What the last step's error of discretisation in time, estimated, amounts to: force [N], pitch and roll torque about the slider's
     /// centre [N m]; zero as long as there is no parabola.
     std::array<double, 3> timeErrorLoad() const;

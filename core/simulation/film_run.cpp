@@ -2,10 +2,10 @@
 #include "core/simulation/film_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/film_books.h"
 #include "core/simulation/film_scene.h"
 #include "core/simulation/step_length.h"
@@ -22,7 +22,7 @@ constexpr double longestShare = 0.01;   // of the run, for a step
 constexpr double longestPhase = 0.6;    // omega dt: of longer steps BDF2 would change the damping of a motion by more than a tenth
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
 constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
-constexpr double filmTimeShare = 0.5;   // of the film's own error in time [-]
+constexpr double filmTimeShare = 0.3;   // of the film's own error in time [-]
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
 constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
@@ -31,11 +31,6 @@ constexpr int mostSwitches = 64;        // within chatterTime
 constexpr double chatterTime = 1e-7;    // [s]
 constexpr double farthest = 1e-4;       // from which no slider comes back [m]
 constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
-
-double wallClock()
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
 
@@ -316,8 +311,9 @@ private:
     void takeFields()
     {
         const int count = case_.run.fieldSnapshots;
-        if (count == 0 || stepper_->time() < (count > 1 ? snapshots_ * case_.run.duration / (count - 1) : 0.0)) return;
-        while (snapshots_ < count && stepper_->time() >= snapshots_ * case_.run.duration / std::max(1, count - 1)) ++snapshots_;
+        const double interval = case_.run.duration / std::max(1, count - 1), reached = stepper_->time() + 1e-9 * interval;
+        if (snapshots_ == count || reached < snapshots_ * interval) return;
+        while (snapshots_ < count && reached >= snapshots_ * interval) ++snapshots_;
         for (FieldSnapshot& snapshot :
              scene_.snapshots(stepper_->time(), body_->attitude(stepper_->motion().q), stepper_->pressure()))
             recorder_->addFields(std::move(snapshot));
