@@ -17,7 +17,7 @@ namespace touchdown {
 
 class FilmResponse {
 public:
-    static constexpr double tolerance = 0.1; // of X [-]
+    static constexpr double tolerance = 0.03; // of X [-]
 
     /// Film and body must last.
     FilmResponse(const GasFilm& film, const SliderBody& body);
