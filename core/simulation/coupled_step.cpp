@@ -14,6 +14,7 @@ namespace {
 constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
 constexpr double longestForFourth = 1.4;    // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
+constexpr double worthRenewing = 0.1;       // contraction beyond which the film's responses have changed [-]
 constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
 
 /// Adds the time until its end to a sum.
@@ -245,6 +246,9 @@ CoupledStepResult CoupledStepper::step(double dt)
         } else {
             result.positionLeft = size;
         }
+        // Stiffness that was met on the way: again by the other rule, whose error then tells whether the step is too long.
+        if (fourth_ && fastestRate() * dt > longestForFourth) return step(dt);
+        if (result.iterations > 1 && contraction_ > worthRenewing) response_.outdate();
         finishMotion(dt, monolithic ? change : Vector3{});
         setTimeError(dt, result);
         return result;

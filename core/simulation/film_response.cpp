@@ -9,7 +9,6 @@ namespace touchdown {
 namespace {
 
 constexpr double sameRate = 0.5; // change of a step's rate for which a response is kept [-]
-constexpr int oldest = 200;      // steps
 constexpr int mostIterations = 40;
 
 } // namespace

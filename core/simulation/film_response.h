@@ -18,6 +18,7 @@ namespace touchdown {
 class FilmResponse {
 public:
     static constexpr double tolerance = 0.03; // of X [-]
+    static constexpr int oldest = 200;        // steps
 
     /// Film and body must last.
     FilmResponse(const GasFilm& film, const SliderBody& body);
@@ -28,6 +29,8 @@ public:
     bool isOld() const;
     /// A step has been accepted.
     void age() { ++age_; }
+    /// Steps tell that it is not good any more.
+    void outdate() { age_ = oldest + 1; }
     /// Of the film at pressures p (padded), by its linear systems, which are those of a pressure near to it; returns the preconditioned
     /// iterations it took. The first call allocates. `goOn` is asked at each of them; where it says false nothing is known.
     int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
