@@ -14,6 +14,7 @@ namespace touchdown {
 
 namespace {
 
+constexpr double leastPivot = 1e-12;  // of the centre
 constexpr double leastCentre = 1e-30; // of the largest; a cell below that, as one without an open face, keeps its value
 
 /// Eight of them side by side, so that they run on vectors.
@@ -58,6 +59,14 @@ TOUCHDOWN_VECTOR_CLONES void setStencilRow(std::size_t count, std::size_t up, do
     }
 }
 
+/// 1/(centre - taken), or 1/centre where next to nothing is left: of a line whose cells have no way out.
+template <typename T>
+inline T inversePivot(T centre, T taken)
+{
+    const T own = centre - taken;
+    return 1.0 / (std::abs(own) > leastPivot * std::abs(centre) ? own : centre);
+}
+
 /// 1/pivots of lines along x, several at once.
 template <typename T, int lines, typename Real, typename Number>
 void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real* west, const Real* east, const Number* centre,
@@ -68,7 +77,7 @@ void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = first + k * apart + i;
             const double couple = i > 0 ? static_cast<double>(west[at]) * east[at - 1] : 0.0;
-            last[k] = 1.0 / (static_cast<T>(centre[at]) - couple * last[k]);
+            last[k] = inversePivot(static_cast<T>(centre[at]), couple * last[k]);
             pivot[at] = static_cast<Number>(last[k]);
         }
 }
@@ -82,8 +91,8 @@ TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const 
     const Number* below = pivot - up;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
-        pivot[k] = static_cast<Number>(1.0 / (static_cast<T>(centre[k]) -
-                                              static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
+        pivot[k] = static_cast<Number>(
+            inversePivot(static_cast<T>(centre[k]), static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
 }
 
 template <typename Real, typename Number>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/vector_clones.h"
+#include "core/physics/film_step_vectors.h"
 
 namespace touchdown {
 
@@ -17,97 +17,6 @@ constexpr double firstErrorPerChange = 0.001; // of a step that had no parabola 
 constexpr int mostRepeats = 4, longestUnmeasured = 40;
 constexpr double mostOfMeasured = 4.0;      // change of a step against the one of which kappa was measured
 constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
-
-/// Eight sums side by side, whatever the width of vectors.
-TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<const double> b)
-{
-    std::array<double, 8> sums{};
-    const std::size_t whole = a.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
-    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += a[i] * b[i];
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
-/// Of the squares of a + b - c.
-TOUCHDOWN_VECTOR_CLONES double squaredSum(std::span<const double> a, std::span<const double> b, std::span<const double> c)
-{
-    std::array<double, 8> sums{};
-    const std::size_t whole = a.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8)
-        for (std::size_t k = 0; k < 8; ++k) {
-            const double value = a[i + k] + b[i + k] - c[i + k];
-            sums[k] += value * value;
-        }
-    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += (a[i] + b[i] - c[i]) * (a[i] + b[i] - c[i]);
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
-/// Of cells as in setHistory.
-TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, const std::array<double, 3>& share, const double* volume,
-                                          const double* content1, const double* content2, const double* content3, double* history)
-{
-    const auto [last, before, beforeThat] = share;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const double stored = last * content1[k] + before * content2[k] + beforeThat * content3[k];
-        history[k] = volume[k] > 0.0 ? stored : 0.0;
-    }
-}
-
-/// Of cells as in guess; `foreseen` is without the third difference.
-TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, const std::array<double, 3>& parabola, const std::array<double, 4>& third,
-                                         const std::array<const double*, 4>& content, const double* last, const double* volume,
-                                         double* p, double* foreseen)
-{
-    const auto [m1, m2, m3, m4] = content;
-    const auto [a1, a2, a3] = parabola;
-    const auto [b1, b2, b3, b4] = third;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const double open = volume[k] > 0.0 ? 1.0 / volume[k] : 0.0;
-        const double even = (a1 * m1[k] + a2 * m2[k] + a3 * m3[k]) * open;
-        const double guess = even + (b1 * m1[k] + b2 * m2[k] + b3 * m3[k] + b4 * m4[k]) * open;
-        const double least = 0.5 * last[k], most = 2.0 * last[k];
-        const double raised = guess < least ? least : guess;
-        p[k] = open > 0.0 ? (raised > most ? most : raised) : last[k];
-        foreseen[k] = open > 0.0 ? even : last[k];
-    }
-}
-
-/// Returns how many cells have no content that had some before.
-TOUCHDOWN_VECTOR_CLONES long long setContents(std::size_t count, const double* volume, const double* p, const double* before,
-                                              double* pressure, double* content)
-{
-    long long closed = 0;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        pressure[k] = p[k];
-        content[k] = volume[k] * p[k];
-        closed += content[k] == 0.0 && before[k] > 0.0 ? 1 : 0;
-    }
-    return closed;
-}
-
-/// change *= sqrt(volume at the linearisation/volume now), within a factor of two.
-TOUCHDOWN_VECTOR_CLONES void scaleToVolumes(std::size_t count, const double* before, const double* now, double* change)
-{
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const double shrunk = std::sqrt(before[k] / (now[k] > 0.0 ? now[k] : before[k]));
-        const double least = shrunk > 0.5 ? shrunk : 0.5;
-        change[k] *= before[k] > 0.0 ? (least < 2.0 ? least : 2.0) : 1.0;
-    }
-}
-
-/// out -= part v
-TOUCHDOWN_VECTOR_CLONES void subtract(double part, const std::vector<double>& v, std::vector<double>& out)
-{
-    const double* from = v.data();
-    double* to = out.data();
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < v.size(); ++i) to[i] -= part * from[i];
-}
 
 } // namespace
 
@@ -154,7 +63,8 @@ std::array<double, 3> FilmStepper::timeErrorLoad() const
         double force = 0.0, torque = 0.0;
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            const double cell = (p_[at] - foreseen_[at]) * film_.areas()[at];
+            const double volume = film_.volumes()[at];
+            const double cell = volume > 0.0 ? (p_[at] - foreseen_[at] / volume) * film_.areas()[at] : 0.0;
             force += cell;
             torque += cell * (0.5 * gaps.length - gaps.grid.centreX(i));
         }
@@ -186,7 +96,7 @@ void FilmStepper::setHistory(double dt)
     const double r = second ? dt / h1 : 0.0; // r = 0 is Euler
     perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
     std::array<double, 3> share{(1.0 + r) / dt, -r * r / (1.0 + r) / dt, 0.0};
-    errorPerChange_ = 2.0 / 11;
+    double taken = 0.0; // of what BDF3 adds
     if (second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
         // Of dt (t - t2) f[t, t1, t2, t3] the parts of V p and m1..m3.
         const double factor = thirdShare * dt * (dt + h1), all = dt + h1 + h2;
@@ -195,16 +105,18 @@ void FilmStepper::setHistory(double dt)
         share[0] += factor / (dt * h1 * (h1 + h2));
         share[1] -= factor / ((dt + h1) * h1 * h2);
         share[2] += factor / (all * (h1 + h2) * h2);
-        const double error = (1.0 - thirdShare) / 3.0 / (1.5 + thirdShare / 3.0); // of equal steps, against the third difference
-        errorPerChange_ = error / (1.0 + error);
+        taken = thirdShare;
     }
+    // Milne's device, for lengths that differ.
+    const double error = (1.0 - taken) / ((dt + h1 + h2) * perTime_);
+    errorPerChange_ = error / (1.0 + error);
     // A cell that has closed has pressed its air out; what was left is lost.
     setHistories(history_.size(), share, film_.volumes().data(), past_[0].content.data(), past_[1].content.data(),
                  past_[2].content.data(), history_.data());
     film_.setStorage(perTime_, history_);
 }
 
-/// Through the last four pressures (Lagrange's polynomials), or as many as there are; each at most doubled or halved.
+/// Through the last four contents over the new volumes (Lagrange's polynomials), or as many as there are; each at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;
@@ -248,7 +160,7 @@ void FilmStepper::linearise(FilmStepResult& result)
 void FilmStepper::setTimeError(const FilmStepResult& result)
 {
     if (result.iterations > 0 || !fresh_) return;
-    const double square = squaredSum(change_, p_, foreseen_) / static_cast<double>(film_.pad().cells());
+    const double square = unforeseenSquares(change_, p_, foreseen_, film_.volumes()) / static_cast<double>(film_.pad().cells());
     timeError_ = (extrapolated_ ? errorPerChange_ : firstErrorPerChange) * std::sqrt(square) / film_.ambient();
 }
 
@@ -348,8 +260,8 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);
         if (age_ > 0) {
-            // J's columns have grown and shrunk with the gaps since: in all that is stored and swept along in proportion, less in what
-            // pressure drives. Half of it, as a power, serves best.
+            // What flows make of J has shrunk with the gaps since, about in proportion; what is stored is up to date. Half of it, as a
+            // power, serves best.
             scaleToVolumes(change_.size(), linearisedVolume_.data(), film_.volumes().data(), change_.data());
             setTimeError(result);
         }

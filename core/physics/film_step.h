@@ -6,7 +6,7 @@
 //   Euler  d(V p)/dt = (V p - m1)/dt                                              first order
 //   BDF2   d(V p)/dt = ((1 + 2 r)/(1 + r) V p - (1 + r) m1 + r^2/(1 + r) m2)/dt   second order (Gear 1971; variable steps)
 //
-// BDF2 begins with a step of Euler, whose error is small enough for second order. Where steps have hardly changed it has 0.48 of
+// BDF2 begins with a step of Euler, whose error is small enough for second order. Where steps have not grown by more than half it has 0.48 of
 // what BDF3 would add besides, which halves its error and takes nine tenths of its damping, and leaves it L-stable (Vatsa,
 // Carpenter & Lockard 2010, BDF2OPT). Each step is solved by Newton's method from a cubic through the last four contents over the
 // new volumes, as fast motions keep the air where it is, with the Jacobian J of an earlier step. What the step adds to a parabola
@@ -103,7 +103,7 @@ private:
     FilmLinearSolver linear_;
     std::array<Past, 4> past_; // from the last accepted one back
     std::vector<double> p_, residual_, right_, change_, rest_, history_;
-    std::vector<double> foreseen_; // by a parabola [Pa]
+    std::vector<double> foreseen_; // contents by a parabola [Pa m^3]
     std::vector<double> linearisedVolume_; // of the cells at the last linearisation [m^3]
     static constexpr std::size_t mostDirections = 8;
     std::array<std::vector<double>, mostDirections> directions_, images_;

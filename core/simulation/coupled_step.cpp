@@ -4,8 +4,9 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+
+#include "core/numerics/wall_clock.h"
 
 namespace touchdown {
 
@@ -20,13 +21,13 @@ constexpr double slowestRate = 1e6;         // 2 pi times a frequency below thos
 /// Adds the time until its end to a sum.
 class Stopwatch {
 public:
-    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(wallClock()) {}
     Stopwatch(const Stopwatch&) = delete;
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    ~Stopwatch() { seconds_ += wallClock() - begin_; }
 
 private:
     double& seconds_;
-    std::chrono::steady_clock::time_point begin_;
+    double begin_;
 };
 
 /// In lengths of the slider, so that an elimination weighs like with like.
@@ -65,11 +66,14 @@ void CoupledStepper::setSurface(double time)
 
 void CoupledStepper::askContact(const Attitude& attitude, double time)
 {
-    const Stopwatch watch(cost_.contactSeconds);
+    const double begin = wallClock();
     inReach_ = contact_ && !contact_->outOfReach(attitude);
     if (contact_) ++(inReach_ ? cost_.contactSolves : cost_.contactSkipped);
     // Also out of reach, so that a law with memory knows it.
     if (contact_) contactForces_ = contact_->at(attitude, time);
+    const double seconds = wallClock() - begin;
+    cost_.contactSeconds += seconds;
+    if (inReach_) cost_.contactSolveSeconds += seconds;
     contactStiffness_ = inReach_ ? contact_->stiffness() : Matrix3{};
 }
 
@@ -114,6 +118,7 @@ void CoupledStepper::restartAcceleration()
     setAcceleration();
     jerk_ = stiffJerk_ = stiffJerk(motion_.v);
     lastDt_ = 0.0;
+    acceptedRate_ = fastestRate();
 }
 
 /// Of the acceleration's rate of change what stiffness makes.
@@ -172,23 +177,38 @@ FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
     const FilmStepResult film = stepper_.step(dt, attitude);
     ++cost_.filmSolves;
     cost_.linearisations += film.linearisations;
+    cost_.jacobiansKept += film.linearisations == 0;
     return film;
 }
 
+/// Where a step meets stiffness on its way for which its rule is not stable, it is taken again by the other one, whose error then tells
+/// whether it is too long.
 CoupledStepResult CoupledStepper::step(double dt)
+{
+    const CoupledStepResult first = tryStep(dt, true);
+    if (!first.converged() || !fourth_ || fastestRate() * dt <= longestForFourth) return first;
+    CoupledStepResult result = tryStep(dt, false);
+    result.iterations += first.iterations;
+    result.filmIterations += first.filmIterations;
+    result.linearisations += first.linearisations;
+    result.solves += first.solves;
+    return result;
+}
+
+CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
 {
     CoupledStepResult result;
     dt_ = dt;
     const bool monolithic = options_.coupling == FilmCoupling::Monolithic;
     const double time = time_ + dt;
-    setRule(dt);
+    setRule(dt, fourth);
     const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
     for (std::size_t k = 0; k < 3; ++k) {
         rate_[k] = motion_.v[k] + shift_ * stiffJerk_[k];
         tried_.q[k] = motion_.q[k] + dt * (rate_[k] + dt * (0.5 * motion_.a[k] + later_ * dt * jerk_[k]));
     }
     contraction_ *= forgetting;
-    double before = 0.0; // size of the last change
+    double before = 0.0, measured = 0.0; // size of the last change; contraction
     const auto fail = [&](CoupledFailure failure) {
         result.failure = failure;
         return result;
@@ -226,7 +246,7 @@ CoupledStepResult CoupledStepper::step(double dt)
         if (!std::isfinite(size)) return fail(CoupledFailure::NotFinite);
         if (result.iterations > 1) {
             // What is as small as rounding contracts no more.
-            if (size > options_.tolerance) contraction_ = size / before;
+            if (size > options_.tolerance) contraction_ = measured = size / before;
             if (contraction_ > 1.0 && size > 10.0 * options_.tolerance && result.iterations > 3) return fail(CoupledFailure::Iteration);
         }
         before = size;
@@ -246,9 +266,7 @@ CoupledStepResult CoupledStepper::step(double dt)
         } else {
             result.positionLeft = size;
         }
-        // Stiffness that was met on the way: again by the other rule, whose error then tells whether the step is too long.
-        if (fourth_ && fastestRate() * dt > longestForFourth) return step(dt);
-        if (result.iterations > 1 && contraction_ > worthRenewing) response_.outdate();
+        if (measured > worthRenewing) response_.outdate();
         finishMotion(dt, monolithic ? change : Vector3{});
         setTimeError(dt, result);
         return result;
@@ -275,9 +293,9 @@ double CoupledStepper::fastestRate() const
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first step, whose
 /// earlier tries may know the stiffness and may not.
-void CoupledStepper::setRule(double dt)
+void CoupledStepper::setRule(double dt, bool fourth)
 {
-    fourth_ = !starting_ && response_.known() && fastestRate() * dt < longestForFourth;
+    fourth_ = fourth && !starting_ && response_.known() && acceptedRate_ * dt < longestForFourth;
     later_ = fourth_ ? 1.0 / 12 : 0.25;
     shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
 }
@@ -341,6 +359,7 @@ void CoupledStepper::accept()
     time_ += dt_;
     response_.age();
     starting_ = false;
+    acceptedRate_ = fastestRate();
     if (contact_) contact_->accept();
 }
 

@@ -62,6 +62,8 @@ struct CoupledCost {
     long long linearisations = 0;  // of the film
     long long contactSolves = 0;   // attitudes at which the contact was asked,
     long long contactSkipped = 0;  // and those at which nothing was in reach
+    double contactSolveSeconds = 0.0; // of the former [s]
+    long long jacobiansKept = 0;   // attitudes at which the film needed no linearisation
 };
 
 /// Film, body, contact and disk must last; contact and disk may be null. Allocates at construction alone.
@@ -99,6 +101,7 @@ public:
     double fastestRate() const;
 
 private:
+    CoupledStepResult tryStep(double dt, bool fourth);
     void askContact(const Attitude& attitude, double time);
     void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
@@ -109,7 +112,7 @@ private:
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
     /// Takes film and forces along; returns by how much the pressure may be wrong then, as FilmStepResult::error measures it [-].
     double follow(const Vector3& change);
-    void setRule(double dt);
+    void setRule(double dt, bool fourth);
     void setVelocity(double dt);
     void finishMotion(double dt, const Vector3& change);
     void setTimeError(double dt, CoupledStepResult& result);
@@ -137,6 +140,7 @@ private:
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_{};
+    double acceptedRate_ = 0.0;                // fastestRate() at the accepted state [rad/s]
     bool starting_ = true;                     // no step has been accepted yet
     CoupledCost cost_;
     double contraction_ = 0.0;                 // of the iteration, as last measured [-]

@@ -11,6 +11,7 @@ namespace touchdown {
 
 namespace {
 
+constexpr double nearest = 0.6; // earlier point, in steps
 bool touches(const Case& c) { return c.contact != ContactKind::None; }
 bool hasSurfaces(const Case& c) { return c.contact == ContactKind::Elastic; }
 
@@ -106,8 +107,8 @@ void FilmRecorder::record(const FilmPoint& to, double time)
     if (updates_.full()) flush();
 }
 
-/// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none or where it is
-/// zero, as where a contact begins.
+/// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none, where it was
+/// nearer, or where one of them is zero or the parabola changes sign, as where a contact begins or ends.
 void FilmRecorder::evaluate(const FilmPoint& to, double time)
 {
     const FilmPoint& from = last_;
@@ -116,8 +117,9 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
     const Attitude attitude = body_.attitude(motion.q);
     const auto along = [&](double earlier, double a, double b) {
         const double straight = a + share * (b - a);
-        if (!(h0 > 0.0) || earlier == 0.0 || a == 0.0 || b == 0.0) return straight;
-        return straight - share * (1.0 - share) * h * h / (h + h0) * ((b - a) / h - (a - earlier) / h0);
+        if (!(h > 0.0 && h0 > nearest * h) || earlier == 0.0 || a == 0.0 || b == 0.0) return straight;
+        const double bent = straight - share * (1.0 - share) * h * h / (h + h0) * ((b - a) / h - (a - earlier) / h0);
+        return bent * straight > 0.0 ? bent : straight;
     };
     const auto ofContact = [&](double SliderContactForces::*part) {
         return along(earlier_.contact.*part, from.contact.*part, to.contact.*part);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Turns the steps of a run of the film into samples at equal intervals, and tells of them. Within a step the slider moves along the
-// polynomial of fifth degree through position, velocity and acceleration at its ends; forces are linear in time.
+// polynomial of fifth degree through position, velocity and acceleration at its ends; forces and energies along parabolas.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 //
 // What the film answers within a step of time to a small change of the attitude: with J dp = -dR/dq dq its pressure changes by -X dq,
 // X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both lead an iteration and have no part in its result, so that they
-// are kept as long as a step's length is about the same.
+// are kept while a step's length is about the same, for some 200 steps, until steps tell that they are not good any more.
 #pragma once
 
 #include <array>

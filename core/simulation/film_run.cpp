@@ -90,10 +90,9 @@ private:
         add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
         add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
         add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
-        const double perContact = cost.contactSolves > 0 ? cost.contactSeconds / static_cast<double>(cost.contactSolves) : 0.0;
+        const double perContact = cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
         add("contact_saved", "s", "Wall time that skipped contacts would have taken", perContact * static_cast<double>(cost.contactSkipped));
-        add("jacobians_kept", "1", "Attitudes at which the film was solved with an earlier linearisation",
-            static_cast<double>(std::max(0LL, cost.filmSolves - cost.linearisations)));
+        add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation", static_cast<double>(cost.jacobiansKept));
         add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load", worstBalance_);
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
         add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient", worstFilm_);
