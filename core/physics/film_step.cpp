@@ -92,12 +92,12 @@ void FilmStepper::remember()
 void FilmStepper::setHistory(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt;
-    const bool second = options_.method == FilmTimeMethod::Bdf2 && h1 > 0.0;
+    const bool second = options_.method != FilmTimeMethod::Euler && h1 > 0.0;
     const double r = second ? dt / h1 : 0.0; // r = 0 is Euler
     perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
     std::array<double, 3> share{(1.0 + r) / dt, -r * r / (1.0 + r) / dt, 0.0};
     double taken = 0.0; // of what BDF3 adds
-    if (second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
+    if (options_.method == FilmTimeMethod::Bdf2Opt && second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
         // Of dt (t - t2) f[t, t1, t2, t3] the parts of V p and m1..m3.
         const double factor = thirdShare * dt * (dt + h1), all = dt + h1 + h2;
         const double added = factor / (dt * (dt + h1) * all);

@@ -6,9 +6,9 @@
 //   Euler  d(V p)/dt = (V p - m1)/dt                                              first order
 //   BDF2   d(V p)/dt = ((1 + 2 r)/(1 + r) V p - (1 + r) m1 + r^2/(1 + r) m2)/dt   second order (Gear 1971; variable steps)
 //
-// BDF2 begins with a step of Euler, whose error is small enough for second order. Where steps have not grown by more than half it has 0.48 of
-// what BDF3 would add besides, which halves its error and takes nine tenths of its damping, and leaves it L-stable (Vatsa,
-// Carpenter & Lockard 2010, BDF2OPT). Each step is solved by Newton's method from a cubic through the last four contents over the
+// BDF2 begins with a step of Euler, whose error is small enough for second order. BDF2OPT has, where steps have not grown by more than
+// half, 0.48 of what BDF3 would add besides, which halves its error and takes nine tenths of its damping, and leaves it L-stable (Vatsa,
+// Carpenter & Lockard 2010). Each step is solved by Newton's method from a cubic through the last four contents over the
 // new volumes, as fast motions keep the air where it is, with the Jacobian J of an earlier step. What the step adds to a parabola
 // tells the error of its discretisation in time (2/11 of it for BDF2: Milne's device), and that tells how far to solve.
 //
@@ -33,10 +33,10 @@
 
 namespace touchdown {
 
-enum class FilmTimeMethod : std::uint8_t { Euler, Bdf2 };
+enum class FilmTimeMethod : std::uint8_t { Euler, Bdf2, Bdf2Opt };
 
 struct FilmStepOptions {
-    FilmTimeMethod method = FilmTimeMethod::Bdf2;
+    FilmTimeMethod method = FilmTimeMethod::Bdf2Opt;
     // What may be left of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
     double tolerance = 1e-9;    // this
     double share = 0.3;         // and this share of the step's error of discretisation in time, up to 1e-3

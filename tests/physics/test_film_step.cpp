@@ -83,6 +83,8 @@ private slots:
         QTest::addColumn<double>("ratio");
         QTest::addColumn<double>("order");
         QTest::newRow("Euler") << int(FilmTimeMethod::Euler) << 1.0 << 1.0;
+        QTest::newRow("BDF2OPT") << int(FilmTimeMethod::Bdf2Opt) << 1.0 << 2.0;
+        QTest::newRow("BDF2OPT, steps of two lengths") << int(FilmTimeMethod::Bdf2Opt) << 1.4 << 2.0;
         QTest::newRow("BDF2") << int(FilmTimeMethod::Bdf2) << 1.0 << 2.0;
         QTest::newRow("BDF2, steps of two lengths") << int(FilmTimeMethod::Bdf2) << 1.6 << 2.0;
     }

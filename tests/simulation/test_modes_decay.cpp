@@ -31,7 +31,7 @@ public:
     MovingSlider(const Case& c, const SteadyResult& rest, const Eigen::Matrix3d& stiffness, double dt)
         : case_(c), rest_(rest.attitude), dt_(dt), recess_(c.surface, c.slider.length, c.slider.width),
           spacing_(c.surface, recess_), level_(c, recess_, spacing_, rest.grid),
-          stepper_(level_.film, {.tolerance = 1e-10, .maximumIterations = 40}), stiffness_(stiffness)
+          stepper_(level_.film, {.method = FilmTimeMethod::Bdf2, .tolerance = 1e-10, .share = 0.02, .maximumIterations = 40}), stiffness_(stiffness)
     {
         level_.gaps.pad.pad<double>(rest.pressure, level_.pressure);
         level_.film.setAttitude(rest_);
