@@ -2,18 +2,14 @@
 #include "core/studies/convergence.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/contact_check.h"
 #include "core/simulation/contact_run.h"
 #include "core/simulation/elastic_pad.h"
 #include "core/simulation/units.h"
+#include "core/studies/parallel.h"
 
 namespace touchdown {
 
@@ -64,66 +60,7 @@ ConvergenceLevel solveLevel(Case c, double cell, const std::function<bool()>& go
     return level;
 }
 
-/// Solves levels until none is left or somebody stops it.
-class LevelPool {
-public:
-    LevelPool(const Case& c, ConvergenceStudy& study) : case_(c), study_(study), next_(study.levels.size()) {}
-
-    void run(int jobs, const std::function<bool(int)>& done)
-    {
-        std::vector<std::jthread> threads;
-        const auto count = std::min<std::size_t>(static_cast<std::size_t>(std::max(jobs, 1)), study_.levels.size());
-        for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
-        std::unique_lock lock(mutex_);
-        while (solved_ < static_cast<int>(study_.levels.size())) {
-            changed_.wait_for(lock, std::chrono::milliseconds(50));
-            const int solved = solved_;
-            lock.unlock();
-            const bool goOn = !done || done(solved);
-            lock.lock();
-            if (goOn) continue;
-            study_.status = StudyStatus::Cancelled;
-            stopped_ = true;
-            next_ = 0;
-            break;
-        }
-    }
-
-private:
-    void work()
-    {
-        std::unique_lock lock(mutex_);
-        // The finest takes longest and goes first.
-        while (next_ > 0) {
-            ConvergenceLevel& level = study_.levels[--next_];
-            lock.unlock();
-            level = solveLevel(case_, level.cell, [this] { return !stopped_; });
-            lock.lock();
-            ++solved_;
-            changed_.notify_all();
-        }
-    }
-
-    const Case& case_;
-    ConvergenceStudy& study_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::size_t next_;
-    int solved_ = 0;
-    std::atomic<bool> stopped_ = false;
-};
-
 } // namespace
-
-std::string_view name(StudyStatus status)
-{
-    switch (status) {
-    case StudyStatus::Completed: return "completed";
-    case StudyStatus::Cancelled: return "cancelled";
-    case StudyStatus::Failed: return "failed";
-    }
-    return {};
-}
 
 ObservedOrder observedOrder(double coarse, double middle, double fine)
 {
@@ -173,7 +110,13 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
         study.levels.back().cell = cellOf(c, level, options.levels);
         study.levels.back().problem = "not solved";
     }
-    LevelPool(c, study).run(options.jobs, done);
+    // The finest takes longest and goes first.
+    const auto solve = [&](std::size_t i, const GoOn& goOn) {
+        ConvergenceLevel& level = study.levels[study.levels.size() - 1 - i];
+        level = solveLevel(c, level.cell, goOn);
+    };
+    const auto poll = [&](std::size_t count) { return !done || done(static_cast<int>(count)); };
+    if (!runParallel(study.levels.size(), options.jobs, solve, poll)) study.status = StudyStatus::Cancelled;
     study.wallSeconds = wallClock() - begin;
     if (study.status == StudyStatus::Cancelled) {
         study.message = "stopped before all levels were solved";

@@ -15,6 +15,7 @@
 
 #include "core/simulation/case.h"
 #include "core/simulation/quantity.h"
+#include "core/studies/study.h"
 
 namespace touchdown {
 
@@ -41,9 +42,6 @@ struct ObservedOrder {
     double error = 0.0;          // of the finest level [unit of the quantity]
 };
 ObservedOrder observedOrder(double coarse, double middle, double fine);
-
-enum class StudyStatus : std::uint8_t { Completed, Cancelled, Failed };
-std::string_view name(StudyStatus status);
 
 struct ConvergenceStudy {
     StudyStatus status = StudyStatus::Completed;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One run of a case as studies need it: its summary, its samples of a few quantities, and the state in which it ends.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/simulation/run.h"
+#include "core/studies/parallel.h"
+
+namespace touchdown {
+
+/// Where a run ends, by the last tenth of its duration.
+enum class EndKind : std::uint8_t {
+    Flying,        // no contact at any sample
+    Contact,       // contact at every sample
+    Intermittent,  // in and out of contact
+    Failed         // no valid end: the summary tells why
+};
+std::string_view name(EndKind kind);
+
+struct EndState {
+    EndKind kind = EndKind::Failed;
+    double spacing = 0.0; // mean of the spacing over the tail [m]
+    double spread = 0.0;  // its standard deviation there [m]
+};
+
+struct MeasuredRun {
+    Summary summary;
+    std::vector<double> time;                 // of the samples [s]
+    std::vector<std::vector<double>> columns; // of the quantities that were asked for, in their order [SI]
+    EndState end;
+    bool valid() const { return summary.status == RunStatus::Completed; }
+};
+
+/// The quantity that tells the spacing in a run of this case: "flying_height" of springs, else "minimum_spacing".
+std::string_view spacingOf(const Case& c);
+
+/// Runs the case and keeps the samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
+MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {});
+
+/// Two runs end in the same state: of one kind, and their spacings differ by no more than `distance` [m] or by both their spreads.
+bool sameEnd(const EndState& a, const EndState& b, double distance = 0.1e-9);
+
+/// A key of a case and the value that a study gives it, as a person writes it.
+struct CaseSetting {
+    std::string key;   // "run.step"
+    std::string value; // "10 ns"
+};
+/// The case with the settings; the problem in a sentence that names the key, or "". The combination is checked, too.
+std::string applySettings(Case& c, const std::vector<CaseSetting>& settings);
+
+} // namespace touchdown

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The studies by name, each as something that can be performed. A study's file is TOML:
+//
+//   title = "..."                  # may be left out
+//   case = "../fig10a.toml"        # beside the study, or the name of a sample case
+//   set = { "run.duration" = "1 ms" }   # changes of the case, may be left out
+//   ...                            # keys of the study itself: see its header
+//
+// Where a case is given instead of a study's file, the study takes its defaults for that case.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/simulation/case_file.h"
+#include "core/studies/study.h"
+
+namespace touchdown {
+
+struct StudyKind {
+    std::string name;  // "work-precision"
+    std::string title; // "Accuracy against speed"
+    std::string help;  // a sentence
+};
+/// Those that give a StudyReport, in the order in which they are offered.
+std::span<const StudyKind> studyKinds();
+
+struct StudyPlan {
+    std::string kind;
+    std::string name;    // of the file, for problems
+    std::string title;
+    std::string text;    // the study's file; "" where a case was given
+    CaseDocument start;  // the case that is studied
+    std::vector<InputProblem> problems; // all of them, those of the case among them
+    StudyPerformance perform;           // set where there is no problem
+    bool valid() const { return problems.empty(); }
+};
+
+/// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample case. The settings are those
+/// of --set, on the case.
+StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings = {});
+/// A study's text that stands in `folder`. `given` is the case where the text names none.
+StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                     const Case* given = nullptr, const std::vector<std::string>& settings = {});
+/// The text with which a study of this case begins: its defaults, with a comment for each key.
+std::string studyTemplate(const std::string& kind, const Case& c);
+
+} // namespace touchdown

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The keys of a study's file as its study asks for them. Every problem is collected, with line, key and what is allowed; a key that
+// nobody has asked for is unknown.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/simulation/case_file.h"
+#include "core/simulation/quantity.h"
+#include "core/simulation/toml_document.h"
+
+namespace touchdown {
+
+class StudyReader {
+public:
+    /// All must last. `start` is the case that is studied.
+    StudyReader(const TomlDocument& toml, std::string name, const Case& start, std::vector<InputProblem>& problems);
+
+    const Case& start() const { return start_; }
+
+    bool has(const std::string& key);
+    /// Each is empty where the key is missing, and after it has added the problem where its value is of no use.
+    std::optional<double> number(const std::string& key, const std::string& unit, const std::string& displayUnit,
+                                 double minimum, double maximum);
+    std::optional<int> integer(const std::string& key, int minimum, int maximum);
+    std::optional<bool> boolean(const std::string& key);
+    std::optional<std::string> text(const std::string& key);
+    std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices);
+    std::optional<std::vector<std::string>> texts(const std::string& key); // an array; numbers as they are written
+    std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit, const std::string& displayUnit,
+                                               double minimum, double maximum);
+    /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
+    std::vector<std::pair<std::string, std::string>> settings(const std::string& table);
+    /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
+    std::vector<std::string> tables(const std::string& list);
+    /// A problem of a key, or of a table.
+    void add(const std::string& key, std::string message);
+
+    /// Says which keys nobody has asked for.
+    void finish();
+
+private:
+    const TomlEntry* find(const std::string& key);
+    int lineOf(const std::string& key) const;
+
+    const TomlDocument& toml_;
+    std::string name_;
+    const Case& start_;
+    std::vector<InputProblem>& problems_;
+    std::map<std::string, const TomlEntry*> entries_;
+    std::set<std::string> asked_;
+};
+
+} // namespace touchdown
