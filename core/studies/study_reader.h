@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The keys of a study's file as its study asks for them. Every problem is collected, with line, key and what is allowed; a key that
-// nobody has asked for is unknown.
+// nobody has asked for is unknown. So a study asks for all its keys before it says that it cannot do this case.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/simulation/case_file.h"
@@ -16,11 +17,15 @@
 
 namespace touchdown {
 
+/// The line of an entry that does not stand in the file but was given beside it; its problems name "--option" as their file.
+inline constexpr int optionLine = -1;
+
 class StudyReader {
 public:
     /// All must last. `start` is the case that is studied.
     StudyReader(const TomlDocument& toml, std::string name, const Case& start, std::vector<InputProblem>& problems);
 
+    /// What outlives the reader keeps a copy.
     const Case& start() const { return start_; }
 
     bool has(const std::string& key);
@@ -31,29 +36,39 @@ public:
     std::optional<bool> boolean(const std::string& key);
     std::optional<std::string> text(const std::string& key);
     std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices);
-    std::optional<std::vector<std::string>> texts(const std::string& key); // an array; numbers as they are written
+    /// An array, a single value, or a text with commas; numbers as they are written. An empty list is a problem.
+    std::optional<std::vector<std::string>> texts(const std::string& key);
     std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit, const std::string& displayUnit,
                                                double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
     std::vector<std::pair<std::string, std::string>> settings(const std::string& table);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
     std::vector<std::string> tables(const std::string& list);
+    /// Keys of a table, "" for the root, that are no mistake where this study does not come to ask for them.
+    void allow(const std::string& table, const std::vector<std::string>& names);
     /// A problem of a key, or of a table.
     void add(const std::string& key, std::string message);
+    /// Where a key stands, or the table in which it is missing; 0 if there is neither.
+    int lineOf(const std::string& key) const;
 
     /// Says which keys nobody has asked for.
     void finish();
 
 private:
     const TomlEntry* find(const std::string& key);
-    int lineOf(const std::string& key) const;
+    const TomlTable* findTable(const std::string& key) const;
+    std::optional<double> inRange(const std::string& key, const TomlValue& value, const std::string& unit,
+                                  const std::string& displayUnit, double minimum, double maximum);
+    void addAt(int line, const std::string& key, std::string message);
 
     const TomlDocument& toml_;
     std::string name_;
     const Case& start_;
     std::vector<InputProblem>& problems_;
     std::map<std::string, const TomlEntry*> entries_;
+    std::map<std::string, const TomlTable*> tables_;
     std::set<std::string> asked_;
+    std::set<std::string> settled_; // tables whose keys are of no more interest
 };
 
 } // namespace touchdown
