@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/numerics/continuation.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace touchdown {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+constexpr int mostIterations = 12;      // of Newton
+constexpr double straightest = 0.995;   // cosine between tangents at the ends of a step
+constexpr int fewIterations = 4;        // after so few the step may grow
+constexpr double locatedTo = 1e-12;     // of a located point, arclength
+constexpr int mostLocations = 80;
+
+class BranchFollower {
+public:
+    BranchFollower(const ContinuationProblem& problem, const ContinuationOptions& options) : problem_(problem), options_(options) {}
+
+    Branch follow(Vector x, double p, bool rising, const std::function<bool()>& goOn)
+    {
+        Branch branch;
+        if (!solveAt(problem_, x, p, options_.tolerance)) return branch;
+        Vector up = Vector::Zero(x.size() + 1);
+        up[x.size()] = rising ? 1.0 : -1.0;
+        std::optional<BranchPoint> first = pointAt(joined(x, p), up);
+        if (!first) return branch;
+        branch.points.push_back(*first);
+        double step = options_.firstStep;
+        while (branch.points.size() < options_.mostPoints) {
+            if (goOn && !goOn()) return ended(branch, BranchEnd::Stopped);
+            const BranchPoint from = branch.points.back();
+            const std::optional<BranchPoint> next = stepFrom(from, step);
+            if (!next || next->tangent.dot(from.tangent) < straightest) {
+                step *= 0.5;
+                if (step < options_.shortestStep) return ended(branch, BranchEnd::Lost);
+                continue;
+            }
+            if (passes(*first, from, step) && branch.points.size() > 2) {
+                branch.points.push_back(*first);
+                return ended(branch, BranchEnd::Closed);
+            }
+            if (addStep(branch, from, *next, step)) return branch;
+            if (iterations_ <= fewIterations) step = std::min(1.5 * step, options_.longestStep);
+        }
+        return ended(branch, BranchEnd::TooLong);
+    }
+
+private:
+    struct Change {
+        double s = 0.0; // arclength from the beginning of the step
+        BranchPoint at;
+        BranchMark mark;
+        bool isEnd = false;
+        BranchEnd end = BranchEnd::Bound;
+        int guard = -1;
+    };
+    using Function = std::function<double(const BranchPoint&)>;
+
+    static Branch& ended(Branch& branch, BranchEnd end)
+    {
+        branch.end = end;
+        return branch;
+    }
+
+    static Vector joined(const Vector& x, double p)
+    {
+        Vector y(x.size() + 1);
+        y << x, p;
+        return y;
+    }
+
+    /// The point at a solution; its tangent is the null vector of (dF/dx, dF/dp) that looks along `along`.
+    std::optional<BranchPoint> pointAt(const Vector& y, const Vector& along)
+    {
+        const Eigen::Index n = y.size() - 1;
+        BranchPoint point{.x = y.head(n), .p = y[n], .tangent = {}, .tests = {}};
+        if (!problem_.linearise(point.x, point.p, at_)) return {};
+        Matrix transposed(n + 1, n);
+        transposed.topRows(n) = at_.byState.transpose();
+        transposed.row(n) = at_.byParameter.transpose();
+        const Matrix q = transposed.householderQr().householderQ();
+        point.tangent = q.col(n);
+        if (point.tangent.dot(along) < 0.0) point.tangent = -point.tangent;
+        if (!point.tangent.allFinite()) return {};
+        if (problem_.tests) point.tests = problem_.tests(point.x, point.p);
+        return point;
+    }
+
+    /// The point of the branch at arclength s from `from`, counted along its tangent.
+    std::optional<BranchPoint> stepFrom(const BranchPoint& from, double s)
+    {
+        const Eigen::Index n = from.x.size();
+        const Vector begin = joined(from.x, from.p);
+        Vector y = begin + s * from.tangent;
+        Matrix system(n + 1, n + 1);
+        Vector right(n + 1);
+        for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
+            if (!problem_.linearise(y.head(n), y[n], at_)) return {};
+            system.topLeftCorner(n, n) = at_.byState;
+            system.topRightCorner(n, 1) = at_.byParameter;
+            system.bottomRows(1) = from.tangent.transpose();
+            right << at_.residual, from.tangent.dot(y - begin) - s;
+            const Vector change = system.partialPivLu().solve(right);
+            if (!change.allFinite()) return {};
+            y -= change;
+            if (change.norm() <= options_.tolerance) return pointAt(y, from.tangent);
+        }
+        return {};
+    }
+
+    /// The first point of the branch lies within the step.
+    static bool passes(const BranchPoint& first, const BranchPoint& from, double step)
+    {
+        const Vector way = joined(first.x, first.p) - joined(from.x, from.p);
+        const double along = way.dot(from.tangent);
+        return along > 0.0 && along <= step && (way - along * from.tangent).norm() < 0.1 * step && first.tangent.dot(from.tangent) > 0.9;
+    }
+
+    /// Where a function changes its sign within a step, by Illinois' regula falsi with bisections; its sign there is that before the change, so
+    /// that a point at the end of a branch lies where the branch holds.
+    Change locate(const BranchPoint& from, const BranchPoint& next, double step, const Function& f)
+    {
+        double low = 0.0, high = step, fLow = f(from), fHigh = f(next);
+        Change change{.s = 0.0, .at = from, .mark = {}};
+        for (int k = 0; k < mostLocations && high - low > locatedTo && fLow != 0.0; ++k) {
+            double s = low + (high - low) * fLow / (fLow - fHigh);
+            if (k % 3 == 2 || !(s > low && s < high)) s = 0.5 * (low + high);
+            const std::optional<BranchPoint> point = stepFrom(from, s);
+            if (!point) break;
+            const double value = f(*point);
+            if ((value > 0.0) == (f(from) > 0.0) && value != 0.0) {
+                low = s;
+                fLow = value;
+                fHigh *= k % 3 == 1 ? 0.5 : 1.0;
+                change.s = s;
+                change.at = *point;
+            } else {
+                high = s;
+                fHigh = value;
+                fLow *= k % 3 == 1 ? 0.5 : 1.0;
+                if (value == 0.0) {
+                    change.s = s;
+                    change.at = *point;
+                    break;
+                }
+            }
+        }
+        return change;
+    }
+
+    /// Adds what is found within a step and its end; true where the branch ends within it.
+    bool addStep(Branch& branch, const BranchPoint& from, const BranchPoint& next, double step)
+    {
+        std::vector<Change> changes;
+        const auto watch = [&](const Function& f) -> Change* {
+            const double before = f(from), after = f(next);
+            // A branch may begin on a zero.
+            if (before == 0.0 || (before > 0.0) == (after > 0.0)) return nullptr;
+            return &changes.emplace_back(locate(from, next, step, f));
+        };
+        const auto watchEnd = [&](const Function& f, BranchEnd end, int guard) {
+            const double before = f(from), after = f(next);
+            if (after > 0.0) return;
+            Change& change = before > 0.0 ? changes.emplace_back(locate(from, next, step, f)) : changes.emplace_back(Change{.s = 0.0, .at = from, .mark = {}});
+            change.isEnd = true;
+            change.end = end;
+            change.guard = guard;
+        };
+        watchEnd([this](const BranchPoint& at) { return options_.upper - at.p; }, BranchEnd::Bound, -1);
+        watchEnd([this](const BranchPoint& at) { return at.p - options_.lower; }, BranchEnd::Bound, -1);
+        const std::size_t guards = problem_.guards ? problem_.guards(from.x, from.p).size() : 0;
+        for (std::size_t k = 0; k < guards; ++k)
+            watchEnd([this, k](const BranchPoint& at) { return problem_.guards(at.x, at.p)[k]; }, BranchEnd::Guard, static_cast<int>(k));
+        watch([](const BranchPoint& at) { return at.tangent[at.x.size()]; });
+        for (std::size_t k = 0; k < from.tests.size(); ++k)
+            if (Change* change = watch([k](const BranchPoint& at) { return at.tests[k]; })) change->mark.test = static_cast<int>(k);
+
+        std::ranges::stable_sort(changes, {}, &Change::s);
+        for (Change& change : changes) {
+            if (change.isEnd) {
+                if (change.s > 0.0) branch.points.push_back(std::move(change.at));
+                branch.guard = change.guard;
+                branch.end = change.end;
+                return true;
+            }
+            branch.points.push_back(std::move(change.at));
+            change.mark.point = branch.points.size() - 1;
+            branch.marks.push_back(change.mark);
+        }
+        branch.points.push_back(next);
+        return false;
+    }
+
+    const ContinuationProblem& problem_;
+    const ContinuationOptions& options_;
+    ContinuationProblem::Linearised at_;
+    int iterations_ = 0; // of the last step
+};
+
+} // namespace
+
+bool solveAt(const ContinuationProblem& problem, Vector& x, double p, double tolerance)
+{
+    ContinuationProblem::Linearised at;
+    for (int k = 0; k < 2 * mostIterations; ++k) {
+        if (!problem.linearise(x, p, at)) return false;
+        const Vector change = at.byState.partialPivLu().solve(at.residual);
+        if (!change.allFinite()) return false;
+        x -= change;
+        if (change.norm() <= tolerance) return true;
+    }
+    return false;
+}
+
+Branch followBranch(const ContinuationProblem& problem, Vector x, double p, bool rising, const ContinuationOptions& options,
+                    const std::function<bool()>& goOn)
+{
+    return BranchFollower(problem, options).follow(std::move(x), p, rising, goOn);
+}
+
+double hopfTest(const Eigen::VectorXcd& eigenvalues)
+{
+    const double scale = eigenvalues.cwiseAbs().maxCoeff();
+    std::complex<double> product = 1.0;
+    for (Eigen::Index i = 0; i < eigenvalues.size(); ++i)
+        for (Eigen::Index j = i + 1; j < eigenvalues.size(); ++j) product *= (eigenvalues[i] + eigenvalues[j]) / scale;
+    return product.real();
+}
+
+bool isCrossingPair(const Eigen::VectorXcd& eigenvalues)
+{
+    double least = std::numeric_limits<double>::infinity();
+    bool complex = false;
+    for (Eigen::Index i = 0; i < eigenvalues.size(); ++i)
+        for (Eigen::Index j = i + 1; j < eigenvalues.size(); ++j) {
+            const double sum = std::abs(eigenvalues[i] + eigenvalues[j]);
+            if (sum >= least) continue;
+            least = sum;
+            complex = eigenvalues[i].imag() != 0.0;
+        }
+    return complex;
+}
+
+} // namespace touchdown
