@@ -30,8 +30,15 @@ public:
     /// `converged` turns false where a linear system was not solved.
     ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
                              const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged);
+    /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
+    std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
+                                               const std::array<std::vector<double>, 3>& byPressure, bool& converged);
 
 private:
+    void setRate(std::complex<double> s);
+    /// dp for the right-hand side in right_, from the guess that it holds.
+    void solve(std::complex<double> s, std::vector<std::complex<double>>& response, bool& converged);
+
     const GasFilm& film_;
     std::array<std::vector<double>, 3> columns_, storage_; // dR/da and T
     Multigrid<std::complex<double>> multigrid_;
