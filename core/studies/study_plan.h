@@ -2,6 +2,7 @@
 //
 // The studies by name, each as something that can be performed. A study's file is TOML:
 //
+//   kind = "work-precision"        # may be left out
 //   title = "..."                  # may be left out
 //   case = "../fig10a.toml"        # beside the study, or the name of a sample case
 //   set = { "run.duration" = "1 ms" }   # changes of the case, may be left out
@@ -19,6 +20,9 @@
 #include "core/studies/study.h"
 
 namespace touchdown {
+
+/// Largest file of a study that is read [byte].
+inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
 
 struct StudyKind {
     std::string name;  // "work-precision"
@@ -39,13 +43,16 @@ struct StudyPlan {
     bool valid() const { return problems.empty(); }
 };
 
-/// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample case. The settings are those
-/// of --set, on the case.
-StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings = {});
+/// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of this kind or of a
+/// sample case. The settings are those of --set, on the case; the options are those of --option: "key=value" with a key of the
+/// study and a value as TOML or as bare text, over those of its file.
+StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings = {},
+                    const std::vector<std::string>& options = {});
 /// A study's text that stands in `folder`. `given` is the case where the text names none.
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                     const Case* given = nullptr, const std::vector<std::string>& settings = {});
-/// The text with which a study of this case begins: its defaults, with a comment for each key.
+                     const Case* given = nullptr, const std::vector<std::string>& settings = {},
+                     const std::vector<std::string>& options = {});
+/// The text with which a study of this case begins: its kind and its defaults, with a comment for each key.
 std::string studyTemplate(const std::string& kind, const Case& c);
 
 } // namespace touchdown

@@ -139,12 +139,12 @@ std::optional<bool> StudyReader::boolean(const std::string& key)
     return {};
 }
 
-std::optional<std::string> StudyReader::text(const std::string& key)
+std::optional<std::string> StudyReader::text(const std::string& key, const std::string& needed)
 {
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     if (const auto* value = std::get_if<std::string>(&entry->value)) return *value;
-    add(key, "has the wrong type; text in quotation marks is needed");
+    add(key, "has the wrong type; " + needed + " is needed");
     return {};
 }
 

@@ -28,13 +28,15 @@ public:
     /// What outlives the reader keeps a copy.
     const Case& start() const { return start_; }
 
+    const std::string& name() const { return name_; }
+
     bool has(const std::string& key);
     /// Each is empty where the key is missing, and after it has added the problem where its value is of no use.
     std::optional<double> number(const std::string& key, const std::string& unit, const std::string& displayUnit,
                                  double minimum, double maximum);
     std::optional<int> integer(const std::string& key, int minimum, int maximum);
     std::optional<bool> boolean(const std::string& key);
-    std::optional<std::string> text(const std::string& key);
+    std::optional<std::string> text(const std::string& key, const std::string& needed = "text in quotation marks");
     std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices);
     /// An array, a single value, or a text with commas; numbers as they are written. An empty list is a problem.
     std::optional<std::vector<std::string>> texts(const std::string& key);

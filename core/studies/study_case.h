@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The case of a study: its keys `case` and `set`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulation/case_file.h"
+#include "core/studies/study_reader.h"
+
+namespace touchdown {
+
+/// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those of --set. What is
+/// wrong with the case is in the document's problems, each where it was said: in the study, in the case or by --set. Without a
+/// name the reader has the problem, and there is none.
+std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
+                                          const std::vector<std::string>& settings);
+
+/// The same changes of a case that is there already.
+CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start, const std::vector<std::string>& settings);
+
+} // namespace touchdown

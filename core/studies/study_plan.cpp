@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/study_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/simulation/cml_case.h"
+#include "core/simulation/fields.h"
+#include "core/simulation/nearest_name.h"
+#include "core/simulation/quotation.h"
+#include "core/simulation/text_file.h"
+#include "core/studies/sample_study.h"
+#include "core/studies/study_case.h"
+#include "core/studies/study_options.h"
+#include "core/studies/study_reader.h"
+
+namespace touchdown {
+
+namespace {
+
+struct Study {
+    StudyPerformance (*plan)(StudyReader&);
+    std::string (*text)(const Case&);
+};
+
+/// Beside studyKinds(), in the same order.
+constexpr std::array<Study, 0> studies{};
+
+const std::vector<StudyKind>& kinds()
+{
+    static const std::vector<StudyKind> list{};
+    return list;
+}
+
+const Study* findStudy(const std::string& kind)
+{
+    const auto found = std::ranges::find(kinds(), kind, &StudyKind::name);
+    return found == kinds().end() ? nullptr : &studies[static_cast<std::size_t>(found - kinds().begin())];
+}
+
+/// What may stand where a study is wanted.
+struct Source {
+    std::string text;                  // of a study's file; "" for a case
+    std::string name;
+    std::filesystem::path folder;
+    std::optional<CaseDocument> given; // where the text names none
+};
+
+StudyPlan refuse(StudyPlan plan, std::string key, std::string message)
+{
+    plan.problems.push_back({plan.name, 0, std::move(key), std::move(message)});
+    return plan;
+}
+
+void appendTo(std::vector<InputProblem>& all, const std::vector<InputProblem>& some)
+{
+    all.insert(all.end(), some.begin(), some.end());
+}
+
+/// What is wrong with the given case as it stands.
+void checkGiven(CaseDocument& given)
+{
+    for (const CaseProblem& problem : checkCombinations(given.value))
+        given.problems.push_back({given.name, 0, problem.key, problem.message});
+}
+
+StudyPlan planStudy(const std::string& kind, Source source, const std::vector<std::string>& settings,
+                    const std::vector<std::string>& options)
+{
+    StudyPlan plan;
+    plan.kind = kind;
+    plan.name = source.name;
+    plan.text = source.text;
+    const Study* study = findStudy(kind);
+    if (study == nullptr) {
+        std::vector<std::string> names;
+        for (const StudyKind& each : kinds()) names.push_back(each.name);
+        return refuse(std::move(plan), "", inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
+    }
+    TomlDocument toml = readToml(source.text);
+    if (!toml.problem.empty()) {
+        plan.problems.push_back({plan.name, toml.problemLine, "", toml.problem});
+        return plan;
+    }
+    appendTo(plan.problems, applyOptions(toml, options));
+
+    StudyReader reader(toml, plan.name, plan.start.value, plan.problems);
+    const std::string title = reader.text("title").value_or("");
+    if (const auto its = reader.text("kind"); its && *its != kind) {
+        reader.add("kind", "is " + inQuotes(*its) + ", not " + inQuotes(kind));
+        return plan;
+    }
+    const bool takesGiven = source.given && !reader.has("case");
+    if (takesGiven) {
+        plan.start = changedStudyCase(reader, std::move(*source.given), settings);
+    } else if (auto start = openStudyCase(reader, source.folder, settings)) {
+        plan.start = std::move(*start);
+    } else {
+        return plan;
+    }
+    plan.title = title.empty() ? plan.start.value.title : title;
+    appendTo(plan.problems, plan.start.problems);
+    if (!plan.start.valid()) return plan; // what the study's keys may be depends on the case
+    StudyPerformance perform = study->plan(reader);
+    reader.finish();
+    std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
+    if (!plan.valid()) return plan;
+    plan.perform = [perform = std::move(perform), kind, title = plan.title](int jobs, const StudyCallback& callback) {
+        StudyReport report = perform(jobs, callback);
+        report.kind = kind;
+        if (report.title.empty()) report.title = title;
+        return report;
+    };
+    return plan;
+}
+
+/// Whether a text says what only a study says.
+bool isStudy(const std::string& text)
+{
+    return std::ranges::any_of(readToml(text).entries,
+                               [](const TomlEntry& entry) { return entry.key == "case" || entry.key == "kind"; });
+}
+
+CaseDocument openSample(const std::string& kind, const std::string& name)
+{
+    CaseDocument document = openCase(name);
+    if (document.valid() || !document.problems.front().message.starts_with("is neither a file")) return document;
+    std::vector<std::string> names;
+    for (const SampleCase& each : sampleCases()) names.push_back(each.name);
+    std::string& message = document.problems.front().message;
+    message = "is neither a file, a sample case nor a sample study of this kind";
+    for (const SampleStudy& each : sampleStudies()) {
+        if (each.kind == kind) names.push_back(each.name);
+        if (each.name == name) message += "; it is one of kind " + inQuotes(each.kind);
+    }
+    message += didYouMean(nearestName(name, names));
+    return document;
+}
+
+} // namespace
+
+std::span<const StudyKind> studyKinds() { return kinds(); }
+
+StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
+                    const std::vector<std::string>& options)
+{
+    std::error_code error;
+    const std::filesystem::path file = fileOrName;
+    const bool isFile = std::filesystem::is_regular_file(file, error);
+    if (const SampleStudy* sample = findSampleStudy(kind, fileOrName); sample != nullptr && !isFile)
+        return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options);
+    if (isFile && !isCmlPath(file)) {
+        const auto content = readTextFile(file, maximumStudyFileSize);
+        const auto* text = std::get_if<std::string>(&content);
+        const std::filesystem::path folder = file.parent_path();
+        if (text != nullptr && isStudy(*text))
+            return planStudy(kind, {*text, fileOrName, folder.empty() ? "." : folder, {}}, settings, options);
+    }
+    return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName)}, settings, options);
+}
+
+StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                     const Case* given, const std::vector<std::string>& settings, const std::vector<std::string>& options)
+{
+    Source source{text, name, folder, {}};
+    if (given != nullptr) {
+        source.given.emplace();
+        source.given->value = *given;
+        source.given->name = "the case";
+        source.given->text = formatCase(*given);
+        source.given->folder = given->folder;
+        checkGiven(*source.given);
+    }
+    return planStudy(kind, std::move(source), settings, options);
+}
+
+std::string studyTemplate(const std::string& kind, const Case& c)
+{
+    const Study* study = findStudy(kind);
+    return study == nullptr ? std::string() : "kind = " + tomlString(kind) + "\n" + study->text(c);
+}
+
+} // namespace touchdown
