@@ -11,8 +11,6 @@ namespace touchdown {
 namespace {
 
 constexpr double linearShare = 0.4;       // of what may be left, for the rest of the linear systems
-constexpr double thirdShare = 0.48;         // of what BDF3 adds to BDF2 (Vatsa, Carpenter & Lockard 2010)
-constexpr double mostGrowthForThird = 1.5;  // of a step against the last one: BDF3 is stable to 1.53 (Calvo, Grande & Grigorieff 1990)
 constexpr double firstErrorPerChange = 0.001; // of a step that had no parabola to begin with, cautiously
 constexpr int mostRepeats = 4, longestUnmeasured = 40;
 constexpr double mostOfMeasured = 4.0;      // change of a step against the one of which kappa was measured
@@ -87,26 +85,11 @@ void FilmStepper::remember()
     converged_ = false;
 }
 
-/// By Newton's divided differences of V p at t, t1 = t - dt, t2, t3: f[t, t1] + dt f[t, t1, t2] is BDF2, and BDF3 adds
-/// dt (t - t2) f[t, t1, t2, t3].
 void FilmStepper::setHistory(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt;
-    const bool second = options_.method != FilmTimeMethod::Euler && h1 > 0.0;
-    const double r = second ? dt / h1 : 0.0; // r = 0 is Euler
-    perTime_ = (1.0 + 2.0 * r) / (1.0 + r) / dt;
-    std::array<double, 3> share{(1.0 + r) / dt, -r * r / (1.0 + r) / dt, 0.0};
-    double taken = 0.0; // of what BDF3 adds
-    if (options_.method == FilmTimeMethod::Bdf2Opt && second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
-        // Of dt (t - t2) f[t, t1, t2, t3] the parts of V p and m1..m3.
-        const double factor = thirdShare * dt * (dt + h1), all = dt + h1 + h2;
-        const double added = factor / (dt * (dt + h1) * all);
-        perTime_ += added;
-        share[0] += factor / (dt * h1 * (h1 + h2));
-        share[1] -= factor / ((dt + h1) * h1 * h2);
-        share[2] += factor / (all * (h1 + h2) * h2);
-        taken = thirdShare;
-    }
+    const auto [perTime, share, taken] = backwardDifference(options_.method, dt, h1, h2);
+    perTime_ = perTime;
     // Milne's device, for lengths that differ.
     const double error = (1.0 - taken) / ((dt + h1 + h2) * perTime_);
     errorPerChange_ = error / (1.0 + error);

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V and, from the contents
-// m = V p of the steps before, with r = dt/(last dt),
-//
-//   Euler  d(V p)/dt = (V p - m1)/dt                                              first order
-//   BDF2   d(V p)/dt = ((1 + 2 r)/(1 + r) V p - (1 + r) m1 + r^2/(1 + r) m2)/dt   second order (Gear 1971; variable steps)
-//
-// BDF2 begins with a step of Euler, whose error is small enough for second order. BDF2OPT has, where steps have not grown by more than
-// half, 0.48 of what BDF3 would add besides, which halves its error and takes nine tenths of its damping, and leaves it L-stable (Vatsa,
-// Carpenter & Lockard 2010). Each step is solved by Newton's method from a cubic through the last four contents over the
-// new volumes, as fast motions keep the air where it is, with the Jacobian J of an earlier step. What the step adds to a parabola
-// tells the error of its discretisation in time (2/11 of it for BDF2: Milne's device), and that tells how far to solve.
+// The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V, and d(V p)/dt by backward
+// differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which halves the error of BDF2 and takes
+// nine tenths of its damping. The first step is one of Euler, whose error is small enough for second order. Each step is solved by
+// Newton's method from a cubic through the last four contents over the new volumes, as fast motions keep the air where it is, with the
+// Jacobian J of an earlier step. What the step adds to a parabola tells the error of its discretisation in time (2/11 of it for BDF2:
+// Milne's device), and that tells how far to solve.
 //
 // A step ends when what its last change leaves is estimated small enough (Hairer & Wanner 1996, IV.8): the linear system's
 // rest, known from how fast its iterations contract, and kappa times the change, kappa = |second change|/|first change| of a
@@ -28,12 +23,13 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/backward_difference.h"
 #include "core/physics/film_newton.h"
 #include "core/physics/gas_film.h"
 
 namespace touchdown {
 
-enum class FilmTimeMethod : std::uint8_t { Euler, Bdf2, Bdf2Opt };
+using FilmTimeMethod = BackwardRule;
 
 struct FilmStepOptions {
     FilmTimeMethod method = FilmTimeMethod::Bdf2Opt;
