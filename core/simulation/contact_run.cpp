@@ -76,6 +76,7 @@ public:
         flush();
         Summary summary;
         summary.status = status_;
+        if (status_ == RunStatus::Failed) summary.failure = RunFailure::NotConverged;
         summary.message = message_;
         summary.endTime = time_;
         summary.steps = steps_;

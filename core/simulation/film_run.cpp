@@ -55,6 +55,7 @@ public:
             recorder_->finish(summary);
         }
         summary.status = status_;
+        summary.failure = failure_;
         summary.message = message_;
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
@@ -104,7 +105,7 @@ private:
     {
         switch (scene_.prepare([this] { return goOn(); })) {
         case FilmScene::State::Stopped: return stop();
-        case FilmScene::State::Failed: return fail(RunStatus::Failed, scene_.message());
+        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message());
         case FilmScene::State::Ready: break;
         }
         contact_ = scene_.contact();
@@ -125,7 +126,7 @@ private:
         stepper_->start(level.pressure, motion, 0.0);
         if (stopped_) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
-            return fail(RunStatus::Failed, "no contact state was found at the start: " + problem);
+            return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
         books_.emplace(level.film, *body_, scene_.restEnergy());
         recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), callback_);
         point_ = pointNow(0.0);
@@ -203,9 +204,9 @@ private:
         const Attitude attitude = body_->attitude(point_.motion.q);
         if (contact_)
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
-                return fail(RunStatus::Failed, problem + " at " + timeText(point_.time));
+                return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
         if (scene_.spacing().at(attitude).spacing > farthest)
-            return fail(RunStatus::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
+            return fail(RunFailure::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
                                                  formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
                                                  " above it");
         return true;
@@ -291,7 +292,7 @@ private:
         if (switchTimes_.size() > mostSwitches) {
             const double since = switchTimes_[switchTimes_.size() - 1 - mostSwitches];
             if (point_.time - since < chatterTime)
-                return fail(RunStatus::Failed, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(mostSwitches) +
+                return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(mostSwitches) +
                                                    " switches of the contact's law within " + formatQuantity(chatterTime, "us"));
         }
         return true;
@@ -334,18 +335,23 @@ private:
         case CoupledFailure::NotFinite: why = "the forces are no numbers"; break;
         }
         const Attitude last = body_->attitude(point_.motion.q);
-        return fail(RunStatus::Failed, "no step is short enough at " + timeText(point_.time) + ": " + why + "; the samples end with the last good state, minimum spacing " +
+        const RunFailure failure = result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
+        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + why + "; the samples end with the last good state, minimum spacing " +
                                            formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
-    bool fail(RunStatus status, std::string message)
+    bool end(RunStatus status, RunFailure failure, std::string message)
     {
         status_ = status;
+        failure_ = failure;
         message_ = std::move(message);
         return false;
     }
-
-    bool stop() { return fail(RunStatus::Cancelled, "stopped at " + timeText(recorder_ ? point_.time : 0.0)); }
+    bool fail(RunFailure failure, std::string message)
+    {
+        return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure, std::move(message));
+    }
+    bool stop() { return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(recorder_ ? point_.time : 0.0)); }
 
     /// Asked where there is nothing to tell yet, and within long solutions.
     bool goOn()
@@ -377,6 +383,7 @@ private:
     std::vector<double> switchTimes_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     RunStatus status_ = RunStatus::Completed;
+    RunFailure failure_ = RunFailure::None;
     std::string message_;
     double lastCall_ = 0.0;  // wall clock [s]
     bool stopped_ = false;   // before there was a recorder

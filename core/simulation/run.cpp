@@ -36,15 +36,15 @@ SpringRecorder::Verdict explain(const IntegrationResult& result)
     case IntegrationEnd::Reached:
     case IntegrationEnd::Stopped: return {};
     case IntegrationEnd::Diverged:
-        return {RunStatus::Diverged, "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
+        return {RunStatus::Diverged, RunFailure::Diverged, "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
     case IntegrationEnd::StepUnderflow:
-        return {RunStatus::Failed, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
+        return {RunStatus::Failed, RunFailure::NoStep, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
     case IntegrationEnd::NewtonFailed:
-        return {RunStatus::Failed, "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
+        return {RunStatus::Failed, RunFailure::NotConverged, "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
     case IntegrationEnd::Chattering:
-        return {RunStatus::Failed, "chattering" + at + ": more than 64 switches within one period of the fastest motion; the contact law holds the pad between two laws (d_e close to d_s)"};
+        return {RunStatus::Failed, RunFailure::Chattering, "chattering" + at + ": more than 64 switches within one period of the fastest motion; the contact law holds the pad between two laws (d_e close to d_s)"};
     case IntegrationEnd::Tunnelled:
-        return {RunStatus::Failed, "a step tunnelled through the wall of an air spring" + at + ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
+        return {RunStatus::Failed, RunFailure::Tunnelled, "a step tunnelled through the wall of an air spring" + at + ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
     }
     return {};
 }
@@ -57,14 +57,14 @@ SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringM
         if (since < 0.0 || since > 0.9 * duration) continue;
         const auto& [t, y, mode] = recorder.last();
         const bool pressed = mode.contact == ContactRegion::Pressed || mode.contact == ContactRegion::Lifting;
-        return {RunStatus::Failed, std::string("the ") + (guard == SpringModel::Rear ? "rear" : "front") + " air spring is lost for good since " + time(since)
+        return {RunStatus::Failed, RunFailure::SpringLost, std::string("the ") + (guard == SpringModel::Rear ? "rear" : "front") + " air spring is lost for good since " + time(since)
                                        + (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") + spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", "
                                        + angle(y[1]) + ": outside the model"};
     }
     return {};
 }
 
-Summary runOnce(const Case& c, double step, const RunCallback& callback)
+Summary runOnce(const Case& c, double step, const RunCallback& callback, const RunOptions& options = {})
 {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<Quantity> quantities = recordedQuantities(c);
@@ -72,6 +72,8 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback)
     SpringRecorder recorder(model, c, quantities, callback);
     RunStatistics statistics(c, quantities);
     recorder.batchSeen = [&](const SampleBatch& batch) { statistics.add(batch); };
+    SpringBooks books(model, c);
+    if (options.energyBooks) recorder.books = &books;
 
     const auto solverBegin = std::chrono::steady_clock::now();
     const IntegrationResult result = integrateSprings(model, c, step, recorder);
@@ -88,6 +90,7 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback)
     if (verdict.status == RunStatus::Completed) verdict = explain(result);
     if (verdict.status == RunStatus::Completed) verdict = lostSpring(recorder, model, c.run.duration);
     summary.status = verdict.status;
+    summary.failure = verdict.failure;
     summary.message = verdict.message;
     summary.endTime = recorder.last().time;
     summary.events = recorder.events();
@@ -97,6 +100,8 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback)
     for (std::size_t i = 0; i < quantities.size(); ++i)
         if (std::isfinite(values[i])) summary.final.emplace_back(quantities[i].name, values[i]);
     statistics.finish(summary);
+    if (options.energyBooks)
+        summary.figures.push_back({{"energy_balance", "1", "1", "Energy that the books miss, against the largest change of a part"}, books.imbalance()});
     summary.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return summary;
 }
@@ -198,11 +203,12 @@ std::vector<RecordedFields> recordedFields(const Case& c)
     return sets;
 }
 
-Summary run(const Case& c, const RunCallback& callback)
+Summary run(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) {
         Summary refused;
         refused.status = RunStatus::Failed;
+        refused.failure = RunFailure::Other;
         refused.message = reason;
         refused.model = toText(c, *findField("model"));
         return refused;
@@ -219,7 +225,7 @@ Summary run(const Case& c, const RunCallback& callback)
         summary.integrator = toText(c, *findField("film.coupling"));
         return summary;
     }
-    Summary summary = runOnce(c, c.run.step, callback);
+    Summary summary = runOnce(c, c.run.step, callback, options);
     summary.model = toText(c, *findField("model"));
     summary.integrator = toText(c, *findField("run.integrator"));
     if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled && !summary.tail.empty()) {

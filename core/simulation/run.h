@@ -19,6 +19,19 @@ namespace touchdown {
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);
 
+/// What went wrong in a run that did not complete; the message tells it for a person.
+enum class RunFailure : std::uint8_t {
+    None,
+    Diverged,       // beyond all bounds
+    NegativeEnergy, // where springs.potential is "as-printed"
+    Chattering,     // switches without end
+    SpringLost,     // an air spring, for good: outside the model
+    Tunnelled,      // through the wall of an air spring
+    NoStep,         // is short enough for what is asked
+    NotConverged,   // an implicit step, or film and slider
+    Other
+};
+
 /// A switch: a spring lost or caught, the pad touching down or taking off.
 struct RunEvent {
     double time = 0.0; // [s]
@@ -62,6 +75,7 @@ struct RunFigure {
 
 struct Summary {
     RunStatus status = RunStatus::Completed;
+    RunFailure failure = RunFailure::None;
     std::string message;       // why it ended, for a person
     double endTime = 0.0;      // [s]
     long long steps = 0;       // accepted
@@ -79,7 +93,7 @@ struct Summary {
     std::vector<SpectrumPeak> peaks;  // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
-    std::vector<RunFigure> figures;            // model contact
+    std::vector<RunFigure> figures;            // models film and contact; springs with their energy's books
     std::optional<CharacteristicFit> fit;      // contact multi-asperity
 };
 
@@ -92,7 +106,11 @@ std::vector<Quantity> recordedQuantities(const Case& c);
 /// The sets of fields of which this case's run records snapshots, none of them empty.
 std::vector<RecordedFields> recordedFields(const Case& c);
 
+struct RunOptions {
+    bool energyBooks = false; // springs: how much energy the integrator makes, as figure "energy_balance"; film runs always tell
+};
+
 /// Runs a valid case to its end. Never throws for numerics: see Summary::status.
-Summary run(const Case& c, const RunCallback& callback = {});
+Summary run(const Case& c, const RunCallback& callback = {}, const RunOptions& options = {});
 
 } // namespace touchdown

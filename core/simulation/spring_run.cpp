@@ -28,6 +28,7 @@ void SpringRecorder::begin(const State& y, Mode mode)
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
+    if (books) books->begin(y, mode);
 }
 
 void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
@@ -48,9 +49,9 @@ bool SpringRecorder::judge(const Point& point, const double* values)
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
-        verdict_ = {RunStatus::Diverged, "the motion diverged" + at() + ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
+        verdict_ = {RunStatus::Diverged, RunFailure::Diverged, "the motion diverged" + at() + ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
     } else if (energy < -1e-12 * model_.energyBound()) {
-        verdict_ = {RunStatus::Failed, "the total energy became negative" + at()
+        verdict_ = {RunStatus::Failed, RunFailure::NegativeEnergy, "the total energy became negative" + at()
                                            + ": equation (5) of the paper as printed has no meaning where a spacing is negative; springs.potential = \"held\" keeps it"};
     } else {
         return true;
@@ -78,7 +79,7 @@ void SpringRecorder::flush()
     last_ = lastGood_;
     if (batchSeen) batchSeen(updates_.samples());
     if (!updates_.send(last_.time, begin) && verdict_.status == RunStatus::Completed) {
-        verdict_ = {RunStatus::Cancelled, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
+        verdict_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }
 }

@@ -7,6 +7,7 @@
 
 #include "core/numerics/switched_system.h"
 #include "core/simulation/run_updates.h"
+#include "core/simulation/spring_books.h"
 #include "core/simulation/spring_model.h"
 
 namespace touchdown {
@@ -20,6 +21,7 @@ public:
     /// How the run ends when its samples say so.
     struct Verdict {
         RunStatus status = RunStatus::Completed;
+        RunFailure failure = RunFailure::None;
         std::string message;
     };
 
@@ -45,6 +47,7 @@ public:
             }
         }
         last_ = {t1, y1, mode};
+        if (books) books->add(t1, y1, mode);
         if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
         return goOn_;
     }
@@ -63,6 +66,8 @@ public:
 
     /// What receives each batch besides the callback.
     std::function<void(const SampleBatch&)> batchSeen;
+    /// Kept from begin() on; may be null.
+    SpringBooks* books = nullptr;
 
 private:
     static constexpr int stepsBetweenLooks = 1024;

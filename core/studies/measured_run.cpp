@@ -47,7 +47,7 @@ std::string_view name(EndKind kind)
 
 std::string_view spacingOf(const Case& c) { return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing"; }
 
-MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn)
+MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn, const RunOptions& options)
 {
     const std::vector<Quantity> all = recordedQuantities(c);
     std::vector<int> columns;
@@ -77,7 +77,7 @@ MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities
             ++(touch.touches(batch, i) ? touching : apart);
         }
         return !goOn || goOn();
-    });
+    }, options);
     const double count = static_cast<double>(touching + apart);
     if (!run.valid() || count == 0.0) return run;
     const double mean = sum / count;

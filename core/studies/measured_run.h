@@ -39,7 +39,7 @@ struct MeasuredRun {
 std::string_view spacingOf(const Case& c);
 
 /// Runs the case and keeps the samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
-MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {});
+MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {}, const RunOptions& options = {});
 
 /// Two runs end in the same state: of one kind, and their spacings differ by no more than `distance` [m] or by both their spreads.
 bool sameEnd(const EndState& a, const EndState& b, double distance = 0.1e-9);
