@@ -53,6 +53,8 @@ public:
     Mode initialMode() const;
     /// The state of static equilibrium without contact.
     State staticState() const { return static_; }
+    /// M [kg], J [kg m^2].
+    Eigen::Vector2d inertia() const { return {1.0 / inverseMass_, 1.0 / inverseInertia_}; }
 
     // What the integrators ask: see core/numerics/switched_system.h.
     State derivative(const State& y, Mode mode) const { return derivative(y, mode, separation(y), frontSpacing(y), rearSpacing(y)); }
