@@ -64,7 +64,7 @@ FilmModes::Eigen6 FilmModes::eigenvalues(const Film& film) const
 {
     Eigen::Matrix<double, 6, 6> companion = Eigen::Matrix<double, 6, 6>::Zero();
     // In slider lengths and microseconds the entries are alike in size.
-    const Eigen::Vector3d scale(1.0, 1.0 / case_.slider.length, 1.0 / case_.slider.width);
+    const Eigen::Vector3d scale = this->scale();
     const Eigen::Matrix3d toMass = mass_.inverse();
     const Eigen::Matrix3d K = scale.asDiagonal().inverse() * (toMass * (springs_ + film.stiffness)) * scale.asDiagonal();
     const Eigen::Matrix3d C = scale.asDiagonal().inverse() * (toMass * (dampers_ + film.damping)) * scale.asDiagonal();
@@ -172,28 +172,33 @@ FilmModes::SurfaceAnswer FilmModes::surfaceAnswer(std::span<const double> height
     return answer;
 }
 
-Eigen::Vector3cd FilmModes::answer(double omega, std::span<const double> real, std::span<const double> imaginary)
+Eigen::Matrix3cd FilmModes::dynamic(Complex s)
 {
-    const Complex s(0.0, omega), i(0.0, 1.0);
+    const Film at = film(s);
+    return s * s * mass_ + s * (dampers_ + at.damping) + springs_ + at.stiffness;
+}
+
+Eigen::Vector3cd FilmModes::force(Complex s, std::span<const double> real, std::span<const double> imaginary,
+                                  std::span<const double> present)
+{
+    const Complex i(0.0, 1.0);
     const SurfaceAnswer first = surfaceAnswer(real), second = surfaceAnswer(imaginary);
     std::vector<Complex> source(first.flow.size());
     for (std::size_t at = 0; at < source.size(); ++at)
         source[at] = first.flow[at] + i * second.flow[at] + s * (first.storage[at] + i * second.storage[at]);
-    const Film at = film(s);
-    bool solved = true;
-    const std::array<Complex, 3> byPressure = oscillation_->answer(s, source, byPressure_, solved);
-    converged_ = converged_ && solved;
+    if (!present.empty()) {
+        const SurfaceAnswer before = surfaceAnswer(present);
+        for (std::size_t at = 0; at < source.size(); ++at) source[at] -= before.storage[at];
+    }
+    converged_ = true;
+    const std::array<Complex, 3> byPressure = oscillation_->answer(s, source, byPressure_, converged_);
     Eigen::Vector3cd force;
     for (Eigen::Index k = 0; k < 3; ++k) {
         const auto row = static_cast<std::size_t>(k);
         force[k] = byPressure[row] + first.force[row] + i * second.force[row];
     }
     if (case_.degreesOfFreedom == 2) force[2] = 0.0;
-    const Eigen::Matrix3cd dynamic = (s * s * mass_ + s * (dampers_ + at.damping) + springs_ + at.stiffness).eval();
-    // Torques in slider lengths, so that the rows are alike in size.
-    const Eigen::Vector3d scale(1.0, 1.0 / case_.slider.length, 1.0 / case_.slider.width);
-    const Eigen::Matrix3cd scaled = scale.asDiagonal() * dynamic * scale.asDiagonal();
-    return scale.asDiagonal() * scaled.partialPivLu().solve(scale.asDiagonal() * force);
+    return force;
 }
 
 } // namespace touchdown

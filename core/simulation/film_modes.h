@@ -47,9 +47,16 @@ public:
     /// many are found, and ends the search by returning false.
     std::vector<Mode> find(const std::function<bool(std::size_t)>& goOn = {});
 
-    /// q of the steady motion q e^(i omega t) under a surface w e^(i omega t), w = w' + i w'': heights over the film's cells (padded)
-    /// [m], whose effect is linear in them. Of the film alone, without contact.
-    Eigen::Vector3cd answer(double omega, std::span<const double> real, std::span<const double> imaginary);
+    /// D(s) = s^2 M + s C + K + Z(s) [N/m ...]; s must not be real.
+    Eigen::Matrix3cd dynamic(Complex s);
+    /// Load and torques about the mass centre that a surface w e^(s t) under a slider at rest makes as e^(s t), w = w' + i w'': heights
+    /// over the film's cells (padded) [m], whose effect is linear in them. Of the film alone, without contact. `present`, real, is what
+    /// of s w was there when the film began, its pressure that of the flat disk; may be empty.
+    Eigen::Vector3cd force(Complex s, std::span<const double> real, std::span<const double> imaginary,
+                           std::span<const double> present = {});
+    /// Displacements of the corners [m], and rotations that make them: what scales q.
+    Eigen::Vector3d scale() const { return {1.0, 1.0 / case_.slider.length, 1.0 / case_.slider.width}; }
+    const Eigen::Matrix3d& mass() const { return mass_; }
 
     /// Whether the film was solved at the last s.
     bool converged() const { return converged_; }
