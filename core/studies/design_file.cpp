@@ -3,24 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <optional>
 #include <set>
 
-#include "core/simulation/case_reader.h"
 #include "core/simulation/decimal.h"
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
 #include "core/simulation/steady_quantities.h"
 #include "core/simulation/text_file.h"
 #include "core/simulation/toml_document.h"
-#include "core/simulation/toml_quantity.h"
+#include "core/simulation/units.h"
+#include "core/studies/sample_study.h"
+#include "core/studies/study_head.h"
+#include "core/studies/study_reader.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr std::uintmax_t largestFile = 1 << 20; // [byte]
 constexpr int mostIterations = 1000;
 constexpr double smallestDifference = 1e-6, largestDifference = 0.25;
 
@@ -43,194 +44,113 @@ double withoutNoise(double value)
 
 class DesignReader {
 public:
-    DesignReader(DesignDocument& document, const TomlDocument& toml) : document_(document), toml_(toml) {}
+    DesignReader(DesignDocument& document, const TomlDocument& toml)
+        : document_(document), reader_(toml, document.name, document.start.value, document.problems)
+    {}
 
     void read(const std::filesystem::path& folder, const std::vector<std::string>& settings)
     {
-        for (const TomlEntry& entry : toml_.entries) entries_[entry.key] = &entry;
-        lookForStrangers();
+        reader_.text("title");
+        if (!isOfKind(reader_, "design")) return;
         readSearch();
         openStart(folder, settings);
-        if (document_.valid()) readParameters();
+        readParameters(document_.valid());
         readTargets();
+        reader_.finish();
         std::ranges::stable_sort(document_.problems, {}, &InputProblem::line);
     }
 
 private:
-    struct Place {
-        std::string table; // "parameter[1]"
-        int line = 0;
-    };
-
-    void add(int line, const std::string& key, std::string message)
+    /// A missing one is a problem.
+    std::optional<std::string> text(const std::string& key, const std::string& needed)
     {
-        document_.problems.push_back({document_.name, line, shortenedKey(key), std::move(message)});
+        if (!reader_.has(key)) reader_.add(key, "is missing; " + needed + " is needed");
+        return reader_.text(key, needed);
     }
 
-    const TomlEntry* find(const std::string& key) const
+    /// The same, unless there is a number to stand for it.
+    std::optional<double> number(const std::string& key, const std::string& unit, const std::string& displayUnit,
+                                 std::optional<double> otherwise = {})
     {
-        const auto found = entries_.find(key);
-        return found == entries_.end() ? nullptr : found->second;
-    }
-
-    void lookForStrangers()
-    {
-        for (const TomlTable& table : toml_.tables) {
-            const std::string kind = table.key.substr(0, table.key.find('['));
-            const bool list = kind == "parameter" || kind == "target";
-            if (table.key == kind && list && table.kind != TomlTableKind::Array)
-                add(table.line, table.key, "is one of a list; write [[" + kind + "]]");
-            else if (!list && table.key != "search")
-                add(table.line, table.key,
-                    "unknown table" + didYouMean(nearestName(kind, {"parameter", "target", "search"})));
-        }
-        for (const TomlEntry& entry : toml_.entries) {
-            const auto dot = entry.key.find_last_of('.');
-            const std::string table = dot == std::string::npos ? "" : entry.key.substr(0, dot);
-            const std::string leaf = entry.key.substr(dot + 1);
-            const std::vector<std::string> names = namesIn(table.substr(0, table.find('[')));
-            if (names.empty() || std::ranges::find(names, leaf) != names.end()) continue;
-            add(entry.line, entry.key, "unknown key" + didYouMean(nearestName(leaf, names)));
-        }
-    }
-
-    static std::vector<std::string> namesIn(const std::string& table)
-    {
-        if (table.empty()) return {"case", "title"};
-        if (table == "parameter") return {"key", "keys", "start", "minimum", "maximum"};
-        if (table == "target") return {"quantity", "value", "tolerance"};
-        if (table == "search") return {"iterations", "difference"};
-        return {}; // the table itself has been named
-    }
-
-    std::optional<std::string> text(const std::string& key, int line, const std::string& example)
-    {
-        const TomlEntry* entry = find(key);
-        const auto* value = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value);
-        if (value != nullptr) return *value;
-        add(entry == nullptr ? line : entry->line, key,
-            (entry == nullptr ? "is missing; " : "has the wrong type; ") + example + " is needed");
-        return {};
-    }
-
-    /// A missing one is a problem unless there is a number to stand for it.
-    std::optional<double> number(const std::string& key, int line, const std::string& unit,
-                                 const std::string& displayUnit, std::optional<double> otherwise = {})
-    {
-        const TomlEntry* entry = find(key);
-        if (entry == nullptr) {
-            if (!otherwise) add(line, key, "is missing");
-            return otherwise;
-        }
-        const auto value = tomlQuantity(entry->value, unit, displayUnit);
-        if (const auto* problem = std::get_if<UnitProblem>(&value)) {
-            add(entry->line, key, problem->message);
-            return {};
-        }
-        return std::get<double>(value);
-    }
-
-    int lineOf(const std::string& key, int line) const
-    {
-        const TomlEntry* entry = find(key);
-        return entry == nullptr ? line : entry->line;
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        if (reader_.has(key)) return reader_.number(key, unit, displayUnit, -infinity, infinity);
+        if (!otherwise) reader_.add(key, "is missing");
+        return otherwise;
     }
 
     void readSearch()
     {
-        if (const TomlEntry* entry = find("search.iterations")) {
-            const auto* value = std::get_if<std::int64_t>(&entry->value);
-            if (value == nullptr || *value < 1 || *value > mostIterations)
-                add(entry->line, entry->key, "must be a whole number from 1 to " + std::to_string(mostIterations));
-            else
-                document_.task.maximumIterations = static_cast<int>(*value);
-        }
-        if (const auto share = number("search.difference", 0, "", "", document_.task.difference)) {
-            if (*share < smallestDifference || *share > largestDifference)
-                add(lineOf("search.difference", 0), "search.difference",
-                    "must be from " + decimalText(smallestDifference) + " to " + decimalText(largestDifference));
-            document_.task.difference = *share;
-        }
+        DesignTask& task = document_.task;
+        task.maximumIterations = reader_.integer("search.iterations", 1, mostIterations).value_or(task.maximumIterations);
+        task.difference =
+            reader_.number("search.difference", "", "", smallestDifference, largestDifference).value_or(task.difference);
     }
 
     void openStart(const std::filesystem::path& folder, const std::vector<std::string>& settings)
     {
-        const auto name = text("case", 0, "the file of a case, or the name of a sample case, in quotation marks");
-        if (!name) return;
-        std::error_code none;
-        const std::filesystem::path beside = folder / *name;
-        CaseDocument& start = document_.start;
-        start = openCase(std::filesystem::exists(beside, none) ? beside.string() : *name);
-        if (!settings.empty()) applySettings(start, settings);
-        for (const InputProblem& problem : start.problems) document_.problems.push_back(problem);
-        if (!start.valid()) return;
-        if (const std::string reason = reasonNotToDesign(start.value); !reason.empty())
-            add(lineOf("case", 0), "case", start.name + ": " + reason);
+        auto start = openStudyCase(reader_, folder, settings);
+        if (!start) return;
+        document_.start = std::move(*start);
+        for (const InputProblem& problem : document_.start.problems) document_.problems.push_back(problem);
+        if (!document_.start.valid()) return;
+        if (const std::string reason = reasonNotToDesign(document_.start.value); !reason.empty())
+            reader_.add("case", document_.start.name + ": " + reason);
     }
 
-    std::vector<Place> places(const std::string& kind, std::size_t most)
+    std::vector<std::string> tables(const std::string& kind, std::size_t most)
     {
-        std::vector<Place> list;
-        for (const TomlTable& table : toml_.tables)
-            if (table.key.starts_with(kind + '[') && table.key.ends_with(']')) list.push_back({table.key, table.line});
-        if (list.empty()) add(0, kind, "a study needs one or more; write [[" + kind + "]] for each");
-        if (list.size() > most) {
-            add(list[most].line, kind,
-                std::to_string(list.size()) + " are too many; at most " + std::to_string(most) + " are possible");
-            list.clear();
-        }
-        return list;
-    }
-
-    std::vector<std::string> keysOf(const Place& place)
-    {
-        const TomlEntry* list = find(place.table + ".keys");
-        const TomlEntry* one = find(place.table + ".key");
-        if (list == nullptr) {
-            const auto key = text(place.table + ".key", place.line, "a key of the case in quotation marks");
-            return key ? std::vector{*key} : std::vector<std::string>{};
-        }
-        std::vector<std::string> keys;
-        const auto* array = std::get_if<TomlArray>(&list->value);
-        for (const TomlElement& element : array == nullptr ? std::vector<TomlElement>{} : array->elements)
-            if (const auto* key = std::get_if<std::string>(&element.value)) keys.push_back(*key);
-        if (one != nullptr)
-            add(one->line, one->key, "is one key, and keys are several; write one of the two");
-        else if (array == nullptr || keys.empty() || keys.size() != array->elements.size())
-            add(list->line, list->key, "a list such as [\"abs.rail[1].recess\", \"abs.rail[3].recess\"] is needed");
-        else
-            return keys;
+        std::vector<std::string> list = reader_.tables(kind);
+        if (list.empty() && !reader_.has(kind)) reader_.add(kind, "a study needs one or more; write [[" + kind + "]] for each");
+        if (list.size() <= most) return list;
+        reader_.add(list[most], std::to_string(list.size()) + " are too many; at most " + std::to_string(most) + " are possible");
         return {};
     }
 
-    void readParameters()
+    std::vector<std::string> keysOf(const std::string& table)
+    {
+        const std::string one = table + ".key", several = table + ".keys";
+        if (!reader_.has(several)) {
+            const auto key = text(one, "a key of the case in quotation marks");
+            return key ? std::vector{*key} : std::vector<std::string>{};
+        }
+        if (reader_.has(one)) {
+            reader_.add(one, "is one key, and keys are several; write one of the two");
+            return {};
+        }
+        return reader_.texts(several, "a list such as [\"abs.rail[1].recess\", \"abs.rail[3].recess\"]").value_or(std::vector<std::string>{});
+    }
+
+    /// What they may be depends on the case.
+    void readParameters(bool caseIsGood)
     {
         std::set<std::string> keys;
-        for (const Place& place : places("parameter", mostParameters)) {
+        for (const std::string& table : tables("parameter", mostParameters)) {
+            reader_.allow(table, {"key", "keys", "start", "minimum", "maximum"});
+            if (!caseIsGood) continue;
             const std::size_t before = document_.problems.size();
             DesignParameter parameter;
-            for (const std::string& name : keysOf(place)) {
+            for (const std::string& name : keysOf(table)) {
                 auto key = designKey(document_.start.value, name);
-                const std::string at = place.table + (find(place.table + ".keys") != nullptr ? ".keys" : ".key");
+                const std::string at = table + (reader_.has(table + ".keys") ? ".keys" : ".key");
                 if (!keys.insert(name).second)
-                    add(lineOf(at, place.line), at, inQuotes(name) + " is changed by more than one parameter");
+                    reader_.add(at, inQuotes(name) + " is changed by more than one parameter");
                 else if (const auto* problem = std::get_if<std::string>(&key))
-                    add(lineOf(at, place.line), at, inQuotes(name) + ' ' + *problem);
+                    reader_.add(at, inQuotes(name) + ' ' + *problem);
                 else if (parameter.keys.push_back(std::get<DesignKey>(key));
                          parameter.keys.back().unit != parameter.keys.front().unit)
-                    add(lineOf(at, place.line), at, inQuotes(name) + " is measured otherwise than the first key");
+                    reader_.add(at, inQuotes(name) + " is measured otherwise than the first key");
             }
             if (document_.problems.size() != before) continue;
-            readBounds(place, parameter);
+            readBounds(table, parameter);
             if (document_.problems.size() == before) document_.task.parameters.push_back(std::move(parameter));
         }
     }
 
-    void readBounds(const Place& place, DesignParameter& parameter)
+    void readBounds(const std::string& table, DesignParameter& parameter)
     {
         const DesignKey& first = parameter.keys.front();
         const auto value = [&](const char* name, std::optional<double> otherwise = {}) {
-            return number(place.table + '.' + name, place.line, first.unit, first.displayUnit, otherwise);
+            return number(table + '.' + name, first.unit, first.displayUnit, otherwise);
         };
         const auto minimum = value("minimum"), maximum = value("maximum"),
                    start = value("start", first.get(document_.start.value));
@@ -240,8 +160,7 @@ private:
         parameter.start = *start;
         const auto shown = [&](double number) { return formatQuantity(withoutNoise(number), first.displayUnit); };
         const auto complain = [&](const char* name, std::string message) {
-            const std::string key = place.table + '.' + name;
-            add(lineOf(key, place.line), key, std::move(message));
+            reader_.add(table + '.' + name, std::move(message));
         };
         if (!(*minimum < *maximum))
             return complain("maximum", "must be greater than minimum (" + shown(*minimum) + ")");
@@ -261,30 +180,28 @@ private:
         const std::vector<Quantity> quantities = wantedQuantities();
         std::vector<std::string> names;
         for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-        for (const Place& place : places("target", mostTargets)) {
-            const auto name = text(place.table + ".quantity", place.line, "a quantity such as \"minimum_spacing\"");
+        for (const std::string& table : tables("target", mostTargets)) {
+            reader_.allow(table, {"quantity", "value", "tolerance"});
+            const auto name = text(table + ".quantity", "a quantity such as \"minimum_spacing\"");
             if (!name) continue;
             const int index = findQuantity(quantities, *name);
             if (index < 0) {
-                const std::string key = place.table + ".quantity";
-                add(lineOf(key, place.line), key,
-                    inQuotes(*name) + " is no quantity of a static state" + didYouMean(nearestName(*name, names)));
+                reader_.add(table + ".quantity", inQuotes(*name) + " is no quantity of a static state" +
+                                                     didYouMean(nearestName(*name, names)));
                 continue;
             }
             const Quantity& quantity = quantities[static_cast<std::size_t>(index)];
-            const auto value = number(place.table + ".value", place.line, quantity.unit, quantity.displayUnit);
-            const auto tolerance = number(place.table + ".tolerance", place.line, quantity.unit, quantity.displayUnit);
+            const auto value = number(table + ".value", quantity.unit, quantity.displayUnit);
+            const auto tolerance = number(table + ".tolerance", quantity.unit, quantity.displayUnit);
             if (tolerance && !(*tolerance > 0.0))
-                add(lineOf(place.table + ".tolerance", place.line), place.table + ".tolerance",
-                    "must be greater than 0");
+                reader_.add(table + ".tolerance", "must be greater than 0");
             else if (value && tolerance)
                 document_.task.targets.push_back({quantity, *value, *tolerance});
         }
     }
 
     DesignDocument& document_;
-    const TomlDocument& toml_;
-    std::map<std::string, const TomlEntry*, std::less<>> entries_;
+    StudyReader reader_;
 };
 
 } // namespace
@@ -304,7 +221,11 @@ DesignDocument parseDesign(const std::string& text, const std::string& name, con
 
 DesignDocument readDesign(const std::filesystem::path& file, const std::vector<std::string>& settings)
 {
-    const auto content = readTextFile(file, largestFile);
+    std::error_code error;
+    const bool isFile = std::filesystem::exists(file, error);
+    if (const SampleStudy* sample = findSampleStudy("design", file.string()); sample != nullptr && !isFile)
+        return parseDesign(sample->text, sample->name, {}, settings);
+    const auto content = readTextFile(file, maximumStudyFileSize);
     if (const auto* problem = std::get_if<FileProblem>(&content)) {
         DesignDocument document;
         document.name = file.string();

@@ -2,6 +2,7 @@
 //
 // A design study as TOML, and what it found as CSV (RFC 4180: a line for the start and for every better set).
 //
+//   kind = "design"                   # may be left out, as may a title
 //   case = "../film_fig4_pico.toml"   # beside the study; or the name of a sample case
 //
 //   [[parameter]]
@@ -40,7 +41,7 @@ struct DesignDocument {
     bool valid() const { return problems.empty(); }
 };
 
-/// The settings are those of --set, on the case.
+/// A file, or the name of a sample study. The settings are those of --set, on the case.
 DesignDocument readDesign(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
 /// The same of a text that stands in `folder`.
 DesignDocument parseDesign(const std::string& text, const std::string& name, const std::filesystem::path& folder,

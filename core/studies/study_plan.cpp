@@ -11,7 +11,7 @@
 #include "core/simulation/quotation.h"
 #include "core/simulation/text_file.h"
 #include "core/studies/sample_study.h"
-#include "core/studies/study_case.h"
+#include "core/studies/study_head.h"
 #include "core/studies/study_options.h"
 #include "core/studies/study_reader.h"
 
@@ -87,10 +87,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
 
     StudyReader reader(toml, plan.name, plan.start.value, plan.problems);
     const std::string title = reader.text("title").value_or("");
-    if (const auto its = reader.text("kind"); its && *its != kind) {
-        reader.add("kind", "is " + inQuotes(*its) + ", not " + inQuotes(kind));
-        return plan;
-    }
+    if (!isOfKind(reader, kind)) return plan;
     const bool takesGiven = source.given && !reader.has("case");
     if (takesGiven) {
         plan.start = changedStudyCase(reader, std::move(*source.given), settings);

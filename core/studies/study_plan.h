@@ -21,9 +21,6 @@
 
 namespace touchdown {
 
-/// Largest file of a study that is read [byte].
-inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
-
 struct StudyKind {
     std::string name;  // "work-precision"
     std::string title; // "Accuracy against speed"

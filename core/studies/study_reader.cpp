@@ -41,16 +41,16 @@ std::optional<std::string> settingText(const TomlValue& value)
     return list;
 }
 
-/// The values of a list, each as an element of its own.
-std::vector<TomlValue> elementsOf(const TomlValue& value)
+/// The values of a list, each as an element of its own; beside a file a text with commas is one, too. None where it is no list.
+std::vector<TomlValue> elementsOf(const TomlEntry& entry)
 {
     std::vector<TomlValue> values;
-    if (const auto* array = std::get_if<TomlArray>(&value)) {
+    if (const auto* array = std::get_if<TomlArray>(&entry.value)) {
         for (const TomlElement& element : array->elements) values.push_back(element.value);
-    } else if (const auto* text = std::get_if<std::string>(&value)) {
+    } else if (entry.line == optionLine) {
+        const auto* text = std::get_if<std::string>(&entry.value);
+        if (text == nullptr) return {entry.value};
         for (const std::string_view element : listElements(*text)) values.push_back(std::string(element));
-    } else {
-        values.push_back(value);
     }
     return values;
 }
@@ -159,21 +159,21 @@ std::optional<std::string> StudyReader::choice(const std::string& key, const std
     return {};
 }
 
-std::optional<std::vector<std::string>> StudyReader::texts(const std::string& key)
+std::optional<std::vector<std::string>> StudyReader::texts(const std::string& key, const std::string& needed)
 {
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<std::string> list;
-    for (const TomlValue& element : elementsOf(entry->value)) {
+    for (const TomlValue& element : elementsOf(*entry)) {
         const auto value = std::holds_alternative<TomlArray>(element) ? std::nullopt : settingText(element);
         if (!value) {
-            add(key, "has the wrong type; a list of texts or numbers is needed");
-            return {};
+            list.clear();
+            break;
         }
         list.push_back(*value);
     }
     if (!list.empty()) return list;
-    add(key, "is empty; one value or more is needed");
+    add(key, "has the wrong type; " + needed + " is needed");
     return {};
 }
 
@@ -183,13 +183,14 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<double> list;
-    for (const TomlValue& element : elementsOf(entry->value)) {
+    for (const TomlValue& element : elementsOf(*entry)) {
         const auto value = inRange(key, element, unit, displayUnit, minimum, maximum);
         if (!value) return {};
         list.push_back(*value);
     }
     if (!list.empty()) return list;
-    add(key, "is empty; one number or more is needed");
+    const std::string one = displayUnit.empty() ? "1" : "\"1 " + displayUnit + '"';
+    add(key, "has the wrong type; a list such as [" + one + ", " + one + "] is needed");
     return {};
 }
 

@@ -38,8 +38,8 @@ public:
     std::optional<bool> boolean(const std::string& key);
     std::optional<std::string> text(const std::string& key, const std::string& needed = "text in quotation marks");
     std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices);
-    /// An array, a single value, or a text with commas; numbers as they are written. An empty list is a problem.
-    std::optional<std::vector<std::string>> texts(const std::string& key);
+    /// An array of one element or more, numbers as they are written. Beside a file a text with commas or a single value does, too.
+    std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& needed = "a list of texts or numbers");
     std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit, const std::string& displayUnit,
                                                double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.

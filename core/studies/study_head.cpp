@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/study_case.h"
+#include "core/studies/study_head.h"
 
 #include <algorithm>
+
+#include "core/simulation/quotation.h"
 
 namespace touchdown {
 
@@ -21,6 +23,14 @@ void nameTheStudy(const StudyReader& reader, std::vector<InputProblem>& problems
 }
 
 } // namespace
+
+bool isOfKind(StudyReader& reader, const std::string& kind)
+{
+    const bool silent = !reader.has("kind");
+    const auto its = reader.text("kind");
+    if (its && *its != kind) reader.add("kind", "is " + inQuotes(*its) + ", not " + inQuotes(kind));
+    return silent || (its && *its == kind);
+}
 
 std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
                                           const std::vector<std::string>& settings)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The case of a study: its keys `case` and `set`.
+// What every study's file says first: kind, case and the changes of the case.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,12 @@
 #include "core/studies/study_reader.h"
 
 namespace touchdown {
+
+/// Largest file of a study that is read [byte].
+inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
+
+/// Whether the file is of this kind, or does not say of which; else the reader has the problem.
+bool isOfKind(StudyReader& reader, const std::string& kind);
 
 /// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those of --set. What is
 /// wrong with the case is in the document's problems, each where it was said: in the study, in the case or by --set. Without a
