@@ -18,6 +18,8 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "ui/study_chart_view.h"
+
 namespace touchdown {
 
 namespace {
@@ -25,12 +27,6 @@ namespace {
 constexpr int screenResolution = 96; // [pixels per inch], that of a picture's size in SVG and PDF
 constexpr int paperResolution = 1200;
 constexpr double finer = 2.0; // PNG against the screen
-
-struct Picture {
-    QSizeF size; // [px]
-    QString title;
-    std::function<void(QPainter&)> paint;
-};
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotExport", text); }
 
@@ -129,6 +125,13 @@ Picture pictureOf(QWidget& page, const QString& title, const PlotTheme& theme)
                 for (SliderPlan* plan : page.findChildren<SliderPlan*>())
                     if (plan->isVisibleTo(&page))
                         plan->paintPlan(painter, QRectF(plan->mapTo(&page, QPoint()), plan->size()), theme);
+                for (StudyChartView* chart : page.findChildren<StudyChartView*>()) {
+                    if (!chart->isVisibleTo(&page)) continue;
+                    painter.save();
+                    painter.translate(chart->mapTo(&page, QPoint()));
+                    chart->picture(theme).paint(painter);
+                    painter.restore();
+                }
             }};
 }
 
@@ -158,6 +161,10 @@ QByteArray number(std::optional<double> value, double factor)
 }
 
 } // namespace
+
+QString savePicture(const Picture& picture, const QString& path) { return save(picture, path); }
+
+void copyPicture(const Picture& picture) { QGuiApplication::clipboard()->setImage(rastered(picture, finer)); }
 
 QString savePicture(PlotWidget& plot, const QString& path) { return save(pictureOf(plot, lightPlotTheme()), path); }
 

@@ -9,13 +9,24 @@
 #include "ui/plot_widget.h"
 #include "ui/slider_plan.h"
 
+#include <functional>
+
 #include <QIODevice>
 #include <QString>
 
 namespace touchdown {
 
+/// Anything that paints itself.
+struct Picture {
+    QSizeF size; // [px]
+    QString title;
+    std::function<void(QPainter&)> paint;
+};
+[[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
+void copyPicture(const Picture& picture);
+
 [[nodiscard]] QString savePicture(PlotWidget& plot, const QString& path);
-/// All visible plots and plans inside `page`, where they stand on it.
+/// All visible plots, plans and charts of studies inside `page`, where they stand on it.
 [[nodiscard]] QString savePage(QWidget& page, const QString& path, const QString& title = {});
 void copyPicture(PlotWidget& plot);
 void copyPage(QWidget& page);

@@ -2,46 +2,16 @@
 #include "ui/plot_menu.h"
 
 #include "ui/plot_export.h"
-
-#include <functional>
+#include "ui/save_dialog.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QMenu>
-#include <QMessageBox>
 
 namespace touchdown {
 
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotMenu", text); }
-
-/// Asks for a file, calls `save`, and shows the sentence that it returns, if any.
-void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suffix,
-                const std::function<QString(const QString&)>& save)
-{
-    auto* dialog = new QFileDialog(parent, title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters(filters);
-    dialog->setDefaultSuffix(suffix);
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).section(u')', 0, 0));
-    });
-    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, title, save](const QString& path) {
-        const QString problem = save(path);
-        if (problem.isEmpty()) return;
-        auto* box = new QMessageBox(QMessageBox::Warning, title, problem, QMessageBox::Ok, parent);
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->open();
-    });
-    dialog->open();
-}
-
-QStringList pictureFilters()
-{
-    return {tr("Portable document (*.pdf)"), tr("Scalable vector graphics (*.svg)"), tr("PNG picture (*.png)")};
-}
 
 void addCurveSwitches(QMenu* menu, PlotWidget* plot)
 {
