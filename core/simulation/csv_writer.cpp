@@ -10,6 +10,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "core/simulation/csv_field.h"
+
 namespace touchdown {
 namespace {
 
@@ -17,18 +19,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t bufferSize = std::size_t{1} << 18; // [byte]
 constexpr std::size_t longestNumber = 32;                // [byte], "-1.2345678901234567e-308" and a comma
-
-// RFC 4180: a field with a comma, a quote or a line break stands in quotes.
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
 
 } // namespace
 
@@ -97,7 +87,7 @@ std::string CsvWriter::open(const std::filesystem::path& path, const std::vector
     }
     file->add("time [s]");
     for (const Quantity& quantity : quantities)
-        file->add("," + field(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
+        file->add("," + csvField(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
     file->add("\r\n");
     file->write();
     file_ = std::move(file);

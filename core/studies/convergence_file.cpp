@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/simulation/decimal.h"
-#include "core/simulation/hdf5_access.h"
+#include "core/simulation/hdf5_file.h"
 #include "core/simulation/results_layout.h"
 #include "core/simulation/text_file.h"
 
@@ -60,20 +60,14 @@ std::string writeConvergence(const std::filesystem::path& path, const Case& c, c
                              const ConvergenceStudy& study)
 {
     if (study.status != StudyStatus::Completed) return "a study that did not end has no results to write";
-    const Hdf5Access access;
-    try {
-        Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, hdf5FileAccess()), H5Fclose);
+    return writeHdf5File(path, "the study", [&](hid_t file) {
         writeFileHeader(file, "touchdown-convergence", 1, 0, dateNow(), c.title);
         writeHdf5Attribute(file, "status", std::string(name(study.status)));
         writeHdf5Attribute(file, "message", study.message);
         writeCaseGroup(file, c, caseText);
         writeLevels(file, study);
         writeObserved(file, study);
-        file.close();
-    } catch (const Hdf5Error& error) {
-        return "cannot write the study to " + path.string() + ": " + error.what();
-    }
-    return {};
+    });
 }
 
 std::string writeConvergenceCsv(const std::filesystem::path& path, const ConvergenceStudy& study)

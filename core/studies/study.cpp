@@ -13,4 +13,25 @@ std::string_view name(StudyStatus status)
     return {};
 }
 
+std::string_view name(PointKind kind)
+{
+    switch (kind) {
+    case PointKind::Good: return "good";
+    case PointKind::WrongState: return "wrong-state";
+    case PointKind::Failed: return "failed";
+    }
+    return {};
+}
+
+std::string_view name(ChartLine line)
+{
+    switch (line) {
+    case ChartLine::None: return "none";
+    case ChartLine::Solid: return "solid";
+    case ChartLine::Dashed: return "dashed";
+    case ChartLine::Steps: return "steps";
+    }
+    return {};
+}
+
 } // namespace touchdown

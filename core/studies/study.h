@@ -33,6 +33,7 @@ enum class PointKind : std::uint8_t {
     WrongState, // looks right and ends in another state than the reference: drawn hollow
     Failed      // no valid answer: drawn as a cross
 };
+std::string_view name(PointKind kind); // "good", "wrong-state", "failed"
 
 struct ChartPoint {
     double x = 0.0, y = 0.0; // [units of the axes]; finite
@@ -43,6 +44,7 @@ struct ChartPoint {
 };
 
 enum class ChartLine : std::uint8_t { None, Solid, Dashed, Steps };
+std::string_view name(ChartLine line); // "none", "solid", "dashed", "steps"
 
 /// Points in the order in which a line joins them; a point of kind Failed is not joined.
 struct ChartSeries {
