@@ -19,7 +19,6 @@ constexpr double firstStep = 2e-9;      // [s]
 constexpr double shortestStep = 1e-14;  // [s]
 constexpr double jumpStep = 1e-11;      // so short a step whose error is too large leads over a jump of the forces [s]
 constexpr double longestShare = 0.01;   // of the run, for a step
-constexpr double longestPhase = 0.6;    // omega dt: of longer steps BDF2OPT would change the damping of a motion by more than a tenth
 constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
 constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
 constexpr double filmTimeShare = 0.3;   // of the film's own error in time [-]
@@ -154,7 +153,7 @@ private:
     double longestStep() const
     {
         double longest = longestShare * case_.run.duration;
-        if (const double rate = stepper_->fastestRate(); rate > 0.0) longest = std::min(longest, longestPhase / rate);
+        if (const double rate = stepper_->fastestRate(); rate > 0.0) longest = std::min(longest, StepLength::longestPhase / rate);
         if (contact_ && stepper_->contactInReach()) longest = std::min(longest, contact_->longestStep());
         return longest;
     }

@@ -13,6 +13,7 @@ class StepLength {
 public:
     static constexpr double mostGrowth = 2.0;  // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
     static constexpr double worstFactor = 0.75; // below which a step is tried again
+    static constexpr double longestPhase = 0.6; // omega dt: of longer steps BDF2OPT would change the damping of a motion by more than a tenth
 
     /// Steps as long as the error allows, from a first one on; or, with error zero, of that length [s], [m].
     StepLength(double first, double allowedError) : allowed_(allowedError), first_(first), wanted_(first) {}

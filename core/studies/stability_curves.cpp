@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/stability_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/studies/few_digits.h"
+
+namespace touchdown {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double highestGrowth = 3.0; // that is drawn
+constexpr int pointsPerDecade = 60;
+
+/// The least over all motions, and where it is found.
+struct Limit {
+    double step = std::numeric_limits<double>::infinity(); // [s]
+    const LocalMotion* motion = nullptr;
+};
+Limit limitOf(const LinearMethod& method, const std::vector<LocalMotion>& motions)
+{
+    Limit limit;
+    for (const LocalMotion& motion : motions)
+        if (const double step = largestStableStep(method.growth, motion); step < limit.step) limit = {step, &motion};
+    return limit;
+}
+
+Complex fastestRate(const LocalMotion& motion)
+{
+    return *std::ranges::max_element(motion.rates, {}, [](Complex rate) { return std::abs(rate); });
+}
+
+} // namespace
+
+double dampingRatio(const LocalMotion& motion)
+{
+    const Complex rate = fastestRate(motion);
+    return std::abs(rate) > 0.0 ? -rate.real() / std::abs(rate) : 0.0;
+}
+
+ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const PlaneWindow& window)
+{
+    ChartPanel panel;
+    panel.x = {.label = "Re lambda h", .unit = "", .displayUnit = ""};
+    panel.y = {.label = "Im lambda h", .unit = "", .displayUnit = ""};
+    panel.equalScales = true;
+    for (const LinearMethod& method : methods)
+        for (const std::vector<Complex>& line : stabilityBoundary(method.growth, window)) {
+            ChartSeries& series = panel.series.emplace_back();
+            series.name = method.name;
+            series.markers = false;
+            for (const Complex z : line) series.points.push_back({.x = z.real(), .y = z.imag()});
+        }
+    return panel;
+}
+
+void addEigenvalues(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step)
+{
+    for (const LocalMotion& motion : motions) {
+        ChartSeries& series = panel.series.emplace_back();
+        series.name = motion.where;
+        series.line = ChartLine::None;
+        for (const Complex rate : motion.rates)
+            for (const double half : {1.0, -1.0})
+                if (half > 0.0 || rate.imag() != 0.0) series.points.push_back({.x = step * rate.real(), .y = half * step * rate.imag()});
+    }
+}
+
+void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from, double to)
+{
+    ChartSeries& series = panel.series.emplace_back();
+    series.name = name;
+    series.markers = false;
+    const int count = static_cast<int>(std::lround(pointsPerDecade * std::log10(to / from)));
+    for (int k = 0; k <= count; ++k) {
+        const double w = from * std::pow(to / from, double(k) / count), value = growth(w);
+        if (value <= highestGrowth) series.points.push_back({.x = w, .y = value});
+        else if (!series.points.empty()) break; // what comes back further out is of no use to anybody
+    }
+}
+
+ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to)
+{
+    ChartPanel panel;
+    panel.x = {.label = "Angular frequency times step", .unit = "", .displayUnit = "", .logarithmic = true};
+    panel.y = {.label = "Growth in a step", .unit = "", .displayUnit = ""};
+    panel.bands.push_back({.alongX = false, .lower = 1.0, .upper = 1.0, .label = "stable up to here"});
+    const Complex direction(-damping, std::sqrt(std::max(0.0, 1.0 - damping * damping)));
+    for (const LinearMethod& method : methods)
+        addGrowth(panel, method.name, [&](double w) { return method.growth(w * direction); }, from, to);
+    return panel;
+}
+
+void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step)
+{
+    for (const LocalMotion& motion : motions)
+        if (const double w = step * motion.fastest(); w > 0.0) panel.bands.push_back({.alongX = true, .lower = w, .upper = w, .label = motion.where});
+}
+
+StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)
+{
+    StudyTable table{"step_limits", {{"method"}, {"where"}, {"largest_stable_step", "s", "ns", "Largest stable step"},
+                                     {"case_step", "s", "ns", "Step of the case"}, {"share", "", "", "Step of the case against the largest stable one"}}, {}};
+    for (const LinearMethod& method : methods)
+        for (const LocalMotion& motion : motions) {
+            const double limit = largestStableStep(method.growth, motion);
+            const bool finite = std::isfinite(limit);
+            table.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step, finite ? StudyValue(step / limit) : StudyValue()});
+        }
+    return table;
+}
+
+StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
+{
+    StudyTable table{"eigenvalues", {{"where"}, {"real", "1/s", "1/us", "Real part"}, {"imaginary", "1/s", "1/us", "Imaginary part"},
+                                     {"frequency", "Hz", "kHz", "Frequency"}, {"damping_ratio", "", "", "Damping ratio"}}, {}};
+    for (const LocalMotion& motion : motions)
+        for (const Complex rate : motion.rates) {
+            const double size = std::abs(rate);
+            table.rows.push_back({motion.where, rate.real(), rate.imag(), rate.imag() / (2.0 * std::numbers::pi), size > 0.0 ? StudyValue(-rate.real() / size) : StudyValue()});
+        }
+    return table;
+}
+
+void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step, const std::string& which,
+                bool adaptive, LinearPicture& picture)
+{
+    for (const LinearMethod& method : methods) {
+        const Limit limit = limitOf(method, motions);
+        if (limit.motion == nullptr) {
+            picture.findings.push_back(method.sentence + " blows up none of the case's motions, however long the step; accuracy alone limits it.");
+            continue;
+        }
+        std::string sentence = method.sentence + " blows up beyond a step of " + fewDigitsOfTime(limit.step, 3) + ", " + limit.motion->where + " (" +
+                               fewDigits(limit.motion->fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
+        if (method.isTheCases) {
+            const double share = step / limit.step;
+            sentence += "; this case takes " + which + fewDigitsOfTime(step) + ", " + fewDigits(share, "") + " times that";
+            if (adaptive) sentence += ", and shortens its steps where it needs to";
+            else if (share > 1.0) sentence += ": it cannot be right";
+        }
+        picture.findings.push_back(sentence + ".");
+    }
+    for (const LocalMotion& motion : motions)
+        if (std::ranges::any_of(motion.rates, [](Complex rate) { return rate.real() > 1e-9 * std::abs(rate); }))
+            picture.warnings.push_back("The motion " + motion.where + " grows of itself, in the model and not by a method: what grows there has no largest stable step.");
+}
+
+} // namespace touchdown

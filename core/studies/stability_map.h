@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that what the
+// paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8 to 1e-9 s?
+//
+//   fooled       it does not change, and is wrong both times
+//   cries wolf   it changes where the motion is determined: what fails is the method, not the case
+//   right        it does not change and is right, or changes where the end is not determined
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/studies/run_class.h"
+#include "core/studies/stability_task.h"
+
+namespace touchdown {
+
+enum class CriterionVerdict : std::uint8_t { Right, Fooled, CriesWolf };
+std::string_view name(CriterionVerdict verdict);
+
+struct CriterionResult {
+    std::string finer;             // the setting with which it is compared, "1 ns"
+    bool endChanges = false;
+    double trajectoryChange = 0.0; // the largest [m]
+    CriterionVerdict verdict = CriterionVerdict::Right;
+};
+
+struct StabilityCell {
+    std::size_t row = 0, method = 0, setting = 0;
+    MeasuredRun run;
+    RunVerdict verdict;
+    std::optional<CriterionResult> criterion; // where there is a run with a tenth of its step
+};
+
+struct StabilityMap {
+    std::vector<ReferenceRun> references; // one a row
+    std::vector<StabilityCell> cells;     // row by row, method by method
+};
+
+/// The number that a setting sweeps.
+double settingValue(const PrecisionMethod& method, const PrecisionSetting& setting);
+
+/// Asked with the share that is done, by expected time, and what is done next; false stops.
+using MapCallback = std::function<bool(double share, const std::string& doing)>;
+
+/// On up to `jobs` threads, on which the outcome does not depend. Returns false where the callback stopped it.
+bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback);
+
+} // namespace touchdown

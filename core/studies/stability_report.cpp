@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/stability_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/simulation/units.h"
+#include "core/studies/few_digits.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double paperStep = 1e-8;      // the coarser one [s]
+constexpr double logarithmicFrom = 9.0; // largest of an axis against its smallest
+
+std::string times(std::size_t count, const std::string& one, const std::string& many)
+{
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// An axis of a key's numbers.
+ChartAxis axisOf(const Field& field, const std::vector<double>& values)
+{
+    ChartAxis axis{.label = field.label.empty() ? field.key : field.label, .unit = field.unit, .displayUnit = field.displayUnit};
+    axis.label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(axis.label.front())));
+    if (axis.unit.empty() || axis.unit == "1") axis.unit = axis.displayUnit = "";
+    const auto [least, most] = std::ranges::minmax(values);
+    axis.logarithmic = least > 0.0 && most >= logarithmicFrom * least;
+    return axis;
+}
+
+/// By rising value.
+std::vector<std::size_t> orderOf(const std::vector<double>& values)
+{
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
+    return order;
+}
+
+std::vector<double> sorted(const std::vector<double>& values)
+{
+    std::vector<double> rising = values;
+    std::ranges::sort(rising);
+    return rising;
+}
+
+std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
+{
+    const StabilityRow& row = task.rows[cell.row];
+    const PrecisionMethod& method = row.methods[cell.method];
+    const std::string setting = method.settings[cell.setting].label;
+    return method.name + (setting.empty() ? "" : ", " + setting) + (row.label.empty() ? "" : " at " + row.label);
+}
+
+const StabilityCell& cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
+{
+    return *std::ranges::find_if(map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
+}
+
+ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
+{
+    std::vector<double> xs, ys;
+    const PrecisionMethod& first = task.rows.front().methods[method];
+    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(first.key.empty() ? double(k + 1) : settingValue(first, first.settings[k]));
+    for (const StabilityRow& row : task.rows) ys.push_back(row.value);
+
+    ChartPanel panel;
+    panel.x = first.key.empty() ? ChartAxis{.label = first.name, .unit = "", .displayUnit = ""} : axisOf(*findField(first.key), xs);
+    panel.x.label = first.name + ": " + panel.x.label;
+    panel.y = task.parameter != nullptr && task.parameterIsNumber ? axisOf(*task.parameter, ys)
+                                                                  : ChartAxis{.label = task.parameter ? task.parameter->key : "", .unit = "", .displayUnit = ""};
+    ChartMap& chart = panel.map.emplace();
+    chart.x = sorted(xs);
+    chart.y = sorted(ys);
+    std::array<int, runClasses> index;
+    index.fill(-1);
+    for (const std::size_t row : orderOf(ys))
+        for (const std::size_t setting : orderOf(xs)) {
+            const StabilityCell& cell = cellAt(map, row, method, setting);
+            int& kind = index[static_cast<std::size_t>(cell.verdict.kind)];
+            if (kind < 0) {
+                kind = static_cast<int>(chart.classes.size());
+                chart.classes.push_back({std::string(name(cell.verdict.kind)), severity(cell.verdict.kind)});
+            }
+            chart.cells.push_back(kind);
+            chart.details.push_back(placeOf(task, cell) + ": " + cell.verdict.sentence);
+        }
+    return panel;
+}
+
+StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
+{
+    const std::string unit = task.parameter && task.parameterIsNumber ? task.parameter->unit : "";
+    const std::string display = task.parameter && task.parameterIsNumber ? task.parameter->displayUnit : "";
+    StudyTable table{"runs",
+                     {{"method"}, {"setting"}, {"parameter", unit, display, task.parameter ? task.parameter->key : "Parameter"},
+                      {"class"}, {"end"}, {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
+                      {"energy_balance", "", "", "Energy that the books miss, against the largest change of a part"},
+                      {"steps"}, {"evaluations"}, {"switches"},
+                      {"finer_setting", "", "", "Paper's criterion: compared with"}, {"end_changes", "", "", "Paper's criterion: the end changes"},
+                      {"trajectory_change", "m", "nm", "Paper's criterion: largest change of the spacing"},
+                      {"criterion", "", "", "Paper's criterion is"}, {"detail"}},
+                     {}};
+    for (const StabilityCell& cell : map.cells) {
+        const StabilityRow& row = task.rows[cell.row];
+        const PrecisionMethod& method = row.methods[cell.method];
+        const StudyValue parameter = task.parameterIsNumber ? StudyValue(row.value) : StudyValue(row.label);
+        std::vector<StudyValue> values{method.name, method.settings[cell.setting].label, parameter, std::string(name(cell.verdict.kind)),
+                                       std::string(name(cell.run.end.kind)), cell.verdict.apart, cell.verdict.imbalance,
+                                       static_cast<double>(cell.run.summary.steps), static_cast<double>(cell.run.summary.evaluations),
+                                       static_cast<double>(cell.run.summary.events.size())};
+        if (cell.criterion) {
+            values.insert(values.end(), {cell.criterion->finer, std::string(cell.criterion->endChanges ? "yes" : "no"), cell.criterion->trajectoryChange,
+                                         std::string(name(cell.criterion->verdict))});
+        } else {
+            values.resize(values.size() + 4);
+        }
+        values.emplace_back(cell.verdict.sentence);
+        for (StudyValue& value : values)
+            if (const auto* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) value = {};
+        table.rows.push_back(std::move(values));
+    }
+    return table;
+}
+
+StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
+{
+    StudyTable table{"references",
+                     {{"parameter"}, {"reference"}, {"checked_by"}, {"apart", "m", "nm", "Largest distance of the two"},
+                      {"horizon", "s", "us", "Time from which on the trajectory is not determined"}, {"end_is_known"}, {"detail"}},
+                     {}};
+    for (std::size_t row = 0; row < task.rows.size(); ++row) {
+        const ReferenceRun& reference = map.references[row];
+        const ReferenceCases& cases = task.rows[row].references;
+        table.rows.push_back({task.rows[row].label, cases.label, cases.checkLabel, reference.apart,
+                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(), std::string(reference.endKnown ? "yes" : "no"), reference.sentence});
+    }
+    return table;
+}
+
+/// "rk4: 31 of 54 runs agree with the reference, 5 ...".
+std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
+{
+    std::array<std::size_t, runClasses> count{};
+    std::size_t all = 0;
+    for (const StabilityCell& cell : map.cells)
+        if (cell.method == method) {
+            ++count[static_cast<std::size_t>(cell.verdict.kind)];
+            ++all;
+        }
+    std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ":";
+    bool first = true;
+    for (std::size_t k = 0; k < count.size(); ++k) {
+        if (count[k] == 0) continue;
+        text += (first ? " " : ", ") + std::to_string(count[k]) + ' ' + std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
+        first = false;
+    }
+    return text + ".";
+}
+
+void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyReport& report)
+{
+    std::size_t pairs = 0, fooled = 0, wolf = 0, moved = 0, own = 0, ownFooled = 0, ownWolf = 0;
+    const StabilityCell *worst = nullptr, *crier = nullptr;
+    for (const StabilityCell& cell : map.cells) {
+        if (!cell.criterion) continue;
+        ++pairs;
+        const PrecisionMethod& method = task.rows[cell.row].methods[cell.method];
+        const bool papers = std::abs(settingValue(method, method.settings[cell.setting]) - paperStep) < 1e-6 * paperStep;
+        own += papers;
+        ownFooled += papers && cell.criterion->verdict == CriterionVerdict::Fooled;
+        ownWolf += papers && cell.criterion->verdict == CriterionVerdict::CriesWolf;
+        if (cell.criterion->verdict == CriterionVerdict::Fooled) {
+            ++fooled;
+            if (worst == nullptr) worst = &cell;
+        } else if (cell.criterion->verdict == CriterionVerdict::CriesWolf) {
+            ++wolf;
+            if (crier == nullptr) crier = &cell;
+        }
+        moved += !cell.criterion->endChanges && cell.criterion->trajectoryChange > task.rule.agreement;
+    }
+    if (pairs == 0) {
+        report.warnings.push_back("The paper's criterion, the same with a tenth of the step, was not applied: no setting has its tenth among the others.");
+        return;
+    }
+    std::string text = "The paper's criterion, whether the end changes with a tenth of the step, was applied to " + times(pairs, "pair", "pairs") + ": it was fooled " +
+                       times(fooled, "time", "times") + " (the same end twice that is not the true one, or where there is none)";
+    if (worst != nullptr) text += ", first by " + placeOf(task, *worst) + " and " + worst->criterion->finer;
+    text += "; it cried wolf " + times(wolf, "time", "times") + " (the end changes, though the motion has one)";
+    if (crier != nullptr) text += ", first at " + placeOf(task, *crier) + " and " + crier->criterion->finer;
+    if (own > 0)
+        text += ". Of the " + times(own, "pair", "pairs") + " with the paper's own steps, 10 ns and 1 ns, it was fooled by " + std::to_string(ownFooled) + " and cried wolf at " +
+                std::to_string(ownWolf);
+    report.findings.push_back(text + ".");
+    if (moved > 0)
+        report.findings.push_back("Asked of the trajectory instead, it would object to " + times(moved, "pair", "pairs") + " more, whose end stays while the way changes by more than " +
+                                  fewDigits(task.rule.agreement, "nm") + ".");
+}
+
+} // namespace
+
+StudyChart mapChart(const StabilityTask& task, const StabilityMap& map)
+{
+    StudyChart chart;
+    chart.title = task.parameter ? "What becomes of the runs, over " + task.parameter->label : "What becomes of the runs";
+    chart.caption = "Each cell is a run, against a reference that two methods prove: " + task.rows.front().references.label + " and " + task.rows.front().references.checkLabel +
+                    ". Another way: by a trajectory more than " + fewDigits(task.rule.agreement, "nm") + " from it. Drifting energy: the books miss more than " +
+                    fewDigits(100.0 * task.rule.energyDrift, "") + " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
+    if (task.parameter != nullptr && !task.parameterIsNumber)
+        for (const StabilityRow& row : task.rows) chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";
+    for (std::size_t method = 0; method < task.methods.size(); ++method) chart.panels.push_back(panelOf(task, map, method));
+    return chart;
+}
+
+std::vector<StudyTable> mapTables(const StabilityTask& task, const StabilityMap& map) { return {runsTable(task, map), referenceTable(task, map)}; }
+
+void tellMap(const StabilityTask& task, const StabilityMap& map, StudyReport& report)
+{
+    for (std::size_t method = 0; method < task.methods.size(); ++method) report.findings.push_back(countsOf(task, map, method));
+    tellCriterion(task, map, report);
+    for (std::size_t row = 0; row < task.rows.size(); ++row)
+        if (const ReferenceRun& reference = map.references[row]; reference.horizon || !reference.endKnown)
+            report.warnings.push_back((task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") + reference.sentence + ".");
+}
+
+} // namespace touchdown
