@@ -1,4 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Touch-down and take-off by moving one value of a case slowly there and back:
+//
+//   parameter = "springs.flying_height"   # any number of the case; a rail's, as in core/studies/design_key.h
+//   from = "14 nm"
+//   to = "1 nm"
+//   steps = 40          # from one end to the other, at each of which the value is held
+//   hold = "2 ms"       # for so long
+//   equilibria = true   # trace them, too
+//
+// Each value begins where the one before ended: with that position over the disk, those velocities and that branch of the contact law;
+// a film begins steady at that attitude, and what an elastic contact or an adhesion remembers is not taken along. The first value,
+// and one after a run that failed, begins as the case says. Where the value belongs to the start itself (initial.*) each run does, and
+// there is no way back. Values at which the two ways end in different states are the hysteresis; touch-down and take-off are
+// known to half of a step.
+//
+// Equilibria: of the spring model all that are found in all of its modes, traced by continuation (core/simulation/spring_equilibria.h);
+// of a film under Ono and Yamane's characteristic those at the held values (core/simulation/film_equilibria.h). With the eigenvalues of
+// small motions they answer "self-excited or forced?": where an equilibrium is unstable by an oscillation, or there is none, bouncing
+// needs no cause from outside; where all are stable, what starts near them fades.
 #pragma once
 
 #include <string>

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/hysteresis.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "core/numerics/wall_clock.h"
+#include "core/simulation/fields.h"
+#include "core/simulation/units.h"
+#include "core/studies/few_digits.h"
+#include "core/studies/hysteresis_result.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostValues = 1000;
+
+struct Range {
+    std::string key;
+    double from, to; // [unit of the key]
+    int steps;
+    double hold; // [s]
+};
+
+/// Of a film the disk is slowed to half its speed. Of springs the static height falls from twice its value to a fifth, or as far as a
+/// spring has a spacing: as pressure or speed would lower it, and so that an end takes off again.
+Range defaultRange(const Case& c)
+{
+    if (c.model == ModelKind::Film) return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, 8, std::min(c.run.duration, 0.2e-3)};
+    const double height = c.springs.flyingHeight;
+    if (!(height > 0.0)) return {"ono_yamane.meniscus_force", 5.0 * c.onoYamane.meniscusForce, 0.0, 40, c.run.duration};
+    Range range{"springs.flying_height", roundedTo(2.0 * height, 2), 0.0, 40, c.run.duration};
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+        range.to = roundedTo(share * height, 2);
+        Case lowest = c;
+        lowest.springs.flyingHeight = range.to;
+        if (checkCombinations(lowest).empty()) break;
+    }
+    return range;
+}
+
+bool canTrace(const Case& c) { return c.model == ModelKind::Springs; }
+
+struct Plan {
+    HeldSteps steps;
+    bool equilibria = true;
+};
+
+class HysteresisPerformance {
+public:
+    HysteresisPerformance(const Plan& plan, const StudyCallback& callback) : plan_(plan), task_(plan.steps), callback_(callback)
+    {
+        result_.steps.resize(task_.count());
+        for (std::size_t i = 0; i < result_.steps.size(); ++i) result_.steps[i].value = task_.values[i % task_.values.size()];
+    }
+
+    StudyReport perform(int jobs)
+    {
+        const double begin = wallClock();
+        const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
+        const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
+        // There and back is one task, since each value needs the one before; the equilibria are another.
+        const auto work = [&](std::size_t i, const GoOn& goOn) {
+            if (i == sweeps) trace(goOn);
+            else if (task_.fresh) holdFresh(i, goOn);
+            else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_);
+        };
+        const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
+        result_.warnings.insert(result_.warnings.end(), stepWarnings_.begin(), stepWarnings_.end());
+        StudyReport report = hysteresisReport(task_, result_);
+        if (!whole) {
+            report.status = StudyStatus::Cancelled;
+            report.message = "stopped before all values were held";
+            report.findings.clear();
+        }
+        report.wallSeconds = wallClock() - begin;
+        return report;
+    }
+
+private:
+    void take(std::size_t i, HeldStep&& step)
+    {
+        const std::lock_guard lock(mutex_);
+        result_.steps[i] = std::move(step);
+        ++held_;
+    }
+
+    void holdFresh(std::size_t i, const GoOn& goOn)
+    {
+        HeldEnd none;
+        std::vector<std::string> warnings;
+        HeldStep step = holdValue(task_, task_.values[i], none, warnings, goOn);
+        if (!goOn()) return;
+        step.done = true;
+        take(i, std::move(step));
+        const std::lock_guard lock(mutex_);
+        for (std::string& warning : warnings)
+            if (std::ranges::find(stepWarnings_, warning) == stepWarnings_.end()) stepWarnings_.push_back(std::move(warning));
+    }
+
+    void trace(const GoOn& goOn)
+    {
+        const CaseAt caseAt = [this](double value) -> std::optional<Case> {
+            Case c = task_.start;
+            if (!setParameter(c, task_.parameter, value).empty()) return {};
+            return c;
+        };
+        const int looks = std::clamp(static_cast<int>(task_.values.size()), 9, 65);
+        const SpringEquilibria found = traceSpringEquilibria(caseAt, task_.values.front(), task_.values.back(), looks, [&](double share) {
+            traced_ = share;
+            return goOn();
+        });
+        if (found.stopped) return;
+        const std::lock_guard lock(mutex_);
+        addSpringEquilibria(found, result_);
+        traced_ = 1.0;
+    }
+
+    bool tell()
+    {
+        if (!callback_) return true;
+        const std::lock_guard lock(mutex_);
+        const double sweep = static_cast<double>(held_) / static_cast<double>(result_.steps.size());
+        StudyProgress progress;
+        progress.share = plan_.equilibria ? 0.5 * (sweep + traced_) : sweep;
+        progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
+                         std::to_string(result_.steps.size()) + " values";
+        std::optional<StudyReport> soFar;
+        if (held_ > told_) {
+            soFar = hysteresisReport(task_, result_);
+            soFar->findings.clear();
+            progress.soFar = &*soFar;
+            told_ = held_;
+        }
+        return callback_(progress);
+    }
+
+    const Plan& plan_;
+    const HeldSteps& task_;
+    const StudyCallback& callback_;
+    std::mutex mutex_; // of all below
+    HysteresisResult result_;
+    std::vector<std::string> stepWarnings_;
+    std::size_t held_ = 0, told_ = 0;
+    std::atomic<double> traced_ = 0.0;
+};
+
+/// The key and its ends, each within the case's ranges; false where there is a problem.
+bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
+{
+    const Case& c = reader.start();
+    const std::string key = reader.text("parameter", "a key of the case in quotation marks").value_or(standard.key);
+    const bool named = reader.has("parameter");
+    const auto found = designKey(c, key);
+    if (const auto* problem = std::get_if<std::string>(&found)) {
+        reader.add("parameter", key + " " + *problem);
+        reader.allow("", {"from", "to"});
+        return false;
+    }
+    steps.parameter = std::get<DesignKey>(found);
+    if (key.starts_with("run.") || key.starts_with("spectrum.")) {
+        reader.add("parameter", key + " belongs to the computation, not to the scene");
+        reader.allow("", {"from", "to"});
+        return false;
+    }
+    const Field* field = findField(key);
+    const double minimum = field ? field->minimum : -std::numeric_limits<double>::infinity();
+    const double maximum = field ? field->maximum : std::numeric_limits<double>::infinity();
+    const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
+        const bool given = reader.has(name);
+        std::optional<double> value = reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, minimum, maximum);
+        if (!given && key != standard.key) {
+            reader.add(name, "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));
+            return {};
+        }
+        if (!given) value = otherwise;
+        if (!value) return {};
+        Case at = c;
+        if (const std::string problem = setParameter(at, steps.parameter, *value); !problem.empty()) {
+            reader.add(name, problem);
+            return {};
+        }
+        return value;
+    };
+    const std::optional<double> from = end("from", standard.from), to = end("to", standard.to);
+    if (!from || !to) return false;
+    if (*from == *to) {
+        reader.add("to", "is the same as from: there is nothing to move");
+        return false;
+    }
+    steps.values = {*from, *to};
+    return true;
+}
+
+} // namespace
+
+StudyPerformance planHysteresis(StudyReader& reader)
+{
+    const Case& c = reader.start();
+    Plan plan;
+    plan.steps.start = c;
+    if (c.model == ModelKind::Contact) {
+        reader.allow("", {"parameter", "from", "to", "steps", "hold", "equilibria"});
+        reader.add("case", "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
+        return {};
+    }
+    const Range standard = defaultRange(c);
+    const bool ranged = readRange(reader, standard, plan.steps);
+    const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
+    plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
+    const bool wanted = reader.boolean("equilibria").value_or(canTrace(c));
+    if (wanted && !canTrace(c)) reader.add("equilibria", "are traced for model \"springs\" alone");
+    if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
+    if (!ranged) return {};
+
+    plan.equilibria = wanted;
+    plan.steps.fresh = belongsToStart(plan.steps.parameter.key);
+    const double from = plan.steps.values.front(), to = plan.steps.values.back();
+    plan.steps.values.clear();
+    for (int i = 0; i <= count; ++i) plan.steps.values.push_back(std::lerp(from, to, double(i) / count));
+    return [plan](int jobs, const StudyCallback& callback) { return HysteresisPerformance(plan, callback).perform(jobs); };
+}
+
+std::string hysteresisTemplate(const Case& c)
+{
+    const Range range = defaultRange(c);
+    const Field* field = findField(range.key);
+    std::string text;
+    const auto line = [&](const std::string& setting, const std::string& comment) {
+        text += setting + std::string(setting.size() < 40 ? 40 - setting.size() : 1, ' ') + "# " + comment + "\n";
+    };
+    line("parameter = \"" + range.key + "\"", "any number of the case; initial.*: each value begins anew, one way");
+    line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"", "the first value begins as the case says");
+    line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
+    line("steps = " + std::to_string(range.steps), "from one end to the other");
+    line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");
+    if (canTrace(c)) line("equilibria = true", "all equilibria and their stability");
+    return text;
+}
+
+} // namespace touchdown

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a hysteresis study has seen, and how it is told.
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulation/spring_equilibria.h"
+#include "core/studies/held_steps.h"
+#include "core/studies/study.h"
+
+namespace touchdown {
+
+/// An equilibrium at a value of the parameter.
+struct StudiedEquilibrium {
+    double value = 0.0;   // [unit of the parameter]
+    double spacing = 0.0; // [m]
+    double pitch = 0.0;   // [rad]
+    Stability stability = Stability::Stable;
+    std::vector<std::complex<double>> eigenvalues; // by falling real part [1/s]
+    double growth() const { return eigenvalues.empty() ? 0.0 : eigenvalues.front().real(); }
+};
+
+/// Equilibria of one smooth law, in their order along its branch.
+struct EquilibriumLine {
+    std::string state;    // "flying", "in contact", "rear spring lost"
+    bool outside = false; // of what the model means: with a spring lost, or the pad below the mean plane of the disk
+    std::vector<StudiedEquilibrium> points;
+};
+
+struct StudiedMark {
+    EquilibriumMark kind = EquilibriumMark::Fold;
+    std::string name; // "fold", "touch-down"
+    StudiedEquilibrium at;
+    bool outside = false;
+};
+
+struct HysteresisResult {
+    std::vector<HeldStep> steps; // there, then back
+    bool traced = false;         // whether equilibria were sought
+    std::vector<EquilibriumLine> lines;
+    std::vector<StudiedMark> marks;
+    std::vector<std::string> warnings;
+};
+
+/// Lines and marks of the spring model.
+void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result);
+
+/// The parameter as charts and sentences name it.
+struct ParameterText {
+    std::string label;       // "Static flying height"
+    std::string unit, displayUnit;
+    /// Three digits.
+    std::string of(double value) const;
+};
+ParameterText parameterText(const DesignKey& key);
+
+/// A change of the end's kind between neighbouring values of one way.
+struct Transition {
+    bool down = false; // touch-down; else take-off
+    bool back = false; // on the way back
+    double before = 0.0, after = 0.0; // the values [unit of the parameter]
+    double middle() const { return 0.5 * (before + after); }
+};
+std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps);
+
+/// Values at which the two ways end in different states, and the area between the ways.
+struct LoopOf {
+    std::vector<double> values; // [unit of the parameter], rising
+    double area = 0.0;          // between the mean spacings of both ways [m unit]
+    bool whole = true;          // every value has a valid end on both ways
+};
+LoopOf loopOf(const std::vector<HeldStep>& steps);
+
+/// Spacings of all equilibria at a value, between the points of the lines.
+struct EquilibriumAt {
+    double spacing = 0.0; // [m]
+    Stability stability = Stability::Stable;
+    bool outside = false;
+};
+std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& lines, double value);
+
+std::vector<std::string> hysteresisFindings(const HeldSteps& task, const HysteresisResult& result);
+StudyReport hysteresisReport(const HeldSteps& task, const HysteresisResult& result);
+
+} // namespace touchdown
