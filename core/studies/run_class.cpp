@@ -16,7 +16,8 @@ constexpr double referenceTolerance = 1e-12;
 constexpr double checkStep = 1e-9;       // of rk4-events [s]
 constexpr double mostCheckSteps = 4e6;
 constexpr double nudge = 1e-13;          // of the start [m], a ten-thousandth of a nanometre, and up to four times that
-constexpr double filmShare = 0.1;        // of the case's step error, for a reference of the film
+constexpr double filmShare = 0.01, filmCheckShare = 0.001; // of the case's step error; in turns the slider goes by a rule of lower order
+constexpr double gridsEnergy = 1.5;      // of the reference's imbalance, which is the grid's and not the steps'
 
 double figure(const Summary& summary, std::string_view wanted)
 {
@@ -47,7 +48,8 @@ ReferenceCases filmReference(Case c)
 {
     ReferenceCases cases;
     c.run.steps = StepControl::Adaptive;
-    c.run.stepError = std::max(1e-18, filmShare * c.run.stepError);
+    const double stepError = c.run.stepError;
+    c.run.stepError = std::max(1e-18, filmShare * stepError);
     c.film.coupling = FilmCoupling::Monolithic;
     cases.label = "monolithic, step error " + fewDigits(c.run.stepError, "nm");
     cases.reference = c;
@@ -56,6 +58,7 @@ ReferenceCases filmReference(Case c)
         (c.initial.state == InitialState::Static ? nudged.initial.heightOffset : nudged.initial.nominalTrailingEdgeHeight) += times * nudge;
     }
     c.film.coupling = FilmCoupling::Staggered;
+    c.run.stepError = std::max(1e-18, filmCheckShare * stepError);
     cases.checkLabel = "staggered, step error " + fewDigits(c.run.stepError, "nm");
     cases.check = c;
     return cases;
@@ -176,7 +179,7 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ReferenceRun& r
     if (!sameOutcome(run, reference.run)) {
         verdict.kind = RunClass::WrongEnd;
         verdict.sentence = outcomeText(run) + truth;
-    } else if (verdict.imbalance > rule.energyDrift) {
+    } else if (verdict.imbalance > std::max(rule.energyDrift, gridsEnergy * figure(reference.run.summary, "energy_balance"))) {
         verdict.kind = RunClass::DriftingEnergy;
         verdict.sentence = "the books of the energy miss " + fewDigits(100.0 * verdict.imbalance, "") + " % of its largest change; it " + outcomeText(run);
     } else if (fixedFilm && run.summary.rejectedSteps > 0) {

@@ -2,15 +2,16 @@
 //
 // What became of a run, against a reference that two independent methods prove.
 //
-// The reference of springs is dopri5 at a tolerance of 1e-12, checked by rk4-events in steps that make its error smaller still; that
-// of the film takes a tenth of the case's step error, film and slider at once, checked by film and slider in turns. Where the two
+// The reference of springs is dopri5 at a tolerance of 1e-12, checked by rk4-events in steps of 1 ns; that of the film takes a hundredth
+// of the case's step error, film and slider at once, checked by film and slider in turns with a thousandth. Where the two
 // part by more than the agreement, the trajectory is not determined, and the ends of starts that differ by less than anybody can set
 // tell whether the end is; where they differ, nothing is.
 //
 //   failed            by its failure: chatter, lost spring, diverged, stopped; or just as the reference, whose failure is the truth
 //   not determined    the end of the reference
 //   wrong end state   it completed, and ends otherwise than the reference
-//   drifting energy   |E(t) - E(0) - gained| exceeds `energyDrift` of the largest change of a part of the energy: spring_books.h, film_books.h
+//   drifting energy   |E(t) - E(0) - gained| exceeds `energyDrift` of the largest change of a part of the energy (spring_books.h,
+//                     film_books.h), and what the reference misses, which is the grid's, by half
 //   cut steps         steps of a fixed length had to be cut, as they found no solution
 //   another way       the right end, by a trajectory further than the agreement from the reference's, where that is determined
 //   agrees            none of these

@@ -130,10 +130,11 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step, const std::string& which,
                 bool adaptive, LinearPicture& picture)
 {
+    std::string unlimited;
     for (const LinearMethod& method : methods) {
         const Limit limit = limitOf(method, motions);
         if (limit.motion == nullptr) {
-            picture.findings.push_back(method.sentence + " blows up none of the case's motions, however long the step; accuracy alone limits it.");
+            unlimited += (unlimited.empty() ? "" : ", ") + method.name;
             continue;
         }
         std::string sentence = method.sentence + " blows up beyond a step of " + fewDigitsOfTime(limit.step, 3) + ", " + limit.motion->where + " (" +
@@ -146,6 +147,7 @@ void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<Loca
         }
         picture.findings.push_back(sentence + ".");
     }
+    if (!unlimited.empty()) picture.findings.push_back("However long the step, none of the case's motions is blown up by " + unlimited + ": accuracy alone limits it.");
     for (const LocalMotion& motion : motions)
         if (std::ranges::any_of(motion.rates, [](Complex rate) { return rate.real() > 1e-9 * std::abs(rate); }))
             picture.warnings.push_back("The motion " + motion.where + " grows of itself, in the model and not by a method: what grows there has no largest stable step.");
