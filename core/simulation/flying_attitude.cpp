@@ -307,11 +307,11 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     return result;
 }
 
-Matrix3 FlyingAttitude::stiffness(std::span<const double> p)
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p, const std::function<bool()>& goOn)
 {
     linearise(p, film_.attitude());
     AttitudeSolution count;
-    solveColumns(1e-9, count);
+    solveColumns(1e-9, count, goOn);
     Matrix3 result{};
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {

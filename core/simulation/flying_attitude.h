@@ -73,8 +73,9 @@ public:
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
-    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9.
-    Matrix3 stiffness(std::span<const double> p);
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn` says false the
+    /// result means nothing.
+    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
     struct Adjoint {

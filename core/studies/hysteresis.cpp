@@ -43,7 +43,7 @@ Range defaultRange(const Case& c)
     return range;
 }
 
-bool canTrace(const Case& c) { return c.model == ModelKind::Springs; }
+std::string reasonNotToTrace(const Case& c) { return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c); }
 
 struct Plan {
     HeldSteps steps;
@@ -62,14 +62,18 @@ public:
     {
         const double begin = wallClock();
         const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
-        const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
-        // There and back is one task, since each value needs the one before; the equilibria are another.
+        // A start has no part in an equilibrium.
+        if (plan_.equilibria && task_.start.model == ModelKind::Film) film_.resize(task_.fresh ? 1 : task_.values.size());
+        const std::size_t tasks = sweeps + (plan_.equilibria ? std::max<std::size_t>(film_.size(), 1) : 0);
+        // There and back is one task, since each value needs the one before; the equilibria are others.
         const auto work = [&](std::size_t i, const GoOn& goOn) {
-            if (i == sweeps) trace(goOn);
+            if (i >= sweeps && !film_.empty()) traceFilm(i - sweeps, goOn);
+            else if (i >= sweeps) trace(goOn);
             else if (task_.fresh) holdFresh(i, goOn);
             else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_);
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
+        addFilm(whole);
         result_.warnings.insert(result_.warnings.end(), stepWarnings_.begin(), stepWarnings_.end());
         StudyReport report = hysteresisReport(task_, result_);
         if (!whole) {
@@ -120,6 +124,26 @@ private:
         traced_ = 1.0;
     }
 
+    void traceFilm(std::size_t i, const GoOn& goOn)
+    {
+        Case c = task_.start;
+        film_[i].problem = setParameter(c, task_.parameter, task_.values[i]);
+        if (film_[i].problem.empty()) film_[i] = filmEquilibria(c, {}, goOn);
+        const std::lock_guard lock(mutex_);
+        traced_ = traced_ + 1.0 / static_cast<double>(film_.size());
+    }
+
+    void addFilm(bool whole)
+    {
+        if (film_.empty() || !whole) return;
+        std::vector<double> values = task_.values;
+        if (task_.fresh) { // the same at both ends
+            values = {task_.values.front(), task_.values.back()};
+            film_.push_back(film_.front());
+        }
+        addFilmEquilibria(values, film_, result_);
+    }
+
     bool tell()
     {
         if (!callback_) return true;
@@ -144,6 +168,7 @@ private:
     const StudyCallback& callback_;
     std::mutex mutex_; // of all below
     HysteresisResult result_;
+    std::vector<FilmEquilibria> film_; // each by its own task; not of the mutex
     std::vector<std::string> stepWarnings_;
     std::size_t held_ = 0, told_ = 0;
     std::atomic<double> traced_ = 0.0;
@@ -212,8 +237,9 @@ StudyPerformance planHysteresis(StudyReader& reader)
     const bool ranged = readRange(reader, standard, plan.steps);
     const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
     plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
-    const bool wanted = reader.boolean("equilibria").value_or(canTrace(c));
-    if (wanted && !canTrace(c)) reader.add("equilibria", "are traced for model \"springs\" alone");
+    const std::string reasonNot = reasonNotToTrace(c);
+    const bool wanted = reader.boolean("equilibria").value_or(reasonNot.empty());
+    if (wanted && !reasonNot.empty()) reader.add("equilibria", reasonNot);
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
     if (!ranged) return {};
 
@@ -238,7 +264,7 @@ std::string hysteresisTemplate(const Case& c)
     line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
     line("steps = " + std::to_string(range.steps), "from one end to the other");
     line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");
-    if (canTrace(c)) line("equilibria = true", "all equilibria and their stability");
+    if (reasonNotToTrace(c).empty()) line("equilibria = true", "all equilibria and their stability");
     return text;
 }
 

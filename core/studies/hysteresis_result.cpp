@@ -2,6 +2,7 @@
 #include "core/studies/hysteresis_result.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/simulation/fields.h"
@@ -13,50 +14,17 @@ namespace {
 
 constexpr double rounding = 1e-6; // of a span between two points of a line [-]
 
-StudiedEquilibrium studied(const SpringEquilibrium& at)
-{
-    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}};
-}
-
 bool isDown(const EndState& end) { return end.kind == EndKind::Contact || end.kind == EndKind::Intermittent; }
 
-} // namespace
-
-void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result)
+/// Of two that touch, one may be seen leaving the disk while it still rings.
+bool differ(const EndState& a, EndState b)
 {
-    result.traced = true;
-    for (const EquilibriumPiece& piece : found.pieces) {
-        EquilibriumLine line;
-        const bool lost = !piece.mode.frontSpring || !piece.mode.rearSpring;
-        line.state = piece.mode.contact == ContactRegion::Apart ? "flying" : "in contact";
-        for (const SpringEquilibrium& point : piece.points) line.points.push_back(studied(point));
-        // A spring that was never there is not lost: then no line has it.
-        const auto has = [&](bool SpringModel::Mode::*spring) {
-            return std::ranges::any_of(found.pieces, [&](const EquilibriumPiece& each) { return each.mode.*spring; });
-        };
-        const bool frontLost = !piece.mode.frontSpring && has(&SpringModel::Mode::frontSpring);
-        const bool rearLost = !piece.mode.rearSpring && has(&SpringModel::Mode::rearSpring);
-        if (lost && frontLost) line.state += ", front spring lost";
-        if (lost && rearLost) line.state += ", rear spring lost";
-        const auto below = [](const StudiedEquilibrium& at) { return at.spacing < 0.0; };
-        line.outside = frontLost || rearLost || std::ranges::all_of(line.points, below);
-        result.lines.push_back(std::move(line));
-    }
-    for (const MarkedEquilibrium& mark : found.marks) {
-        StudiedMark& added = result.marks.emplace_back(StudiedMark{mark.kind, mark.name, studied(mark.at), false});
-        for (const EquilibriumLine& line : result.lines) {
-            if (!line.outside || line.points.empty()) continue;
-            const auto ends = [&](const StudiedEquilibrium& at) {
-                return at.value == mark.at.parameter && at.spacing == mark.at.flyingHeight;
-            };
-            added.outside = added.outside || ends(line.points.front()) || ends(line.points.back());
-        }
-    }
-    if (found.endsLost > 0)
-        result.warnings.push_back(std::to_string(found.endsLost) +
-                                  (found.endsLost == 1 ? " branch of equilibria ends" : " branches of equilibria end") +
-                                  " within the range without a switch of the law: the case is not valid beyond, or no step led on");
+    if (isDown(a) != isDown(b)) return true;
+    b.kind = a.kind;
+    return !sameEnd(a, b);
 }
+
+} // namespace
 
 std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
 
@@ -93,7 +61,7 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
         const bool known = there.done && back.done && there.end.kind != EndKind::Failed && back.end.kind != EndKind::Failed;
         loop.whole = loop.whole && known;
         differences.push_back(known ? std::abs(there.end.spacing - back.end.spacing) : 0.0);
-        if (known && !sameEnd(there.end, back.end)) loop.values.push_back(there.value);
+        if (known && differ(there.end, back.end)) loop.values.push_back(there.value);
         if (i > 0 && known) loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
     }
     std::ranges::sort(loop.values);

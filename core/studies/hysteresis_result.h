@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/film_equilibria.h"
 #include "core/simulation/spring_equilibria.h"
 #include "core/studies/held_steps.h"
 #include "core/studies/study.h"
@@ -48,6 +49,8 @@ struct HysteresisResult {
 
 /// Lines and marks of the spring model.
 void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result);
+/// Of the film, found at each of some values: those that are near each other at neighbouring values make a line.
+void addFilmEquilibria(const std::vector<double>& values, const std::vector<FilmEquilibria>& found, HysteresisResult& result);
 
 /// The parameter as charts and sentences name it.
 struct ParameterText {
