@@ -93,22 +93,23 @@ std::vector<Eigen::Index> FilmModes::unknown(const Eigen6& eigen, const std::vec
 }
 
 /// Follows one eigenvalue to where it stays; false if it does not, if it turns real or the film is not solved.
-bool FilmModes::follow(Mode& mode, const std::vector<Mode>& known)
+bool FilmModes::follow(Mode& mode, const std::vector<Mode>& known, double tolerance)
 {
     for (int pass = 0; pass < 40; ++pass) {
-        const Eigen6 eigen = eigenvalues(film(mode.rate));
+        mode.film = film(mode.rate);
+        const Eigen6 eigen = eigenvalues(mode.film);
         const std::vector<Eigen::Index> left = unknown(eigen, known);
         if (!converged_ || left.empty()) return false;
         const Eigen::Index next = *nearest(eigen, left, mode.rate);
         mode.shape = eigen.vectors.col(next);
         const double change = std::abs(eigen.values[next] - mode.rate);
         mode.rate = eigen.values[next];
-        if (change <= 1e-9 * std::abs(mode.rate)) return true;
+        if (change <= tolerance * std::abs(mode.rate)) return true;
     }
     return false;
 }
 
-std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_t)>& goOn)
+std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_t)>& goOn, double tolerance)
 {
     // Trials: the modes that the film would have if it answered as at 100 kHz; where that leaves one out, as at other rates.
     std::vector<Mode> known;
@@ -117,12 +118,12 @@ std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_
         if (known.size() == wanted) break;
         const Eigen6 first = eigenvalues(film({0.0, 2.0 * std::numbers::pi * frequency}));
         std::vector<Mode> trials;
-        for (const Eigen::Index k : unknown(first, known)) trials.push_back({first.values[k], {}});
+        for (const Eigen::Index k : unknown(first, known)) trials.push_back({first.values[k], {}, {}});
         std::sort(trials.begin(), trials.end(), [](const Mode& a, const Mode& b) { return a.rate.imag() < b.rate.imag(); });
         for (Mode trial : trials) {
             if (known.size() == wanted) break;
             if (goOn && !goOn(known.size())) return known;
-            if (follow(trial, known)) known.push_back(trial);
+            if (follow(trial, known, tolerance)) known.push_back(trial);
         }
     }
     std::sort(known.begin(), known.end(), [](const Mode& a, const Mode& b) { return a.rate.imag() < b.rate.imag(); });
@@ -172,10 +173,19 @@ FilmModes::SurfaceAnswer FilmModes::surfaceAnswer(std::span<const double> height
     return answer;
 }
 
-Eigen::Matrix3cd FilmModes::dynamic(Complex s)
+Eigen::Matrix3cd FilmModes::dynamic(Complex s, const Film& at) const
 {
-    const Film at = film(s);
     return s * s * mass_ + s * (dampers_ + at.damping) + springs_ + at.stiffness;
+}
+
+Eigen::Matrix3cd FilmModes::dynamicSlope(Complex s, const Film& near)
+{
+    // K_f and C_f change slowly: what this difference leaves out, of second order, is about this share of what they change by.
+    constexpr double apart = 1e-3; // of s
+    const Complex there = (1.0 + apart) * s;
+    const Film at = film(there);
+    const Eigen::Matrix3cd change = (at.stiffness + there * at.damping) - (near.stiffness + s * near.damping);
+    return 2.0 * s * mass_ + dampers_ + change / (there - s);
 }
 
 Eigen::Vector3cd FilmModes::force(Complex s, std::span<const double> real, std::span<const double> imaginary,

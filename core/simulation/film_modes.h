@@ -42,13 +42,16 @@ public:
     struct Mode {
         Complex rate;           // s [1/s]
         Eigen::Vector3cd shape; // of q, in any scale
+        Film film;              // Z(s) = K_f + s C_f there
     };
     /// By frequency; fewer than there are degrees of freedom where one does not oscillate or could not be followed. `goOn` is told how
-    /// many are found, and ends the search by returning false.
-    std::vector<Mode> find(const std::function<bool(std::size_t)>& goOn = {});
+    /// many are found, and ends the search by returning false. `tolerance`: of s [-].
+    std::vector<Mode> find(const std::function<bool(std::size_t)>& goOn = {}, double tolerance = 1e-9);
 
-    /// D(s) = s^2 M + s C + K + Z(s) [N/m ...]; s must not be real.
-    Eigen::Matrix3cd dynamic(Complex s);
+    /// D(s) = s^2 M + s C + K + Z(s) [N/m ...] with what film(s) was.
+    Eigen::Matrix3cd dynamic(Complex s, const Film& at) const;
+    /// D'(s) with Z'(s) from another rate near to it; `near` is film(s).
+    Eigen::Matrix3cd dynamicSlope(Complex s, const Film& near);
     /// Load and torques about the mass centre that a surface w e^(s t) under a slider at rest makes as e^(s t), w = w' + i w'': heights
     /// over the film's cells (padded) [m], whose effect is linear in them. Of the film alone, without contact. `present`, real, is what
     /// of s w was there when the film began, its pressure that of the flat disk; may be empty.
@@ -74,7 +77,7 @@ private:
     Eigen6 eigenvalues(const Film& film) const;
     static std::vector<Eigen::Index>::const_iterator nearest(const Eigen6& eigen, const std::vector<Eigen::Index>& among, Complex s);
     static std::vector<Eigen::Index> unknown(const Eigen6& eigen, const std::vector<Mode>& known);
-    bool follow(Mode& mode, const std::vector<Mode>& known);
+    bool follow(Mode& mode, const std::vector<Mode>& known, double tolerance);
 
     /// What the film's residual and its forces at constant pressure answer to a small change of the surface.
     struct SurfaceAnswer {

@@ -17,6 +17,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double modeTolerance = 1e-5; // of s [-]
+constexpr double slow = 1e3;           // at which the film is steady [1/s]
+
 /// Each wave of the surface alone.
 std::vector<DiskSurface> singleWaves(const DiskSurface& surface)
 {
@@ -64,22 +67,18 @@ MotionTerm answerTo(FilmModes& film, const Wave& wave)
     const Eigen::Vector3cd force = film.force(s, wave.real, wave.quarter);
     const bool solved = film.converged();
     const Eigen::Vector3d scale = film.scale();
-    const Eigen::Matrix3cd dynamic = scale.asDiagonal() * film.dynamic(s) * scale.asDiagonal();
+    const Eigen::Matrix3cd dynamic = scale.asDiagonal() * film.dynamic(s, film.film(s)) * scale.asDiagonal();
     MotionTerm term{.rate = s, .amplitude = scale.asDiagonal() * dynamic.partialPivLu().solve(scale.asDiagonal() * force)};
     if (!solved) term.amplitude.setConstant(std::numeric_limits<double>::quiet_NaN());
     return term;
 }
 
-/// What a start, displaced by q with velocity v, and the waves that begin with it make of a mode.
-MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::Vector3d& q, const Eigen::Vector3d& v,
+/// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of a mode.
+MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::Vector3d& displacing, const Eigen::Vector3d& v,
                     const std::vector<Wave>& waves)
 {
     const Complex s = mode.rate;
-    Eigen::Vector3cd right = (film.mass() * v).cast<Complex>();
-    if (!q.isZero(0.0)) {
-        constexpr double slow = 1e3; // [1/s], at which the film is steady
-        right -= film.dynamic({0.0, slow}).real() * q / s;
-    }
+    Eigen::Vector3cd right = film.mass() * v - displacing / s;
     if (!waves.empty()) {
         std::vector<double> real(film.pad().size(), 0.0), imaginary(real), present(real);
         for (const Wave& wave : waves) {
@@ -94,13 +93,11 @@ MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::V
         right += film.force(s, real, imaginary, present);
     }
     const Eigen::Vector3d scale = film.scale();
-    const Eigen::JacobiSVD<Eigen::Matrix3cd> svd(scale.asDiagonal() * film.dynamic(s) * scale.asDiagonal(),
+    const Eigen::JacobiSVD<Eigen::Matrix3cd> svd(scale.asDiagonal() * film.dynamic(s, mode.film) * scale.asDiagonal(),
                                                  Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Vector3cd shape = scale.asDiagonal() * svd.matrixV().col(2);
     const Eigen::RowVector3cd left = svd.matrixU().col(2).adjoint() * scale.asDiagonal();
-    constexpr double small = 1e-4; // of s, for D'(s) by central differences
-    const Eigen::Matrix3cd slope = (film.dynamic(s * (1.0 + small)) - film.dynamic(s * (1.0 - small))) / (2.0 * small * s);
-    const Complex share = (left * right)(0) / (left * slope * shape)(0);
+    const Complex share = (left * right)(0) / (left * film.dynamicSlope(s, mode.film) * shape)(0);
     return {.rate = s, .amplitude = 2.0 * share * shape};
 }
 
@@ -121,7 +118,7 @@ bool LinearMotion::unstable() const
     return false;
 }
 
-LinearMotion linearMotion(const Case& c, const SteadyCallback& callback)
+LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionParts parts)
 {
     LinearMotion motion;
     motion.halfLength = 0.5 * c.slider.length;
@@ -140,9 +137,11 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback)
         return true;
     };
     FilmModes film(c, motion.steady);
-    const std::vector<FilmModes::Mode> found = film.find([&](std::size_t) { return !stopped(); });
+    const bool all = parts == MotionParts::All;
+    std::vector<FilmModes::Mode> found;
+    if (all) found = film.find([&](std::size_t) { return !stopped(); }, modeTolerance);
     if (motion.status == SteadyStatus::Cancelled) return motion;
-    if (found.size() != static_cast<std::size_t>(c.degreesOfFreedom)) {
+    if (all && found.size() != static_cast<std::size_t>(c.degreesOfFreedom)) {
         motion.status = SteadyStatus::Failed;
         motion.message = "a mode is so strongly damped that it does not oscillate, or could not be followed";
         return motion;
@@ -162,9 +161,12 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback)
         const Vector3 from = body.coordinates({start.nominalTrailingEdgeHeight, start.pitch, start.roll});
         for (Eigen::Index k = 0; k < 3; ++k) q[k] = from[static_cast<std::size_t>(k)] - body.rest()[static_cast<std::size_t>(k)];
     }
+    Eigen::Vector3d displacing = Eigen::Vector3d::Zero();
+    if (all && !q.isZero(0.0)) displacing = film.dynamic({0.0, slow}, film.film({0.0, slow})).real() * q;
+    const bool atRest = q.isZero(0.0) && v.isZero(0.0) && waves.empty();
     for (const FilmModes::Mode& mode : found) {
         if (stopped()) return motion;
-        motion.modes.push_back(setGoing(film, mode, q, v, waves));
+        motion.modes.push_back(atRest ? MotionTerm{mode.rate, Eigen::Vector3cd::Zero()} : setGoing(film, mode, displacing, v, waves));
     }
     const auto finite = [](const MotionTerm& term) { return term.amplitude.allFinite(); };
     if (std::ranges::all_of(motion.modes, finite) && std::ranges::all_of(motion.waves, finite)) return motion;

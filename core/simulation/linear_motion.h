@@ -43,7 +43,10 @@ struct LinearMotion {
     bool unstable() const;
 };
 
+/// All of it, or the answers to waves alone, which are left when the modes have died away and need a tenth of the work.
+enum class MotionParts : std::uint8_t { All, Waves };
+
 /// A valid case of model "film". The callback is asked as by steady().
-LinearMotion linearMotion(const Case& c, const SteadyCallback& callback = {});
+LinearMotion linearMotion(const Case& c, const SteadyCallback& callback = {}, MotionParts parts = MotionParts::All);
 
 } // namespace touchdown

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/advisor_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "core/simulation/linear_motion.h"
+#include "core/studies/parallel.h"
+#include "core/studies/pilot_run.h"
+#include "core/studies/reduced_models.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
+constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
+
+double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task) { return task.tolerance * std::abs(full.mean); }
+double allowedSpreadOf(const TailEstimate& full, const AdvisorTask& task)
+{
+    return task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean));
+}
+
+class Advisor {
+public:
+    Advisor(const AdvisorTask& task, int jobs, const std::function<bool(double, const std::string&)>& tell)
+        : task_(task), jobs_(jobs), tell_(tell)
+    {
+    }
+
+    AdvisorResult advise()
+    {
+        if (!runFull()) return std::move(result_);
+        if (!runRungs(ladderOf(task_, rest_.roll), 0.5, 0.85)) return stop();
+        std::vector<LadderPart> parts;
+        for (const RungOutcome& rung : result_.rungs)
+            if (rung.rung.kind == RungKind::Part && rung.within && rung.seconds < result_.full.seconds) parts.push_back(rung.rung.parts[0]);
+        if (!runRungs(sumsOf(task_, parts), 0.85, 1.0)) return stop();
+        choose();
+        if (task_.confirm && !confirm()) return stop();
+        return std::move(result_);
+    }
+
+private:
+    AdvisorResult stop()
+    {
+        result_.status = StudyStatus::Cancelled;
+        result_.message = "stopped before all models were tried";
+        return std::move(result_);
+    }
+
+    bool runFull()
+    {
+        const double duration = task_.start.run.duration;
+        double next = task_.pilot;
+        const auto enough = [&](const SpacingSamples& samples) {
+            if (result_.pilotTime > 0.0 || samples.reached() < next * duration) return result_.pilotTime > 0.0 && !task_.confirm;
+            next = samples.reached() / duration + 0.05;
+            const TailEstimate tail = estimateTail(samples, duration, rates_);
+            const bool known = tail.sameKind && tail.meanUncertainty <= knownTo * allowedMeanOf(tail, task_) &&
+                               tail.spreadUncertainty <= knownTo * allowedSpreadOf(tail, task_);
+            if (known) result_.pilotTime = samples.reached();
+            return known && !task_.confirm;
+        };
+        std::atomic<double> share = 0.0;
+        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) {
+            const auto asked = [&](const SpacingSamples& samples) {
+                share = samples.reached() / duration;
+                return enough(samples);
+            };
+            findRates(goOn);
+            full_ = pilotRun(task_.start, asked, goOn);
+        }, [&](std::size_t) { return tell_(0.5 * share, "the full model"); });
+        if (!went || full_.stopped) {
+            stop();
+            return false;
+        }
+        if (!full_.valid()) {
+            result_.status = StudyStatus::Failed;
+            result_.message = "the full model gives no answer to compare with: " + full_.problem;
+            return false;
+        }
+        if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
+        RungOutcome& full = result_.full;
+        full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
+        full.samples = full_.samples.until(result_.pilotTime);
+        full.tail = estimateTail(full.samples, duration, rates_);
+        full.seconds = full_.secondsTo(duration);
+        full.within = true;
+        full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError());
+        full.errors.spreadResolution = std::max(full.tail.spreadUncertainty, ownError());
+        result_.pilotSeconds = full_.secondsTo(result_.pilotTime);
+        result_.studySeconds = full_.course.empty() ? 0.0 : full_.course.back().second;
+        result_.contactActed = full_.contactActs;
+        return true;
+    }
+
+    /// The static state, and the rates at which the scene rings about it; without them ends are foretold otherwise.
+    void findRates(const GoOn& goOn)
+    {
+        const LinearMotion motion = linearMotion(task_.start, [&](const SteadyProgress&) { return goOn(); });
+        rest_ = motion.steady.attitude;
+        if (motion.steady.status == SteadyStatus::Converged) result_.gridError = motion.steady.discretisationError.minimumSpacing;
+        for (const MotionTerm& mode : motion.modes) {
+            rates_.push_back({mode.rate, false});
+            result_.growth = std::max(result_.growth, mode.rate.real() * task_.start.run.duration);
+        }
+        for (const MotionTerm& wave : motion.waves) rates_.push_back({wave.rate, true});
+    }
+
+    /// What one step may displace the slider by, and an answer is not worth.
+    double ownError() const { return task_.start.run.steps == StepControl::Adaptive ? task_.start.run.stepError : 1e-12; }
+
+    bool runRungs(const std::vector<Rung>& rungs, double from, double to)
+    {
+        std::vector<RungOutcome> outcomes(rungs.size());
+        std::vector<double> seconds(rungs.size(), 0.0);
+        const bool went = runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
+            outcomes[k] = solve(rungs[k], goOn, seconds[k]);
+        }, [&](std::size_t done) {
+            return tell_(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
+                         done < rungs.size() ? rungs[done].name : "the ladder");
+        });
+        if (!went) return false;
+        for (std::size_t k = 0; k < rungs.size(); ++k) {
+            result_.studySeconds += seconds[k];
+            judge(outcomes[k]);
+            result_.rungs.push_back(std::move(outcomes[k]));
+        }
+        return true;
+    }
+
+    RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
+    {
+        if (rung.kind != RungKind::Part && rung.kind != RungKind::Sum) {
+            RungOutcome outcome = solveReduced(rung, goOn);
+            seconds = outcome.seconds;
+            return outcome;
+        }
+        RungOutcome outcome{.rung = rung, .problem = {}, .remark = {}, .tail = {}, .samples = {}, .errors = {}, .found = rung.c};
+        // Contact that never acts changes nothing: no run can tell more.
+        const bool same = rung.parts.size() == 1 && (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") && !full_.contactActs;
+        if (same) {
+            outcome.tail = result_.full.tail;
+            outcome.samples = result_.full.samples;
+            outcome.seconds = result_.full.seconds;
+            outcome.remark = "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
+            return outcome;
+        }
+        const double wanted = result_.pilotTime;
+        PilotRun run = pilotRun(rung.c, [wanted](const SpacingSamples& samples) { return samples.reached() >= wanted; }, goOn);
+        seconds = run.course.empty() ? 0.0 : run.course.back().second;
+        outcome.problem = run.problem;
+        outcome.samples = run.samples.until(wanted);
+        outcome.tail = estimateTail(outcome.samples, task_.start.run.duration, rates_);
+        outcome.seconds = run.secondsTo(task_.start.run.duration);
+        return outcome;
+    }
+
+    void judge(RungOutcome& rung) const
+    {
+        if (!rung.valid()) return;
+        const double duration = task_.start.run.duration;
+        const TailEstimate& full = result_.full.tail;
+        RungErrors& errors = rung.errors;
+        errors = compare(rung.tail, full);
+        errors.meanResolution = full.meanUncertainty;
+        errors.spreadResolution = full.spreadUncertainty;
+        if (!rung.samples.spacing.empty() && result_.pilotTime < duration - 0.5 * full_.samples.interval) {
+            // Both by the same estimate of as much: how it moves by itself does not count.
+            errors.meanResolution = errors.spreadResolution = 0.0;
+            for (const double share : {0.9, 0.8}) {
+                const double until = share * result_.pilotTime;
+                const RungErrors before = compare(estimateTail(rung.samples.until(until), duration, rates_),
+                                                  estimateTail(result_.full.samples.until(until), duration, rates_));
+                errors.meanResolution = std::max(errors.meanResolution, std::abs(before.mean - errors.mean));
+                errors.spreadResolution = std::max(errors.spreadResolution, std::abs(before.spread - errors.spread));
+            }
+        }
+        errors.meanResolution = std::max(errors.meanResolution, ownError());
+        errors.spreadResolution = std::max(errors.spreadResolution, ownError());
+        rung.within = errors.sameEnd && errors.samePeak && errors.claimedMean() <= allowedMeanOf(full, task_) &&
+                      errors.claimedSpread() <= allowedSpreadOf(full, task_);
+    }
+
+    RungErrors compare(const TailEstimate& rung, const TailEstimate& full) const
+    {
+        RungErrors errors;
+        errors.mean = std::abs(rung.mean - full.mean);
+        errors.spread = std::abs(rung.spread - full.spread);
+        errors.sameEnd = rung.kind == full.kind;
+        if (full.spread > task_.tolerance * std::abs(full.mean) && full.peakFrequency > 0.0)
+            errors.samePeak = std::abs(rung.peakFrequency - full.peakFrequency) <=
+                              std::max({rung.resolution, full.resolution, task_.spreadTolerance * full.peakFrequency});
+        return errors;
+    }
+
+    void choose()
+    {
+        double best = result_.full.seconds / worthwhile;
+        for (std::size_t k = 0; k < result_.rungs.size(); ++k) {
+            const RungOutcome& rung = result_.rungs[k];
+            if (!rung.valid() || !rung.within || rung.seconds >= best) continue;
+            best = rung.seconds;
+            result_.advice = k;
+        }
+    }
+
+    bool confirm()
+    {
+        const double duration = task_.start.run.duration;
+        result_.fullEnd = estimateTail(full_.samples, duration);
+        result_.fullSeconds = full_.secondsTo(duration);
+        if (!result_.advice) return true;
+        const RungOutcome& advice = result_.rungs[*result_.advice];
+        TailEstimate end = advice.tail;
+        result_.adviceSeconds = advice.seconds;
+        if (advice.rung.kind == RungKind::Part || advice.rung.kind == RungKind::Sum) {
+            PilotRun run;
+            const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
+                                          [&](std::size_t) { return tell_(1.0, "confirming the advice"); });
+            if (!went) return false;
+            end = estimateTail(run.samples, duration);
+            if (!run.valid()) end.kind = EndKind::Failed;
+            result_.adviceSeconds = run.secondsTo(duration);
+            result_.studySeconds += result_.adviceSeconds;
+        }
+        result_.found = compare(end, *result_.fullEnd);
+        return true;
+    }
+
+    const AdvisorTask& task_;
+    int jobs_;
+    const std::function<bool(double, const std::string&)>& tell_;
+    std::vector<RingingRate> rates_;
+    Attitude rest_; // the static state, where there is one
+    PilotRun full_;
+    AdvisorResult result_;
+};
+
+} // namespace
+
+double AdvisorResult::allowedMean(const AdvisorTask& task) const { return allowedMeanOf(full.tail, task); }
+double AdvisorResult::allowedSpread(const AdvisorTask& task) const { return allowedSpreadOf(full.tail, task); }
+
+AdvisorResult advise(const AdvisorTask& task, int jobs, const std::function<bool(double, const std::string&)>& tell)
+{
+    return Advisor(task, jobs, tell).advise();
+}
+
+} // namespace touchdown

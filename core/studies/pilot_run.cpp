@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/pilot_run.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace touchdown {
+
+double threadSeconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double PilotRun::secondsTo(double time) const
+{
+    if (course.empty()) return 0.0;
+    const auto at = [this](double t) {
+        const auto after = std::ranges::lower_bound(course, t, {}, &std::pair<double, double>::first);
+        if (after == course.begin()) return course.front().second;
+        if (after == course.end()) return course.back().second;
+        const auto before = after - 1;
+        return before->second + (after->second - before->second) * (t - before->first) / (after->first - before->first);
+    };
+    const double reached = course.back().first;
+    if (time <= reached || !(reached > 0.0)) return at(time);
+    return at(reached) + (at(reached) - at(0.5 * reached)) / (0.5 * reached) * (time - reached);
+}
+
+PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
+{
+    Case quiet = c;
+    quiet.run.fieldSnapshots = 0;
+    const std::vector<Quantity> quantities = recordedQuantities(quiet);
+    const auto spacing = static_cast<std::size_t>(findQuantity(quantities, spacingOf(quiet)));
+    const int contact = findQuantity(quantities, "contact_force"), adhesion = findQuantity(quantities, "adhesion_force");
+    // Adhesion of surfaces reaches beyond contact; menisci hold the pad.
+    const bool menisci = c.contact == ContactKind::OnoYamane;
+
+    PilotRun pilot;
+    pilot.duration = c.run.duration;
+    pilot.samples.interval = c.run.sampleInterval;
+    pilot.lowest = std::numeric_limits<double>::infinity();
+    bool known = false;
+    const double begin = threadSeconds();
+    const Summary summary = run(quiet, [&](const RunUpdate& update) {
+        const SampleBatch& batch = update.samples;
+        const auto acts = [&](int column, std::size_t k) { return column >= 0 && batch.columns[static_cast<std::size_t>(column)][k] != 0.0; };
+        for (std::size_t k = 0; k < batch.size(); ++k) {
+            const double value = batch.columns[spacing][k];
+            const bool touches = acts(contact, k), adheres = acts(adhesion, k);
+            pilot.samples.spacing.push_back(value);
+            pilot.samples.touching.push_back(touches || (menisci && adheres));
+            pilot.lowest = std::min(pilot.lowest, value);
+            pilot.contactActs = pilot.contactActs || touches || adheres;
+        }
+        if (batch.size() > 0) pilot.course.emplace_back(update.time, threadSeconds() - begin);
+        if (goOn && !goOn()) {
+            pilot.stopped = true;
+            return false;
+        }
+        known = known || (enough && batch.size() > 0 && enough(pilot.samples));
+        return !known;
+    });
+    if (!known && !pilot.stopped && summary.status != RunStatus::Completed) pilot.problem = summary.message;
+    if (!known && !pilot.course.empty()) pilot.course.back().second = threadSeconds() - begin;
+    return pilot;
+}
+
+} // namespace touchdown

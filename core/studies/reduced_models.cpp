@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/reduced_models.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/minimum_spacing.h"
+#include "core/simulation/linear_motion.h"
+#include "core/studies/few_digits.h"
+#include "core/studies/pilot_run.h"
+#include "core/studies/spring_fit.h"
+
+namespace touchdown {
+
+namespace {
+
+std::string percent(double share) { return fewDigits(100.0 * share, "", 2) + " %"; }
+
+/// The end of a motion at rest.
+TailEstimate atRest(double spacing)
+{
+    TailEstimate tail;
+    tail.kind = EndKind::Flying;
+    tail.mean = spacing;
+    return tail;
+}
+
+void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
+{
+    Case still = c;
+    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria = false;
+    const SteadyResult rest = steady(still, [&](const SteadyProgress&) { return !goOn || goOn(); });
+    if (rest.status == SteadyStatus::Converged) outcome.tail = atRest(rest.minimumSpacing);
+    else outcome.problem = rest.message.empty() ? "no static state was found" : rest.message;
+}
+
+void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
+{
+    const LinearMotion motion = linearMotion(c, [&](const SteadyProgress&) { return !goOn || goOn(); }, parts);
+    if (motion.status != SteadyStatus::Converged) {
+        outcome.problem = motion.message.empty() ? "no static state was found" : motion.message;
+        return;
+    }
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    const MinimumSpacing spacing(c.surface, recess);
+    // The second half: its last fifth is the tail, all of it has the spectrum.
+    const auto count = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval * (1.0 + 1e-9)) + 1;
+    SpacingSamples samples{c.run.sampleInterval, std::vector<double>(count), std::vector<char>(count, 0)};
+    for (std::size_t k = count / 2; k < count; ++k) samples.spacing[k] = spacing.at(motion.at(static_cast<double>(k) * c.run.sampleInterval)).spacing;
+    outcome.tail = estimateTail(samples, c.run.duration);
+    const double lowest = *std::min_element(samples.spacing.begin() + static_cast<std::ptrdiff_t>(count - count / 10), samples.spacing.end());
+    if (!std::isfinite(outcome.tail.mean) || lowest <= 0.0)
+        outcome.problem = motion.unstable() ? "a mode of the film grows, so that its motion does not stay small"
+                                              : "the motion does not stay above the disk, so that it is not small";
+}
+
+void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
+{
+    SpringFit fit = fitSprings(c, goOn);
+    outcome.problem = fit.problem;
+    if (!fit.problem.empty()) return;
+    outcome.remark = "fitted springs leave " + percent(fit.stiffnessLeft) + " of the film's stiffness matrix; modes at " +
+                     fewDigits(fit.springFrequency[0], "kHz", 3) + " and " + fewDigits(fit.springFrequency[1], "kHz", 3) + " (film: " +
+                     fewDigits(fit.filmFrequency[0], "kHz", 3) + ", " + fewDigits(fit.filmFrequency[1], "kHz", 3) + ") with damping ratios " +
+                     percent(fit.springDamping[0]) + " and " + percent(fit.springDamping[1]) + " (film: " + percent(fit.filmDamping[0]) +
+                     ", " + percent(fit.filmDamping[1]) + ")";
+    const PilotRun run = pilotRun(fit.springs, {}, goOn);
+    outcome.problem = run.problem;
+    outcome.tail = estimateTail(run.samples, c.run.duration);
+    outcome.found = std::move(fit.springs);
+}
+
+} // namespace
+
+RungOutcome solveReduced(const Rung& rung, const GoOn& goOn)
+{
+    RungOutcome outcome;
+    outcome.rung = rung;
+    const double begin = threadSeconds();
+    if (rung.kind == RungKind::Static) solveStatic(rung.c, goOn, outcome);
+    if (rung.kind == RungKind::WaveAnswer) solveSmallMotion(rung.c, MotionParts::Waves, goOn, outcome);
+    if (rung.kind == RungKind::SmallMotion) solveSmallMotion(rung.c, MotionParts::All, goOn, outcome);
+    if (rung.kind == RungKind::Springs) solveSprings(rung.c, goOn, outcome);
+    outcome.seconds = threadSeconds() - begin;
+    return outcome;
+}
+
+} // namespace touchdown

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/tail_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "core/numerics/spectrum.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double tailShare = 0.1;   // of the run
+constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
+constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
+constexpr std::size_t fewestSamples = 48;
+
+struct Moments {
+    double mean = 0.0, variance = 0.0;
+};
+
+template <typename Weight>
+Moments moments(std::span<const double> values, Weight&& weight)
+{
+    // About the first, so that squares keep their digits.
+    double sum = 0.0, first = 0.0, second = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double w = weight(k), d = values[k] - values[0];
+        sum += w;
+        first += w * d;
+        second += w * d * d;
+    }
+    const double mean = first / sum;
+    return {values[0] + mean, std::max(0.0, second / sum - mean * mean)};
+}
+
+Moments plain(std::span<const double> values)
+{
+    return moments(values, [](std::size_t) { return 1.0; });
+}
+
+Moments windowed(std::span<const double> values)
+{
+    const double step = 2.0 * std::numbers::pi / static_cast<double>(values.size());
+    return moments(values, [step](std::size_t k) { return 1.0 - std::cos(step * (static_cast<double>(k) + 0.5)); });
+}
+
+/// r^n, averaged over n from a to b.
+double meanPower(double r, double a, double b)
+{
+    const double rate = std::log(r);
+    return std::abs(rate) * (b - a) < 1e-9 ? std::pow(r, a) : (std::exp(rate * b) - std::exp(rate * a)) / (rate * (b - a));
+}
+
+Moments foretoldByBlocks(std::span<const double> spacing, double interval, double duration)
+{
+    const std::size_t block = spacing.size() / 4, first = spacing.size() - 2 * block;
+    std::array<Moments, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) at[i] = windowed(spacing.subspan(first + i * (block / 2), block));
+    const double v1 = at[0].variance, v2 = at[1].variance, v3 = at[2].variance, d1 = v2 - v1, d2 = v3 - v2;
+    const double average = (v1 + v2 + v3) / 3.0, averageMean = (at[0].mean + at[1].mean + at[2].mean) / 3.0;
+    if (std::max(std::abs(d1), std::abs(d2)) <= sameVariance * average) return {averageMean, average};
+    // The tail, in blocks' distances from the third one's middle.
+    const double distance = 0.5 * static_cast<double>(block) * interval;
+    const double middle = interval * (static_cast<double>(spacing.size()) - 0.5 * static_cast<double>(block));
+    const double from = ((1.0 - tailShare) * duration - middle) / distance, to = (duration - middle) / distance;
+    double rest = v3, ratio = 1.0;
+    if (d1 < 0.0 && d2 < 0.0) {
+        ratio = d2 / d1;
+        rest = ratio < 1.0 ? v3 + d2 * ratio / (1.0 - ratio) : -1.0;
+        // Nothing is left, or too little to be told from nothing.
+        if (rest < 0.05 * v3) {
+            rest = 0.0;
+            ratio = std::sqrt(v3 / v1);
+        }
+    } else if (d1 > 0.0 && d2 > 0.0 && d2 < 0.9 * d1) {
+        ratio = d2 / d1;
+        rest = v3 + d2 * ratio / (1.0 - ratio);
+    } else {
+        return {averageMean, average};
+    }
+    const double tail = rest + (v3 - rest) * meanPower(ratio, from, to);
+    return {at[2].mean + (tail - v3) * (at[2].mean - at[0].mean) / (v3 - v1), tail};
+}
+
+/// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.
+std::optional<Moments> rungOn(std::span<const double> spacing, double interval, double duration, const std::vector<RingingRate>& rates)
+{
+    const std::span<const double> half = spacing.subspan(spacing.size() / 2);
+    const std::optional<RingingFit> fit = fitRinging(half, interval, rates);
+    if (!fit || fit->left > ringsTo * std::sqrt(plain(half).variance)) return {};
+    for (const std::complex<double>& rate : fit->rates)
+        if (rate.real() > 0.0) return {};
+    const double begin = interval * static_cast<double>(spacing.size() / 2);
+    const auto first = static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / interval - 1e-6)),
+               end = static_cast<std::size_t>(duration / interval * (1.0 + 1e-9)) + 1;
+    std::vector<double> tail;
+    for (std::size_t k = first; k < end; ++k) tail.push_back(fit->at(static_cast<double>(k) * interval - begin));
+    return plain(tail);
+}
+
+EndKind kindOf(std::span<const char> touching)
+{
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(touching, [](char t) { return t != 0; }));
+    return count == 0 ? EndKind::Flying : count == touching.size() ? EndKind::Contact : EndKind::Intermittent;
+}
+
+Moments foretold(std::span<const double> spacing, double interval, double duration, const std::vector<RingingRate>& rates)
+{
+    if (!rates.empty())
+        if (const std::optional<Moments> ringing = rungOn(spacing, interval, duration, rates)) return *ringing;
+    return foretoldByBlocks(spacing, interval, duration);
+}
+
+} // namespace
+
+SpacingSamples SpacingSamples::until(double time) const
+{
+    const auto count = std::min(spacing.size(), static_cast<std::size_t>(time / interval * (1.0 + 1e-9)) + 1);
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    return {interval, {spacing.begin(), spacing.begin() + end}, {touching.begin(), touching.begin() + end}};
+}
+
+TailEstimate estimateTail(const SpacingSamples& samples, double duration, const std::vector<RingingRate>& rates)
+{
+    TailEstimate estimate;
+    const std::span<const double> all = samples.spacing;
+    const std::span<const char> touching = samples.touching;
+    const std::size_t count = all.size();
+    if (count < fewestSamples) return estimate;
+
+    const Spectrum spectrum = welch(all.subspan(count / 2), samples.interval, {.scaling = SpectrumScaling::Amplitude, .segment = count - count / 2});
+    estimate.resolution = spectrum.equivalentNoiseBandwidth;
+    if (const std::vector<Peak> peaks = findPeaks(spectrum, SpectrumScaling::Amplitude, 1); !peaks.empty()) {
+        estimate.peakFrequency = peaks[0].frequency;
+        estimate.peakAmplitude = peaks[0].amplitude;
+    }
+    if (samples.reached() >= duration - 0.5 * samples.interval) {
+        const std::size_t first = std::min(count - 1, static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / samples.interval - 1e-6)));
+        const Moments tail = plain(all.subspan(first));
+        estimate.mean = tail.mean;
+        estimate.spread = std::sqrt(tail.variance);
+        estimate.kind = kindOf(touching.subspan(first));
+        return estimate;
+    }
+    const Moments tail = foretold(all, samples.interval, duration, rates);
+    estimate.mean = tail.mean;
+    estimate.spread = std::sqrt(tail.variance);
+    estimate.kind = kindOf(touching.subspan(count - count / 4));
+    for (const double share : {0.9, 0.8}) {
+        const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
+        const Moments shorter = foretold(all.first(part), samples.interval, duration, rates);
+        estimate.meanUncertainty = std::max(estimate.meanUncertainty, std::abs(shorter.mean - tail.mean));
+        estimate.spreadUncertainty = std::max(estimate.spreadUncertainty, std::abs(std::sqrt(shorter.variance) - estimate.spread));
+        estimate.sameKind = estimate.sameKind && kindOf(touching.subspan(part - part / 4, part / 4)) == estimate.kind;
+    }
+    return estimate;
+}
+
+} // namespace touchdown
