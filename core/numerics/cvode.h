@@ -10,6 +10,7 @@
 #include "core/numerics/adaptive.h"
 
 #ifdef TOUCHDOWN_HAVE_CVODE
+#include <algorithm>
 #include <memory>
 
 #include <cvode/cvode.h>
@@ -143,10 +144,16 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
             result.end = IntegrationEnd::Stopped;
             break;
         }
-        if (flag != CV_ROOT_RETURN) continue;
-
+        // A guard that turns back at once where it has just switched crosses unseen: CVODE looks for roots a little after a restart.
         std::array<int, guardEnds> found{};
-        CVodeGetRootInfo(cv, found.data());
+        if (flag == CV_ROOT_RETURN) {
+            CVodeGetRootInfo(cv, found.data());
+        } else {
+            constexpr double certain = 1e3; // resolutions beyond an end
+            for (int i = 0; i < guardEnds; ++i)
+                found[static_cast<std::size_t>(i)] = view.watch.inside(y1, i / 2, i % 2 == 1) < -certain * view.watch.resolution(y1, i / 2, t);
+            if (std::ranges::all_of(found, [](int each) { return each == 0; })) continue;
+        }
         bool tooMany = false;
         for (int i = 0; i < guardEnds; ++i) {
             if (found[static_cast<std::size_t>(i)] == 0) continue;

@@ -63,6 +63,16 @@ private slots:
         QCOMPARE(result.end, IntegrationEnd::Reached);
         QVERIFY((log.last() - PiecewiseOscillator::exact(oscillator.upper, {1e6, 0.0}, 20.0)).norm() < 1e-7 * 1e6);
     }
+    /// Pushed onto the boundary from both sides: a switch that turns back at once is not missed, so that the law is that of the side on
+    /// which the state is, and the chattering is seen as by the other methods.
+    void chatteringEnds()
+    {
+        const PiecewiseOscillator sliding = switchedOscillator({-1.0, 0.0, 2.0}, {1.0, 0.0, 2.0});
+        Log log;
+        const auto result = integrateCvode(sliding, Start<PiecewiseOscillator>{{0.1, 0.0}, PiecewiseOscillator::Mode::Upper}, 100.0, {.tolerance = 1e-8}, log);
+        QCOMPARE(result.end, IntegrationEnd::Chattering);
+        QVERIFY(std::abs(log.last()[0]) < 1e-3);
+    }
     void stopsWhenTold()
     {
         const PiecewiseOscillator smooth = smoothOscillator({0.3, 1.0, 0.1});
