@@ -86,13 +86,13 @@ private:
             findings_.push_back("Self-excited: at " + valuesText(none) +
                                 " no equilibrium was found, so that the slider has nothing to come to rest in.");
         if (flutter.empty() && none.empty() && neutral.empty()) {
-            std::string sentence = "No equilibrium" + inRange() + " loses its stability by an oscillation: there is no Hopf point, and "
+            std::string sentence = "no equilibrium" + inRange() + " loses its stability by an oscillation: there is no Hopf point, and "
                                  + (divergence.empty() ? "all are stable" : "those that are unstable (" + valuesText(divergence) +
                                                                                 ") are left without oscillating, for a stable one")
                                  + ". Bouncing that lasts must be forced from outside, or be a cycle far from equilibrium.";
             if (divergence.empty())
                 sentence += " The slowest disturbance fades within " + fewDigitsOfTime(-1.0 / slowest) + " by a factor of e.";
-            findings_.push_back("Forced: " + std::move(sentence));
+            findings_.push_back("Forced, as far as small motions tell: " + std::move(sentence));
             if (bounces.empty())
                 findings_.push_back("No such cycle was seen: none of the " + std::to_string(result_.steps.size()) +
                                     " held values ends in and out of contact.");

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/hysteresis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QTest>
+
+#include "core/simulation/case_file.h"
+#include "core/simulation/toml_document.h"
+#include "core/studies/study_plan.h"
+#include "tests/support/small_slider.h"
+
+using namespace touchdown;
+
+namespace {
+
+StudyPlan planOf(const Case& c, const std::string& text) { return parseStudy("hysteresis", text, "study", {}, &c); }
+
+StudyReport performed(const Case& c, const std::string& text, int jobs = 2, const StudyCallback& callback = {})
+{
+    const StudyPlan plan = planOf(c, text);
+    if (!plan.valid()) qFatal("%s", plan.problems.front().text().c_str());
+    return plan.perform(jobs, callback);
+}
+
+bool says(const StudyReport& report, const std::string& part)
+{
+    return std::ranges::any_of(report.findings, [&](const std::string& each) { return each.find(part) != std::string::npos; });
+}
+
+const StudyTable& table(const StudyReport& report, const std::string& name)
+{
+    return *std::ranges::find(report.tables, name, &StudyTable::name);
+}
+
+bool hasSeries(const StudyReport& report, const std::string& name)
+{
+    for (const StudyChart& chart : report.charts)
+        for (const ChartPanel& panel : chart.panels)
+            for (const ChartSeries& series : panel.series)
+                if (series.name == name) return true;
+    return false;
+}
+
+} // namespace
+
+class TestHysteresis : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The default slider, set lower and lower: it falls where its static height is d_s = 3 nm, and is caught until the menisci break.
+    void defaultCaseHasALoop()
+    {
+        const StudyReport report = performed(Case{}, hysteresisTemplate(Case{}));
+        QCOMPARE(report.status, StudyStatus::Completed);
+        QVERIFY(report.findings.front().starts_with("Forced"));
+        QVERIFY(says(report, "Touch-down at 3.132 nm"));
+        QVERIFY(says(report, "ends at 3 nm"));
+        QVERIFY(says(report, "Take-off"));
+        QVERIFY(says(report, "Hysteresis at values from"));
+        for (const char* name : {"held, falling", "held, rising", "stable equilibria", "ends at a switch of the law"})
+            QVERIFY2(hasSeries(report, name), name);
+        QCOMPARE(table(report, "steps").rows.size(), std::size_t(82));
+        for (const StudyTable& each : report.tables)
+            for (const auto& row : each.rows) {
+                QCOMPARE(row.size(), each.columns.size());
+                for (const StudyValue& value : row)
+                    if (const auto* number = std::get_if<double>(&value)) QVERIFY(std::isfinite(*number));
+            }
+    }
+
+    void sameWithOneThreadOrTwo()
+    {
+        const std::string text = "parameter = \"ono_yamane.meniscus_force\"\nfrom = \"50 mN\"\nto = \"0 mN\"\nsteps = 6\nhold = \"0.2 ms\"\n";
+        const StudyReport one = performed(Case{}, text, 1), two = performed(Case{}, text, 2);
+        QCOMPARE(one.findings, two.findings);
+        for (std::size_t i = 0; i < one.tables.size(); ++i) QVERIFY(one.tables[i].rows == two.tables[i].rows);
+    }
+
+    /// A pad ahead of the mass centre, pressed for good, flutters from some friction on: see the test of the equilibria.
+    void tellsSelfExcitation()
+    {
+        Case c;
+        c.springs.frontStiffness = c.springs.rearStiffness = 0.0;
+        c.springs.flyingHeight = 1e-9;
+        c.springs.pitch = 0.0;
+        c.slider.thickness = 1e-3;
+        c.suspension.stiffness = 1e6;
+        c.suspension.pitchStiffness = 0.9;
+        c.suspension.dampingRatio = c.suspension.pitchDampingRatio = 0.01;
+        c.onoYamane.padDistance = -0.3e-3;
+        c.onoYamane.meniscusForce = 0.0;
+        c.initial.flyingHeight = 1e-9;
+        const StudyReport report = performed(c, "parameter = \"ono_yamane.friction\"\nfrom = 0.5\nto = 0.7\nsteps = 4\nhold = \"0.1 ms\"\n");
+        QVERIFY(report.findings.front().starts_with("Self-excited: an equilibrium is unstable by a growing oscillation"));
+        QVERIFY(hasSeries(report, "Hopf points"));
+        QVERIFY(hasSeries(report, "unstable equilibria"));
+    }
+
+    void startsAreFresh()
+    {
+        const StudyReport report = performed(Case{}, "parameter = \"initial.flying_height\"\nfrom = \"20 nm\"\nto = \"250 nm\"\nsteps = 4\nhold = \"0.5 ms\"\n");
+        QCOMPARE(table(report, "steps").rows.size(), std::size_t(5));
+        QVERIFY(hasSeries(report, "end states"));
+        QVERIFY(says(report, "of 5 starts end flying"));
+    }
+
+    void filmIsHeld()
+    {
+        Case c = test::smallSlider(33);
+        c.degreesOfFreedom = 2;
+        c.contact = ContactKind::OnoYamane;
+        c.onoYamane.touchDown = 5e-9;
+        c.onoYamane.takeOff = 8e-9;
+        c.initial.state = InitialState::Static;
+        const StudyReport report = performed(c, "parameter = \"disk.speed\"\nfrom = \"7200 rpm\"\nto = \"7000 rpm\"\nsteps = 1\nhold = \"1 us\"\n");
+        QCOMPARE(report.status, StudyStatus::Completed);
+        QCOMPARE(table(report, "steps").rows.size(), std::size_t(4));
+        for (const auto& row : table(report, "steps").rows) QCOMPARE(std::get<std::string>(row[2]), std::string("flying"));
+        // At both values it flies at the static state; on so few cells its stability means little, and the study says so.
+        QVERIFY(table(report, "equilibria").rows.size() >= 2);
+        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) { return each.find("fewer than ten cells") != std::string::npos; }));
+    }
+
+    void stopsAtOnce()
+    {
+        int calls = 0;
+        const StudyReport report = performed(Case{}, "hold = \"1 s\"\n", 2, [&](const StudyProgress& progress) {
+            ++calls;
+            return progress.share < 0.0;
+        });
+        QCOMPARE(report.status, StudyStatus::Cancelled);
+        QVERIFY(!report.message.empty());
+        QCOMPARE(calls, 1);
+    }
+
+    void saysWhatIsWrong_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("key");
+        QTest::newRow("unknown parameter") << "parameter = \"springs.flying_hight\"\nfrom = 1\nto = 2" << "parameter";
+        QTest::newRow("no number") << "parameter = \"springs.potential\"\nfrom = 1\nto = 2" << "parameter";
+        QTest::newRow("of the computation") << "parameter = \"run.step\"\nfrom = \"1 ns\"\nto = \"2 ns\"" << "parameter";
+        QTest::newRow("no end") << "parameter = \"ono_yamane.friction\"\nfrom = 0.1" << "to";
+        QTest::newRow("out of range") << "parameter = \"ono_yamane.friction\"\nfrom = -0.1\nto = 1" << "from";
+        QTest::newRow("no valid case there") << "from = \"7 nm\"\nto = \"-5 nm\"" << "to";
+        QTest::newRow("nothing to move") << "from = \"7 nm\"\nto = \"7 nm\"" << "to";
+        QTest::newRow("unknown key") << "stepz = 3" << "stepz";
+    }
+    void saysWhatIsWrong()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, key);
+        const StudyPlan plan = planOf(Case{}, text.toStdString());
+        QCOMPARE(plan.problems.size(), std::size_t(1));
+        QCOMPARE(plan.problems.front().key, key.toStdString());
+    }
+
+    void aPadAloneIsNotStudied()
+    {
+        const StudyPlan plan = planOf(openCase("contact_hertz").value, "");
+        QCOMPARE(plan.problems.size(), std::size_t(1));
+    }
+
+    void templatesAreValid_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"fig10a", "table3_3nm_from_100nm", "textbook_oscillator", "textbook_bounce", "film_pico", "fig06_de_4nm",
+                                 "fig02_case_2_moving"})
+            QTest::newRow(name) << name;
+    }
+    void templatesAreValid()
+    {
+        QFETCH(QString, name);
+        const Case c = openCase(name.toStdString()).value;
+        const StudyPlan plan = planOf(c, hysteresisTemplate(c));
+        QVERIFY2(plan.valid(), plan.valid() ? "" : plan.problems.front().text().c_str());
+        QVERIFY(planOf(c, "").valid());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHysteresis)
+#include "test_hysteresis.moc"

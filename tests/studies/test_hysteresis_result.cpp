@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/hysteresis_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QTest>
+
+using namespace touchdown;
+
+namespace {
+
+HeldStep step(double value, bool back, EndKind kind, double spacing)
+{
+    HeldStep held;
+    held.value = value;
+    held.back = back;
+    held.done = true;
+    held.end = {kind, spacing, 0.0};
+    held.spacing = {.mean = spacing, .std = 0.0, .min = spacing, .max = spacing};
+    return held;
+}
+
+/// f_m from 0 to 3 mN and back: touches at 2 mN, lets go at 0.
+std::vector<HeldStep> loop()
+{
+    using enum EndKind;
+    return {step(0.0, false, Flying, 7e-9),   step(1e-3, false, Flying, 7e-9),  step(2e-3, false, Contact, 3e-9),
+            step(3e-3, false, Contact, 2e-9), step(3e-3, true, Contact, 2e-9),  step(2e-3, true, Contact, 3e-9),
+            step(1e-3, true, Contact, 4e-9),  step(0.0, true, Flying, 7e-9)};
+}
+
+HeldSteps task()
+{
+    HeldSteps steps;
+    steps.parameter = std::get<DesignKey>(designKey(steps.start, "ono_yamane.meniscus_force"));
+    steps.values = {0.0, 1e-3, 2e-3, 3e-3};
+    return steps;
+}
+
+StudiedEquilibrium at(double value, double spacing, Stability stability, double growth)
+{
+    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}};
+}
+
+bool says(const std::vector<std::string>& findings, const std::string& part)
+{
+    return std::ranges::any_of(findings, [&](const std::string& each) { return each.find(part) != std::string::npos; });
+}
+
+} // namespace
+
+class TestHysteresisResult : public QObject {
+    Q_OBJECT
+
+private slots:
+    void transitions()
+    {
+        const std::vector<Transition> list = transitionsOf(loop());
+        QCOMPARE(list.size(), std::size_t(2));
+        QVERIFY(list[0].down && !list[0].back);
+        QCOMPARE(list[0].middle(), 1.5e-3);
+        QVERIFY(!list[1].down && list[1].back);
+        QCOMPARE(list[1].middle(), 0.5e-3);
+    }
+
+    void failuresAreNoTransitions()
+    {
+        std::vector<HeldStep> steps = loop();
+        steps[1].end.kind = EndKind::Failed;
+        QCOMPARE(transitionsOf(steps).size(), std::size_t(1));
+    }
+
+    /// The ways differ at 1 mN alone, by 3 nm: a triangle of 3 nm over 2 mN.
+    void areaOfTheLoop()
+    {
+        const LoopOf found = loopOf(loop());
+        QCOMPARE(found.values, std::vector{1e-3});
+        QVERIFY(found.whole);
+        QVERIFY(std::abs(found.area - 3e-12) < 1e-24);
+    }
+
+    void touchingIsOneStateWhetherItRingsOrNot()
+    {
+        std::vector<HeldStep> steps = loop();
+        steps[2].end = {EndKind::Intermittent, 3.05e-9, 0.3e-9};
+        QCOMPARE(loopOf(steps).values, std::vector{1e-3});
+    }
+
+    void betweenThePointsOfALine()
+    {
+        const std::vector<EquilibriumLine> lines{
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.0, 5e-9, Stability::Stable, -1e4), at(2.0, 4e-9, Stability::Stable, -1e4)}},
+            {"in contact", true, {at(1.5, 2e-9, Stability::Divergence, 1e4)}}};
+        QCOMPARE(equilibriaAt(lines, 0.5).size(), std::size_t(1));
+        QVERIFY(std::abs(equilibriaAt(lines, 0.5)[0].spacing - 6e-9) < 1e-22);
+        QCOMPARE(equilibriaAt(lines, 1.0).size(), std::size_t(1)); // a point between two spans counts once
+        QCOMPARE(equilibriaAt(lines, 1.5).size(), std::size_t(2));
+        QVERIFY(equilibriaAt(lines, 1.5)[1].outside);
+        QCOMPARE(equilibriaAt(lines, 2.0).size(), std::size_t(1));
+        QVERIFY(equilibriaAt(lines, 2.1).empty());
+    }
+
+    void sentencesOfALoop()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(says(findings, "Touch-down at 1.5 mN +- 0.5 mN, rising"));
+        QVERIFY(says(findings, "Take-off at 0.5 mN +- 0.5 mN, falling"));
+        QVERIFY(says(findings, "Hysteresis at 1 mN"));
+        QVERIFY(says(findings, "3 nm mN"));
+        QVERIFY(!says(findings, "Forced"));
+    }
+
+    void forcedWhereAllIsStable()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(findings.front().starts_with("Forced"));
+        QVERIFY(says(findings, "fades within 100 us"));
+    }
+
+    void selfExcitedWhereAnOscillationGrows()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+        result.marks = {{EquilibriumMark::Hopf, "Hopf point", at(1.5e-3, 3e-9, Stability::Neutral, 0.0), false}};
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(findings.front().starts_with("Self-excited"));
+        QVERIFY(says(findings, "Hopf point at 1.5 mN, 100 kHz"));
+        QVERIFY(!says(findings, "Forced"));
+    }
+
+    void selfExcitedWhereThereIsNoEquilibrium()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        QVERIFY(says(hysteresisFindings(task(), result), "Self-excited: at values from 2 mN to 3 mN no equilibrium"));
+    }
+
+    /// Growth from -1e4 to 3e4 1/s: zero after a quarter of the way.
+    void crossingOfAFilmsEquilibria()
+    {
+        std::vector<FilmEquilibria> found(2);
+        found[0].found = {{.attitude = {}, .spacing = 3e-9, .touching = true, .netContactForce = 0.0,
+                           .eigenvalues = {{-1e4, 6.283185307179586e5}}, .stability = Stability::Stable}};
+        found[1].found = {{.attitude = {}, .spacing = 2e-9, .touching = true, .netContactForce = 0.0,
+                           .eigenvalues = {{3e4, 6.283185307179586e5}}, .stability = Stability::Flutter}};
+        HysteresisResult result;
+        addFilmEquilibria({0.0, 1.0}, found, result);
+        QCOMPARE(result.lines.size(), std::size_t(1));
+        QCOMPARE(result.marks.size(), std::size_t(1));
+        QCOMPARE(result.marks[0].kind, EquilibriumMark::Hopf);
+        QCOMPARE(result.marks[0].at.value, 0.25);
+        QVERIFY(std::abs(result.marks[0].at.spacing - 2.75e-9) < 1e-22);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHysteresisResult)
+#include "test_hysteresis_result.moc"
