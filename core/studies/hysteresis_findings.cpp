@@ -59,7 +59,7 @@ private:
     /// Self-excited or forced?
     void addAnswer()
     {
-        std::vector<double> flutter, divergence, neutral;
+        std::vector<double> flutter, doubtful, divergence, neutral;
         double slowest = -std::numeric_limits<double>::infinity();
         std::size_t count = 0;
         for (const EquilibriumLine& line : result_.lines)
@@ -67,7 +67,8 @@ private:
                 if (line.outside) continue;
                 ++count;
                 slowest = std::max(slowest, at.growth());
-                if (at.stability == Stability::Flutter) flutter.push_back(at.value);
+                if (result_.doubtful(at)) doubtful.push_back(at.value);
+                else if (at.stability == Stability::Flutter) flutter.push_back(at.value);
                 if (at.stability == Stability::Divergence) divergence.push_back(at.value);
                 if (at.stability == Stability::Neutral) neutral.push_back(at.value);
             }
@@ -82,10 +83,14 @@ private:
             return;
         }
         if (!flutter.empty()) addFlutter(flutter);
+        if (!doubtful.empty())
+            findings_.push_back("Not known on this grid: at " + valuesText(doubtful) +
+                                " an equilibrium seems unstable by an oscillation above " + fewDigits(result_.resolved, "kHz") +
+                                ", where the grid gives damping a wrong sign; a finer grid tells.");
         if (!none.empty())
             findings_.push_back("Self-excited: at " + valuesText(none) +
                                 " no equilibrium was found, so that the slider has nothing to come to rest in.");
-        if (flutter.empty() && none.empty() && neutral.empty()) {
+        if (flutter.empty() && none.empty() && neutral.empty() && doubtful.empty()) {
             std::string sentence = "no equilibrium" + inRange() + " loses its stability by an oscillation: there is no Hopf point, and "
                                  + (divergence.empty() ? "all are stable" : "those that are unstable (" + valuesText(divergence) +
                                                                                 ") are left without oscillating, for a stable one")
@@ -96,7 +101,7 @@ private:
             if (bounces.empty())
                 findings_.push_back("No such cycle was seen: none of the " + std::to_string(result_.steps.size()) +
                                     " held values ends in and out of contact.");
-        } else if (!neutral.empty() && flutter.empty() && none.empty()) {
+        } else if (!neutral.empty()) {
             findings_.push_back("At " + valuesText(neutral) +
                                 " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them.");
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/studies/few_digits.h"
@@ -11,6 +10,8 @@ namespace touchdown {
 
 namespace {
 
+/// Along a wave that the disk drags through the film, for the damping of its motion to 5 %, and for its sign: core/simulation/modes.cpp.
+constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
 constexpr double neighbours = 2e-9; // spacings of one line at neighbouring values differ by less [m]
 
 StudiedEquilibrium studied(const SpringEquilibrium& at)
@@ -33,6 +34,7 @@ void addCrossings(HysteresisResult& result)
                 return at.stability == Stability::Stable || at.stability == Stability::Flutter;
             };
             if (a.stability == b.stability || !oscillates(a) || !oscillates(b)) continue;
+            if (result.doubtful(a) || result.doubtful(b)) continue;
             const double share = a.growth() / (a.growth() - b.growth());
             StudiedMark mark{EquilibriumMark::Hopf, "Hopf point", a.growth() > 0.0 ? a : b, false};
             mark.at.value = std::lerp(a.value, b.value, share);
@@ -84,7 +86,7 @@ void addFilmEquilibria(const std::vector<double>& values, const std::vector<Film
 {
     result.traced = true;
     int lost = 0;
-    double resolved = std::numeric_limits<double>::infinity(), fastest = 0.0; // [Hz]
+    double resolved = result.resolved, fastest = 0.0; // [Hz]
     for (std::size_t i = 0; i < found.size(); ++i) {
         std::vector<std::size_t> grown; // lines that have a point at this value
         if (!found[i].problem.empty())
@@ -110,6 +112,7 @@ void addFilmEquilibria(const std::vector<double>& values, const std::vector<Film
             grown.push_back(best);
         }
     }
+    result.resolved = resolved * cellsForDamping / cellsForItsSign;
     addCrossings(result);
     if (lost > 0)
         result.warnings.push_back(std::to_string(lost) + (lost == 1 ? " oscillation" : " oscillations") +
@@ -117,7 +120,8 @@ void addFilmEquilibria(const std::vector<double>& values, const std::vector<Film
     if (fastest > resolved)
         result.warnings.push_back("above " + fewDigits(resolved, "kHz", 2) +
                                   " the waves that the disk drags along span fewer than ten cells, and the damping of oscillations there is "
-                                  "known roughly: on a coarse grid an equilibrium may seem unstable; take more film.nodes along the slider");
+                                  "known roughly; above " + fewDigits(result.resolved, "kHz", 2) +
+                                  " not even its sign: take more film.nodes along the slider");
 }
 
 } // namespace touchdown

@@ -17,11 +17,11 @@ using StepOrdinate = std::function<ChartPoint(const HeldStep&)>;
 
 double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi); }
 
-std::string groupOf(Stability stability, bool outside)
+std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
 {
-    const bool stable = stability == Stability::Stable || stability == Stability::Neutral;
-    return std::string(stable ? (stability == Stability::Stable ? "stable equilibria" : "neutral equilibria")
-                              : "unstable equilibria") +
+    const bool stable = at.stability == Stability::Stable || at.stability == Stability::Neutral;
+    return std::string(stable ? (at.stability == Stability::Stable ? "stable equilibria" : "neutral equilibria")
+                              : result.doubtful(at) ? "unstable equilibria, on this grid" : "unstable equilibria") +
            (outside ? ", outside the model" : "");
 }
 
@@ -31,13 +31,13 @@ void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordi
     for (const EquilibriumLine& line : result.lines) {
         for (std::size_t begin = 0; begin < line.points.size();) {
             ChartSeries series;
-            const std::string group = groupOf(line.points[begin].stability, line.outside);
+            const std::string group = groupOf(result, line.points[begin], line.outside);
             series.name = group;
             series.line = group.starts_with("unstable") ? ChartLine::Dashed : ChartLine::Solid;
             series.markers = false;
             series.quiet = line.outside;
             std::size_t i = begin;
-            for (; i < line.points.size() && groupOf(line.points[i].stability, line.outside) == group; ++i)
+            for (; i < line.points.size() && groupOf(result, line.points[i], line.outside) == group; ++i)
                 series.points.push_back({.x = line.points[i].value, .y = ordinate(line.points[i])});
             if (i < line.points.size()) series.points.push_back({.x = line.points[i].value, .y = ordinate(line.points[i])});
             begin = i;

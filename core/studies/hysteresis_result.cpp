@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "core/simulation/fields.h"
 #include "core/studies/few_digits.h"
@@ -25,6 +26,12 @@ bool differ(const EndState& a, EndState b)
 }
 
 } // namespace
+
+bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
+{
+    return at.stability == Stability::Flutter && !at.eigenvalues.empty() &&
+           std::abs(at.eigenvalues.front().imag()) > 2.0 * std::numbers::pi * resolved;
+}
 
 std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
 

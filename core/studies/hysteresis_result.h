@@ -4,6 +4,7 @@
 #pragma once
 
 #include <complex>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,10 @@ struct HysteresisResult {
     bool traced = false;         // whether equilibria were sought
     std::vector<EquilibriumLine> lines;
     std::vector<StudiedMark> marks;
+    double resolved = std::numeric_limits<double>::infinity(); // frequency up to which a film's grid knows whether a motion grows [Hz]
     std::vector<std::string> warnings;
+    /// An oscillation grows at a frequency at which the grid does not know.
+    bool doubtful(const StudiedEquilibrium& at) const;
 };
 
 /// Lines and marks of the spring model.

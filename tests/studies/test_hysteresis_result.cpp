@@ -146,6 +146,18 @@ private slots:
         QVERIFY(says(hysteresisFindings(task(), result), "Self-excited: at values from 2 mN to 3 mN no equilibrium"));
     }
 
+    void aCoarseGridDoesNotKnow()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.resolved = 99e3; // the oscillation has 100 kHz
+        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(findings.front().starts_with("Not known on this grid: at 3 mN"));
+        QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
+    }
+
     /// Growth from -1e4 to 3e4 1/s: zero after a quarter of the way.
     void crossingOfAFilmsEquilibria()
     {
