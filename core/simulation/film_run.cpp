@@ -60,6 +60,9 @@ public:
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
         summary.warnings = scene_.warnings();
+        if (cuts_ > 0)
+            summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) + (cuts_ == 1 ? " time: " : " times, first as ") +
+                                       firstCut_ + (case_.film.coupling == FilmCoupling::Staggered ? "; film.coupling = \"monolithic\" has no such limit" : ""));
         if (jumps_ > 0)
             summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
                                        " times where no law switches, as the film's do where its slip changes at once");
@@ -170,6 +173,7 @@ private:
             jumps_ += jumps;
             if (!result.converged() || (length_.isTooLong(result.timeError) && !jumps)) {
                 ++rejected_;
+                if (length_.fixed() && cuts_++ == 0) firstCut_ = reasonOf(result) + " at " + timeText(point_.time);
                 dt = result.converged() ? length_.shortened(dt, result.timeError) : length_.halved(dt);
                 if (dt < shortestStep) return giveUp(result);
                 continue;
@@ -322,20 +326,24 @@ private:
             recorder_->addFields(std::move(snapshot));
     }
 
+    std::string reasonOf(const CoupledStepResult& result) const
+    {
+        switch (result.failure) {
+        case CoupledFailure::None: return "its error stays above run.step_error";
+        case CoupledFailure::Film: return "the film does not converge";
+        case CoupledFailure::Contact: return stepper_->contactForces().problem;
+        case CoupledFailure::Iteration: return "film and slider do not come to agree";
+        case CoupledFailure::Stopped: break;
+        case CoupledFailure::NotFinite: return "the forces are no numbers";
+        }
+        return {};
+    }
+
     bool giveUp(const CoupledStepResult& result)
     {
-        std::string why;
-        switch (result.failure) {
-        case CoupledFailure::None: why = "its error stays above run.step_error"; break;
-        case CoupledFailure::Film: why = "the film does not converge"; break;
-        case CoupledFailure::Contact: why = stepper_->contactForces().problem; break;
-        case CoupledFailure::Iteration: why = "film and slider do not come to agree"; break;
-        case CoupledFailure::Stopped: break;
-        case CoupledFailure::NotFinite: why = "the forces are no numbers"; break;
-        }
         const Attitude last = body_->attitude(point_.motion.q);
         const RunFailure failure = result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
-        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + why + "; the samples end with the last good state, minimum spacing " +
+        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) + "; the samples end with the last good state, minimum spacing " +
                                            formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
@@ -376,6 +384,8 @@ private:
     FilmPoint point_;        // the last accepted one
     bool switched_ = false;  // the contact's law, at the last accepted point
     long long jumps_ = 0;    // of the air's force
+    long long cuts_ = 0;     // of fixed steps
+    std::string firstCut_;
     CoupledStepResult tried_;
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;      // taken
