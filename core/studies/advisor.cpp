@@ -8,7 +8,7 @@ namespace touchdown {
 
 namespace {
 
-const std::vector<std::string> models{"static", "wave-answer", "small-motion", "springs", "parts", "sums"};
+const std::vector<std::string> models{"static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"};
 
 StudyReport performAdvice(const AdvisorTask& task, int jobs, const StudyCallback& callback)
 {
@@ -42,7 +42,7 @@ StudyPerformance planAdvisor(StudyReader& reader)
     if (const auto chosen = reader.texts("models")) {
         for (const std::string& model : *chosen)
             if (std::ranges::find(models, model) == models.end())
-                reader.add("models", "\"" + model + "\" is none of static, wave-answer, small-motion, springs, parts, sums");
+                reader.add("models", "\"" + model + "\" is none of static, contact-rest, wave-answer, small-motion, springs, parts, sums");
         task.models = *chosen;
     }
     return [task](int jobs, const StudyCallback& callback) { return performAdvice(task, jobs, callback); };
@@ -54,7 +54,7 @@ std::string advisorTemplate(const Case&)
 spread_tolerance = "10%"  # of its standard deviation there, or of tolerance times the mean where that is more
 pilot = 0.3               # least part of the run that the full model is given; more where the end is not known by then
 confirm = false           # also take the full model and the advice to the end, and say what was claimed rightly
-models = ["static", "wave-answer", "small-motion", "springs", "parts", "sums"] # the ladder
+models = ["static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"] # the ladder
 )";
 }
 

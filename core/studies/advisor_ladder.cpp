@@ -73,6 +73,7 @@ std::string_view name(RungKind kind)
     switch (kind) {
     case RungKind::Full: return "full";
     case RungKind::Static: return "static";
+    case RungKind::ContactRest: return "contact-rest";
     case RungKind::WaveAnswer: return "wave-answer";
     case RungKind::SmallMotion: return "small-motion";
     case RungKind::Springs: return "springs";
@@ -90,6 +91,7 @@ std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
     const std::string surface = c.diskSurface.kind != DiskSurfaceKind::Flat ? ", the disk's surface" : "";
     std::vector<Rung> ladder, reduced;
     reduced.push_back({RungKind::Static, "static state", "all motion" + surface + touches, {}, c});
+    if (c.contact == ContactKind::OnoYamane) reduced.push_back({RungKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
     if (waves) reduced.push_back({RungKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
     reduced.push_back({RungKind::SmallMotion, "small motions", "all that is not linear" + (waves ? "" : surface) + touches, {}, c});
     if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)

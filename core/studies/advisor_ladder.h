@@ -3,7 +3,8 @@
 // The ladder of models for one scene of a film: what can be left out of it, and the models that stand for it without a film in time.
 //
 //   static        it has come to rest in its static state; nothing moves
-//   wave answer   about that state, the motion that the waves of the disk keep up (linear_motion.h)
+//   contact rest  it has come to rest in contact, by Ono and Yamane's characteristic (film_equilibria.h)
+//   wave answer   about the static state, the motion that the waves of the disk keep up (linear_motion.h)
 //   small motion  that and the modes that the start sets going
 //   springs       two lumped springs fitted to the film, with the contact's characteristic (spring_fit.h)
 //   parts         the film in time without one of its parts: a rough disk, contact, adhesion, roll; on fewer grid lines, with
@@ -28,7 +29,7 @@ struct AdvisorTask {
     std::vector<std::string> models; // to be tried: "static", ...; empty: all
 };
 
-enum class RungKind : std::uint8_t { Full, Static, WaveAnswer, SmallMotion, Springs, Part, Sum };
+enum class RungKind : std::uint8_t { Full, Static, ContactRest, WaveAnswer, SmallMotion, Springs, Part, Sum };
 std::string_view name(RungKind kind);
 
 /// What can be left out of a film's run.
@@ -44,7 +45,7 @@ struct Rung {
     std::string name;
     std::string leavesOut;
     std::vector<LadderPart> parts;
-    Case c;                // that is run; of Static, WaveAnswer and SmallMotion: whose film is
+    Case c;                // that is run; of those without a film in time: whose film is
 };
 
 /// Models without a film in time, on the scene's grid and on coarser ones, and those without one part, as far as the scene has it.

@@ -69,7 +69,7 @@ void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport
             text += "wrong here, it ends " + std::string(name(rung.tail.kind)) + " at " + fewDigits(rung.tail.mean, "nm", 3);
         else
             text += (rung.within ? "within the tolerance, " : "not enough, ") + errorsText(rung.errors, task, result) +
-                    (rung.errors.samePeak ? "" : ", its largest peak at " + fewDigits(rung.tail.peakFrequency, "kHz", 3)) + "; saves " +
+                    (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; saves " +
                     times(result.full.seconds / rung.seconds);
         report.findings.push_back(text + ".");
     }
@@ -101,6 +101,12 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
     if (result.growth > 0.0)
         report.warnings.push_back("a mode of the film about the static state grows, by " + fewDigits(result.growth, "") +
                                   " e-folds over the run: small motions do not end there");
+    const auto endsOtherwise = [](const RungOutcome& rung) {
+        return rung.valid() && rung.rung.kind == RungKind::Part && rung.rung.parts[0].family == "steps" && !rung.errors.sameEnd;
+    };
+    if (std::ranges::any_of(result.rungs, endsOtherwise))
+        report.warnings.push_back("with looser steps the scene ends in another state: it lies near the border between two, and its end hangs on "
+                                  "what no model knows; study it by an ensemble of starts");
     const RungErrors& own = result.full.errors;
     if (own.meanResolution > result.allowedMean(task) || own.spreadResolution > result.allowedSpread(task))
         report.warnings.push_back("the run's end is not known well enough to judge by the tolerance: the motion has not settled");

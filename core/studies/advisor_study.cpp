@@ -16,12 +16,19 @@ namespace touchdown {
 namespace {
 
 constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
+constexpr double leastAllowed = 2.0; // of the error of the full model's own steps
 constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
 
-double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task) { return task.tolerance * std::abs(full.mean); }
+/// What one step may displace the slider by, and an answer is not worth [m].
+double ownError(const AdvisorTask& task) { return task.start.run.steps == StepControl::Adaptive ? task.start.run.stepError : 1e-12; }
+
+double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task)
+{
+    return std::max(task.tolerance * std::abs(full.mean), leastAllowed * ownError(task));
+}
 double allowedSpreadOf(const TailEstimate& full, const AdvisorTask& task)
 {
-    return task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean));
+    return std::max(task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean)), leastAllowed * ownError(task));
 }
 
 class Advisor {
@@ -90,8 +97,8 @@ private:
         full.tail = estimateTail(full.samples, duration, rates_);
         full.seconds = full_.secondsTo(duration);
         full.within = true;
-        full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError());
-        full.errors.spreadResolution = std::max(full.tail.spreadUncertainty, ownError());
+        full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError(task_));
+        full.errors.spreadResolution = std::max(full.tail.spreadUncertainty, ownError(task_));
         result_.pilotSeconds = full_.secondsTo(result_.pilotTime);
         result_.studySeconds = full_.course.empty() ? 0.0 : full_.course.back().second;
         result_.contactActed = full_.contactActs;
@@ -110,9 +117,6 @@ private:
         }
         for (const MotionTerm& wave : motion.waves) rates_.push_back({wave.rate, true});
     }
-
-    /// What one step may displace the slider by, and an answer is not worth.
-    double ownError() const { return task_.start.run.steps == StepControl::Adaptive ? task_.start.run.stepError : 1e-12; }
 
     bool runRungs(const std::vector<Rung>& rungs, double from, double to)
     {
@@ -136,7 +140,7 @@ private:
     RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
     {
         if (rung.kind != RungKind::Part && rung.kind != RungKind::Sum) {
-            RungOutcome outcome = solveReduced(rung, goOn);
+            RungOutcome outcome = solveReduced(rung, result_.full.tail.mean, goOn);
             seconds = outcome.seconds;
             return outcome;
         }
@@ -180,8 +184,8 @@ private:
                 errors.spreadResolution = std::max(errors.spreadResolution, std::abs(before.spread - errors.spread));
             }
         }
-        errors.meanResolution = std::max(errors.meanResolution, ownError());
-        errors.spreadResolution = std::max(errors.spreadResolution, ownError());
+        errors.meanResolution = std::max(errors.meanResolution, ownError(task_));
+        errors.spreadResolution = std::max(errors.spreadResolution, ownError(task_));
         rung.within = errors.sameEnd && errors.samePeak && errors.claimedMean() <= allowedMeanOf(full, task_) &&
                       errors.claimedSpread() <= allowedSpreadOf(full, task_);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/physics/minimum_spacing.h"
+#include "core/simulation/film_equilibria.h"
 #include "core/simulation/linear_motion.h"
 #include "core/studies/few_digits.h"
 #include "core/studies/pilot_run.h"
@@ -32,6 +33,25 @@ void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     const SteadyResult rest = steady(still, [&](const SteadyProgress&) { return !goOn || goOn(); });
     if (rest.status == SteadyStatus::Converged) outcome.tail = atRest(rest.minimumSpacing);
     else outcome.problem = rest.message.empty() ? "no static state was found" : rest.message;
+}
+
+void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& outcome)
+{
+    Case flat = c;
+    flat.diskSurface.kind = DiskSurfaceKind::Flat;
+    const FilmEquilibria equilibria = filmEquilibria(flat, {}, [&] { return !goOn || goOn(); });
+    outcome.problem = equilibria.problem;
+    const FilmEquilibrium* nearest = nullptr;
+    for (const FilmEquilibrium& at : equilibria.found) {
+        if (!at.touching || at.stability != Stability::Stable) continue;
+        if (nearest == nullptr || std::abs(at.spacing - end) < std::abs(nearest->spacing - end)) nearest = &at;
+    }
+    if (nearest == nullptr) {
+        if (outcome.problem.empty()) outcome.problem = "it has no stable place to rest in contact";
+        return;
+    }
+    outcome.tail = atRest(nearest->spacing);
+    outcome.tail.kind = EndKind::Contact;
 }
 
 void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
@@ -72,12 +92,13 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
 
 } // namespace
 
-RungOutcome solveReduced(const Rung& rung, const GoOn& goOn)
+RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn)
 {
     RungOutcome outcome;
     outcome.rung = rung;
     const double begin = threadSeconds();
     if (rung.kind == RungKind::Static) solveStatic(rung.c, goOn, outcome);
+    if (rung.kind == RungKind::ContactRest) solveContactRest(rung.c, end, goOn, outcome);
     if (rung.kind == RungKind::WaveAnswer) solveSmallMotion(rung.c, MotionParts::Waves, goOn, outcome);
     if (rung.kind == RungKind::SmallMotion) solveSmallMotion(rung.c, MotionParts::All, goOn, outcome);
     if (rung.kind == RungKind::Springs) solveSprings(rung.c, goOn, outcome);

@@ -8,7 +8,8 @@
 
 namespace touchdown {
 
-/// Of a rung of kind Static, WaveAnswer, SmallMotion or Springs.
-RungOutcome solveReduced(const Rung& rung, const GoOn& goOn);
+/// Of a rung that is not of kind Full, Part or Sum. Of several places to rest in contact it is the one nearest to `end`, the full model's
+/// spacing [m].
+RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn);
 
 } // namespace touchdown
