@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/case_commands.h"
 
-#include <algorithm>
-
+#include "app/aligned_table.h"
 #include "app/json_text.h"
+#include "core/studies/sample_study.h"
 
 namespace touchdown {
 
@@ -64,20 +64,24 @@ int validateCommand(const CaseArguments& arguments, bool json)
 
 int listCommand(bool json)
 {
-    Json all = Json::array();
-    std::string table;
-    std::size_t width = 0;
-    for (const SampleCase& sample : sampleCases()) width = std::max(width, sample.name.size());
+    Json cases = Json::array(), studies = Json::array();
+    std::vector<std::vector<std::string>> rows, studyRows;
     for (const SampleCase& sample : sampleCases()) {
         const Case c = parseCase(sample.text, sample.name).value;
-        table += sample.name + std::string(width + 2 - sample.name.size(), ' ') + c.title + "\n";
-        all.push_back({{"name", sample.name},
-                       {"title", c.title},
-                       {"paper", c.about.paper},
-                       {"watch", c.about.watch},
-                       {"assumed", c.about.assumed}});
+        rows.push_back({sample.name, c.title});
+        cases.push_back({{"name", sample.name},
+                         {"title", c.title},
+                         {"paper", c.about.paper},
+                         {"watch", c.about.watch},
+                         {"assumed", c.about.assumed}});
     }
-    print(json ? jsonText({{"cases", all}}) : table);
+    for (const SampleStudy& study : sampleStudies()) {
+        studyRows.push_back({study.kind, study.name, study.title});
+        studies.push_back({{"kind", study.kind}, {"name", study.name}, {"title", study.title}});
+    }
+    const std::vector<bool> left(3, true);
+    print(json ? jsonText({{"cases", cases}, {"studies", studies}})
+               : alignedTable(rows, left) + "\nStudies: touchdown study KIND NAME\n" + alignedTable(studyRows, left));
     return exitDone;
 }
 

@@ -12,14 +12,17 @@
 #include <CLI/CLI.hpp>
 
 #include "app/case_commands.h"
+#include "app/convergence_command.h"
 #include "app/convert_command.h"
 #include "app/describe_command.h"
+#include "app/design_command.h"
 #include "app/modes_command.h"
 #include "app/run_command.h"
 #include "app/steady_command.h"
 #include "app/study_command.h"
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
+#include "core/studies/study_plan.h"
 
 namespace touchdown {
 namespace {
@@ -32,15 +35,39 @@ void addCase(CLI::App& command, CaseArguments& arguments)
 }
 
 // `--set a=1 fig10a`: the option takes all that follows, so the last one may be the case.
-void findCase(const CLI::App& command, CaseArguments& arguments,
+void findCase(const CLI::App& command, std::string& name, const std::vector<std::vector<std::string>*>& lists,
               const char* wanted = "CASE, a file or a sample case of `touchdown list`,")
 {
-    if (arguments.name.empty() && !arguments.settings.empty() &&
-        arguments.settings.back().find('=') == std::string::npos) {
-        arguments.name = arguments.settings.back();
-        arguments.settings.pop_back();
+    for (std::vector<std::string>* list : lists) {
+        if (!name.empty() || list->empty() || list->back().find('=') != std::string::npos) continue;
+        name = list->back();
+        list->pop_back();
     }
-    if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
+    if (name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
+}
+
+void findCase(const CLI::App& command, CaseArguments& arguments) { findCase(command, arguments.name, {&arguments.settings}); }
+
+// What all studies that give a report have.
+void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name)
+{
+    command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
+    command.add_option("--set", arguments.study.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
+        ->type_name("KEY=VALUE");
+    command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")->type_name("KEY=VALUE");
+    command.add_option("--out", arguments.out, "Writes findings, charts and tables as HDF5")->type_name("FILE.h5");
+    command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
+    command.add_option("--jobs", arguments.jobs, "Solutions at a time; as many as there are cores without it")
+        ->check(CLI::Range(1, 64));
+    command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
+    command.add_flag("--template", arguments.asTemplate, "Prints a study of the case with every key, to begin a file with");
+}
+
+std::string listed(const std::vector<CLI::App*>& commands)
+{
+    std::string list;
+    for (const CLI::App* each : commands) list += (each == commands.front() ? "" : each == commands.back() ? " or " : ", ") + each->get_name();
+    return list;
 }
 
 // `touchdown help run` asks as `touchdown run --help` does.
@@ -119,17 +146,17 @@ int commandLine(int argc, char** argv)
     modes.add_flag("--progress", modesArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(modes);
 
-    StudyArguments studyArguments;
+    ConvergenceArguments convergenceArguments;
     CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
     study.require_subcommand(0, 1); // as above
     CLI::App& convergence =
         *study.add_subcommand("convergence", "How the closest approach of a contact case depends on the cells of its patch");
-    addCase(convergence, studyArguments.caseArguments);
-    convergence.add_option("--out", studyArguments.out, "Writes the table as HDF5")->type_name("FILE.h5");
-    convergence.add_option("--csv", studyArguments.csv, "Writes the table as CSV")->type_name("FILE.csv");
-    convergence.add_option("--levels", studyArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
+    addCase(convergence, convergenceArguments.caseArguments);
+    convergence.add_option("--out", convergenceArguments.out, "Writes the table as HDF5")->type_name("FILE.h5");
+    convergence.add_option("--csv", convergenceArguments.csv, "Writes the table as CSV")->type_name("FILE.csv");
+    convergence.add_option("--levels", convergenceArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
         ->check(CLI::Range(fewestLevels, mostLevels));
-    convergence.add_option("--jobs", studyArguments.options.jobs, "Levels that are solved at a time")->check(CLI::Range(1, 64));
+    convergence.add_option("--jobs", convergenceArguments.options.jobs, "Levels that are solved at a time")->check(CLI::Range(1, 64));
     addJson(convergence);
     DesignArguments designArguments;
     CLI::App& design = *study.add_subcommand("design", "Searches for values of a film case with which it flies as wanted");
@@ -140,6 +167,21 @@ int commandLine(int argc, char** argv)
     design.add_option("--csv", designArguments.csv, "Writes the steps of the search as CSV")->type_name("FILE.csv");
     design.add_flag("--progress", designArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(design);
+
+    StudyArguments studyArguments;
+    std::vector<CLI::App*> kinds;
+    for (const StudyKind& kind : studyKinds()) {
+        CLI::App& command = *study.add_subcommand(kind.name, kind.help);
+        addStudy(command, studyArguments, "FILE");
+        addJson(command);
+        kinds.push_back(&command);
+    }
+    std::string tolerance;
+    CLI::App& advise = *app.add_subcommand("advise", "Finds the least model of a film case that is good enough");
+    addStudy(advise, studyArguments, "CASE");
+    advise.add_option("--tolerance", tolerance, "What the advice may be wrong by, such as 1%");
+    advise.add_option("--apply", studyArguments.apply, "Writes the case as it is advised")->type_name("FILE.toml");
+    addJson(advise);
 
     std::string from;
     std::string to;
@@ -153,7 +195,7 @@ int commandLine(int argc, char** argv)
     addCase(validate, validated);
     addJson(validate);
 
-    CLI::App& list = *app.add_subcommand("list", "Lists the sample cases");
+    CLI::App& list = *app.add_subcommand("list", "Lists the sample cases and sample studies");
     addJson(list);
 
     std::string key;
@@ -170,19 +212,29 @@ int commandLine(int argc, char** argv)
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
-        if (study.parsed() && study.get_subcommands().empty()) throw CLI::RequiredError("study: convergence or design");
-        if (convergence.parsed()) findCase(convergence, studyArguments.caseArguments);
-        if (design.parsed()) findCase(design, designArguments.study, "FILE");
+        if (study.parsed() && study.get_subcommands().empty())
+            throw CLI::RequiredError("study: " + listed(study.get_subcommands([](const CLI::App*) { return true; })));
+        if (convergence.parsed()) findCase(convergence, convergenceArguments.caseArguments);
+        if (design.parsed()) findCase(design, designArguments.study.name, {&designArguments.study.settings}, "FILE");
+        kinds.push_back(&advise);
+        for (const CLI::App* kind : kinds) {
+            if (!kind->parsed()) continue;
+            studyArguments.kind = kind->get_name();
+            findCase(*kind, studyArguments.study.name, {&studyArguments.study.settings, &studyArguments.options},
+                     "FILE, a study or a case, or a sample of `touchdown list`,");
+        }
+        if (!tolerance.empty()) studyArguments.options.push_back("tolerance=" + tolerance);
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = designArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = convergenceArguments.json = designArguments.json = studyArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
     if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
     if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
-    if (convergence.parsed()) return finishOutput(convergenceCommand(studyArguments));
+    if (convergence.parsed()) return finishOutput(convergenceCommand(convergenceArguments));
     if (design.parsed()) return finishOutput(designCommand(designArguments));
+    if (!studyArguments.kind.empty()) return finishOutput(studyCommand(studyArguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));

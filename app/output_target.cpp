@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "app/command_line.h"
+#include "core/simulation/results_file.h"
 
 namespace touchdown {
 
@@ -30,6 +31,21 @@ bool targetIsGood(const std::string& option, const std::string& file, const std:
     else
         return true;
     return false;
+}
+
+bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input)
+{
+    bool good = true;
+    for (auto one = targets.begin(); one != targets.end(); ++one) {
+        if (one->file.empty()) continue;
+        good = targetIsGood(one->option, one->file, checkResultsTarget(one->file), input) && good;
+        for (auto other = targets.begin(); other != one; ++other) {
+            if (other->file.empty() || !sameFile(other->file, one->file)) continue;
+            complain(other->option + " and " + one->option + ": both name " + one->file);
+            good = false;
+        }
+    }
+    return good;
 }
 
 } // namespace touchdown

@@ -1,122 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_command.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <thread>
 
 #include "app/case_commands.h"
-#include "app/design_report.h"
-#include "app/live_line.h"
 #include "app/output_target.h"
-#include "app/progress_line.h"
 #include "app/stop_signal.h"
+#include "app/study_progress_line.h"
 #include "app/study_report.h"
-#include "core/simulation/results_file.h"
-#include "core/studies/convergence_file.h"
-#include "core/studies/design_file.h"
+#include "core/simulation/toml_document.h"
+#include "core/studies/study_file.h"
+#include "core/studies/study_plan.h"
 
 namespace touchdown {
+
 namespace {
 
-bool targetsAreGood(const std::string& out, const std::string& csv, const std::string& input)
+/// The case that a study advises, as the text of the case it began with. Returns the problem, or "".
+std::string writeAdvised(const std::string& file, const StudyPlan& plan, const Case& found)
 {
-    bool good = targetIsGood("--out", out, checkResultsTarget(out), input);
-    good = targetIsGood("--csv", csv, checkResultsTarget(csv), input) && good;
-    if (!out.empty() && !csv.empty() && sameFile(out, csv)) {
-        complain("--out and --csv: both name " + out);
-        good = false;
-    }
-    return good;
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    return writeCaseFile(file, updateCaseText(plan.start.text, found, folder.empty() ? "." : folder));
 }
 
-class DesignLine {
-public:
-    explicit DesignLine(bool always) : line_(always) {}
-    void show(const DesignProgress& progress)
-    {
-        last_ = progress;
-        line_.show([this] { return text(); });
-    }
-    void end()
-    {
-        line_.end([this] { return text(); });
-    }
-
-private:
-    std::string text() const
-    {
-        return "iteration " + std::to_string(last_.iteration) + ", " + std::to_string(last_.solves) +
-               " static states, the best misses by " + displayed(last_.misfit, "", 3) + " tolerances";
-    }
-
-    LiveLine line_;
-    DesignProgress last_;
-};
-
-/// The case with what was found, as the text of the case it began with. Returns the problem, or "".
-std::string writeFound(const std::string& out, const DesignDocument& document, const Case& found)
+/// All files that were asked for, of a study that ended early, too. Returns the problems.
+std::vector<std::string> writeFiles(const StudyArguments& arguments, const StudyPlan& plan, const StudyReport& report)
 {
-    const std::filesystem::path folder = std::filesystem::path(out).parent_path();
-    return writeCaseFile(out, updateCaseText(document.start.text, found, folder.empty() ? "." : folder));
+    std::vector<std::string> problems;
+    const auto keep = [&](std::string problem) {
+        if (!problem.empty()) problems.push_back(std::move(problem));
+    };
+    const Case& c = plan.start.value;
+    // Without the files that the text may name, so that the results stand alone.
+    if (!arguments.out.empty()) keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
+    if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
+    if (!arguments.apply.empty() && report.found) keep(writeAdvised(arguments.apply, plan, *report.found));
+    return problems;
+}
+
+int coresOfThis() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+/// Prints a study of the case that the arguments name, with the defaults.
+int printTemplate(const StudyArguments& arguments)
+{
+    const CaseDocument document = openCaseOrComplain(arguments.study);
+    if (!document.valid()) return exitWrongInput;
+    std::string head = "case = " + tomlString(arguments.study.name) + "\n";
+    for (const std::string& setting : arguments.study.settings) {
+        const auto equals = setting.find('=');
+        head += "set." + tomlString(setting.substr(0, equals)) + " = " + tomlString(setting.substr(equals + 1)) + "\n";
+    }
+    print(head + studyTemplate(arguments.kind, document.value));
+    return exitDone;
 }
 
 } // namespace
 
-int convergenceCommand(const StudyArguments& arguments)
+int studyCommand(const StudyArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
-    const bool good = targetsAreGood(arguments.out, arguments.csv, arguments.caseArguments.name);
-    if (!document.valid() || !good) return exitWrongInput;
-    if (const std::string reason = reasonNotToConverge(document.value, arguments.options); !reason.empty()) {
-        complain(document.name + ": " + reason);
-        return exitWrongInput;
-    }
-
-    const StopSignal stop;
-    ConvergenceStudy study =
-        studyConvergence(document.value, arguments.options, [&](int) { return !stop.requested(); });
-    std::string problem;
-    if (study.status == StudyStatus::Completed && !arguments.out.empty())
-        problem = writeConvergence(arguments.out, document.value, updateCaseText(document.text, document.value), study);
-    if (study.status == StudyStatus::Completed && !arguments.csv.empty() && problem.empty())
-        problem = writeConvergenceCsv(arguments.csv, study);
-    if (!problem.empty()) {
-        study.status = StudyStatus::Failed;
-        study.message = problem;
-    }
-    print(arguments.json ? convergenceJson(study) : convergenceText(document.value, study));
-    if (study.status == StudyStatus::Completed) return exitDone;
-    complain(std::string(name(study.status)) + ": " + study.message);
-    return exitNoAnswer;
-}
-
-int designCommand(const DesignArguments& arguments)
-{
-    const DesignDocument document = readDesign(arguments.study.name, arguments.study.settings);
-    for (const auto* list : {&document.start.warnings, &document.start.unused})
+    if (arguments.asTemplate) return printTemplate(arguments);
+    const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings, arguments.options);
+    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
         for (const InputProblem& warning : *list) complain("warning: " + warning.text());
-    for (const InputProblem& problem : document.problems) complain(problem.text());
-    const bool good = targetsAreGood(arguments.out, arguments.csv, arguments.study.name);
-    if (!document.valid() || !good) return exitWrongInput;
+    for (const InputProblem& problem : plan.problems) complain(problem.text());
+    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}}, arguments.study.name);
+    if (!plan.valid() || !good) return exitWrongInput;
 
     const StopSignal stop;
-    DesignLine line(arguments.progress);
-    DesignStudy study = studyDesign(document.start.value, document.task, [&](const DesignProgress& progress) {
+    StudyProgressLine line(arguments.progress);
+    StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : coresOfThis(), [&](const StudyProgress& progress) {
         line.show(progress);
         return !stop.requested();
     });
     line.end();
-    std::string problem;
-    if (study.status == StudyStatus::Completed && !arguments.out.empty())
-        problem = writeFound(arguments.out, document, study.found);
-    if (study.status != StudyStatus::Cancelled && !arguments.csv.empty() && problem.empty())
-        problem = writeDesignCsv(arguments.csv, document.task, study);
-    if (!problem.empty()) {
-        study.status = StudyStatus::Failed;
-        study.message = problem;
+    const std::vector<std::string> problems = writeFiles(arguments, plan, report);
+    if (!problems.empty()) {
+        report.status = StudyStatus::Failed;
+        report.message = problems.front();
+    } else if (!arguments.apply.empty() && !report.found && report.status == StudyStatus::Completed) {
+        report.status = StudyStatus::Failed;
+        report.message = "there is no case to write to " + arguments.apply + ": the study advises none";
     }
-    print(arguments.json ? designJson(document.task, study) : designText(document.task, study));
-    if (study.status == StudyStatus::Completed) return exitDone;
-    complain(std::string(name(study.status)) + ": " + study.message);
+    print(arguments.json ? studyJson(report) : studyText(report));
+    if (report.status == StudyStatus::Completed) return exitDone;
+    complain(std::string(name(report.status)) + ": " + report.message);
     return exitNoAnswer;
 }
 

@@ -1,96 +1,158 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_report.h"
 
-#include <algorithm>
-#include <cstdio>
+#include <cmath>
 
+#include "app/aligned_table.h"
 #include "app/json_text.h"
 #include "app/progress_line.h"
 #include "app/report_row.h"
+#include "core/simulation/case_file.h"
 
 namespace touchdown {
+
 namespace {
 
-using Row = std::vector<std::string>;
+constexpr std::size_t mostRows = 60; // of a table on a terminal
 
-/// Columns as wide as their widest entry, to the right.
-std::string tableText(const std::vector<Row>& rows)
+Json valueJson(const StudyValue& value)
 {
-    std::vector<std::size_t> widths;
-    for (const Row& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (i == widths.size()) widths.push_back(0);
-            widths[i] = std::max(widths[i], row[i].size());
-        }
-    std::string text;
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            text += (i == 0 ? "" : "  ") + std::string(widths[i] - row[i].size(), ' ') + row[i];
-        text += '\n';
-    }
-    return text;
+    if (const double* number = std::get_if<double>(&value)) return jsonNumber(*number);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    return nullptr;
 }
 
-std::string orderText(const ObservedOrder& observed)
+Json tableJson(const StudyTable& table)
 {
-    return observed.order ? displayed(*observed.order, "", 3) : "none";
+    Json columns = Json::array(), rows = Json::array();
+    for (const StudyColumn& column : table.columns)
+        columns.push_back({{"name", column.name},
+                           {"unit", column.unit},
+                           {"display_unit", column.displayUnit},
+                           {"long_name", column.longName}});
+    for (const auto& row : table.rows) {
+        Json one = Json::object();
+        for (std::size_t i = 0; i < row.size(); ++i) one[table.columns[i].name] = valueJson(row[i]);
+        rows.push_back(std::move(one));
+    }
+    return {{"name", table.name}, {"columns", columns}, {"rows", rows}};
+}
+
+Json axisJson(const ChartAxis& axis)
+{
+    return {{"label", axis.label}, {"unit", axis.unit}, {"display_unit", axis.displayUnit}, {"logarithmic", axis.logarithmic}};
+}
+
+Json seriesJson(const ChartSeries& series)
+{
+    Json points = Json::array();
+    for (const ChartPoint& point : series.points)
+        points.push_back({{"x", jsonNumber(point.x)},
+                          {"y", jsonNumber(point.y)},
+                          {"x_error", jsonNumber(point.xError)},
+                          {"y_error", jsonNumber(point.yError)},
+                          {"label", point.label},
+                          {"kind", name(point.kind)},
+                          {"chosen", point.chosen}});
+    return {{"name", series.name}, {"line", name(series.line)}, {"markers", series.markers}, {"quiet", series.quiet}, {"points", points}};
+}
+
+Json mapJson(const ChartMap& map)
+{
+    Json classes = Json::array();
+    for (const ChartClass& each : map.classes) classes.push_back({{"name", each.name}, {"severity", each.severity}});
+    return {{"x", map.x}, {"y", map.y}, {"classes", classes}, {"cells", map.cells}, {"details", map.details}};
+}
+
+Json panelJson(const ChartPanel& panel)
+{
+    Json series = Json::array(), bands = Json::array();
+    for (const ChartSeries& each : panel.series) series.push_back(seriesJson(each));
+    for (const ChartBand& band : panel.bands)
+        bands.push_back({{"along", band.alongX ? "x" : "y"},
+                         {"lower", jsonNumber(band.lower)},
+                         {"upper", jsonNumber(band.upper)},
+                         {"label", band.label}});
+    return {{"x", axisJson(panel.x)},
+            {"y", axisJson(panel.y)},
+            {"equal_scales", panel.equalScales},
+            {"series", series},
+            {"bands", bands},
+            {"map", panel.map ? mapJson(*panel.map) : Json(nullptr)}};
+}
+
+Json chartJson(const StudyChart& chart)
+{
+    Json panels = Json::array();
+    for (const ChartPanel& panel : chart.panels) panels.push_back(panelJson(panel));
+    return {{"title", chart.title}, {"caption", chart.caption}, {"panels", panels}};
+}
+
+std::string headingOf(const StudyColumn& column)
+{
+    return column.name + (column.displayUnit.empty() ? "" : " [" + column.displayUnit + ']');
+}
+
+std::string cellText(const StudyColumn& column, const StudyValue& value)
+{
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr) return "-";
+    constexpr double largestCount = 1e12;
+    if (column.displayUnit.empty() && std::trunc(*number) == *number && std::abs(*number) < largestCount)
+        return std::to_string(static_cast<long long>(*number));
+    const std::string shown = displayed(*number, column.displayUnit);
+    return shown.substr(0, shown.find(' ')); // the unit stands in the heading
+}
+
+std::string tableText(const StudyTable& table)
+{
+    std::vector<std::vector<std::string>> rows(1);
+    std::vector<bool> texts(table.columns.size(), false);
+    for (const StudyColumn& column : table.columns) rows.front().push_back(headingOf(column));
+    for (const auto& row : table.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (std::holds_alternative<std::string>(row[i])) texts[i] = true;
+        if (rows.size() > mostRows) continue;
+        auto& line = rows.emplace_back();
+        for (std::size_t i = 0; i < row.size(); ++i) line.push_back(cellText(table.columns[i], row[i]));
+    }
+    std::string text = table.name + ":\n" + alignedTable(rows, texts);
+    if (table.rows.size() > mostRows)
+        text += "... and " + std::to_string(table.rows.size() - mostRows) + " more rows; --json and --out give all of them\n";
+    return text;
 }
 
 } // namespace
 
-std::string convergenceJson(const ConvergenceStudy& study)
+std::string studyJson(const StudyReport& report)
 {
-    Json levels = Json::array();
-    for (const ConvergenceLevel& level : study.levels) {
-        Json values = Json::object();
-        for (std::size_t i = 0; i < level.values.size(); ++i)
-            values[study.quantities[i].name] = jsonNumber(level.values[i]);
-        levels.push_back({{"cell", jsonNumber(level.cell)},
-                          {"cells", level.cells},
-                          {"iterations", level.iterations},
-                          {"seconds", jsonNumber(level.seconds)},
-                          {"values", values}});
-    }
-    Json observed = Json::object();
-    for (std::size_t i = 0; i < study.observed.size(); ++i) {
-        const ObservedOrder& one = study.observed[i];
-        observed[study.quantities[i].name] = {{"order", one.order ? jsonNumber(*one.order) : Json(nullptr)},
-                                              {"limit", jsonNumber(one.limit)},
-                                              {"error", jsonNumber(one.error)}};
-    }
-    return jsonText({{"status", name(study.status)},
-                     {"message", study.message},
-                     {"separation", jsonNumber(study.separation)},
-                     {"wall_seconds", jsonNumber(study.wallSeconds)},
-                     {"levels", levels},
-                     {"observed", observed}});
+    Json tables = Json::array(), charts = Json::array();
+    for (const StudyTable& table : report.tables) tables.push_back(tableJson(table));
+    for (const StudyChart& chart : report.charts) charts.push_back(chartJson(chart));
+    return jsonText({{"kind", report.kind},
+                     {"title", report.title},
+                     {"status", name(report.status)},
+                     {"message", report.message},
+                     {"wall_seconds", jsonNumber(report.wallSeconds)},
+                     {"findings", report.findings},
+                     {"warnings", report.warnings},
+                     {"tables", tables},
+                     {"charts", charts},
+                     {"found", report.found ? Json(formatCase(*report.found)) : Json(nullptr)}});
 }
 
-std::string convergenceText(const Case& c, const ConvergenceStudy& study)
+std::string studyText(const StudyReport& report)
 {
-    std::string text = c.title + "\n";
-    text += reportRow("status", std::string(name(study.status)));
-    text += reportRow("state", "closest approach, separation " + displayed(study.separation, "nm"));
-    if (study.observed.empty()) return text;
-    std::vector<Row> rows{{"cell", "cells"}};
-    for (const Quantity& quantity : study.quantities) rows.front().push_back(quantity.name);
-    rows.front().push_back("time");
-    for (const ConvergenceLevel& level : study.levels) {
-        Row row{displayed(level.cell, "um"), std::to_string(level.cells)};
-        for (std::size_t i = 0; i < level.values.size(); ++i)
-            row.push_back(displayed(level.values[i], study.quantities[i].displayUnit, 7));
-        row.push_back(displayed(level.seconds, "s", 3));
-        rows.push_back(std::move(row));
-    }
-    Row order{"observed order", ""}, limit{"limit", ""}, error{"error", ""};
-    for (std::size_t i = 0; i < study.observed.size(); ++i) {
-        const std::string& unit = study.quantities[i].displayUnit;
-        order.push_back(orderText(study.observed[i]));
-        limit.push_back(displayed(study.observed[i].limit, unit, 7));
-        error.push_back(displayed(study.observed[i].error, unit, 2));
-    }
-    for (Row* row : {&order, &limit, &error}) rows.push_back(*row);
-    return text + tableText(rows);
+    std::string text = report.title + "\n";
+    text += reportRow("status", std::string(name(report.status)) + (report.message.empty() ? "" : ": " + report.message));
+    text += reportRow("time", displayed(report.wallSeconds, "s", 3));
+    if (!report.findings.empty()) text += "\n";
+    for (const std::string& finding : report.findings) text += finding + "\n";
+    if (!report.warnings.empty()) text += "\n";
+    for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+    for (const StudyTable& table : report.tables) text += "\n" + tableText(table);
+    return text;
 }
 
 } // namespace touchdown

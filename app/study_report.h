@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study found: as JSON for scripts, as a table for people.
+// What a study found: as JSON for scripts; as sentences and tables for people.
 #pragma once
 
 #include <string>
 
-#include "core/studies/convergence.h"
+#include "core/studies/study.h"
 
 namespace touchdown {
 
-/// One object; numbers in SI. An order that was not seen is null.
-std::string convergenceJson(const ConvergenceStudy& study);
-std::string convergenceText(const Case& c, const ConvergenceStudy& study);
+/// One object; numbers in SI, null where one is not known. It holds the charts, too.
+std::string studyJson(const StudyReport& report);
+/// Findings, warnings, tables.
+std::string studyText(const StudyReport& report);
 
 } // namespace touchdown

@@ -226,13 +226,14 @@ DesignDocument readDesign(const std::filesystem::path& file, const std::vector<s
     if (const SampleStudy* sample = findSampleStudy("design", file.string()); sample != nullptr && !isFile)
         return parseDesign(sample->text, sample->name, {}, settings);
     const auto content = readTextFile(file, maximumStudyFileSize);
-    if (const auto* problem = std::get_if<FileProblem>(&content)) {
-        DesignDocument document;
-        document.name = file.string();
-        document.problems.push_back({document.name, 0, "", problem->message});
-        return document;
-    }
-    return parseDesign(std::get<std::string>(content), file.string(), file.parent_path(), settings);
+    if (const auto* text = std::get_if<std::string>(&content)) return parseDesign(*text, file.string(), file.parent_path(), settings);
+    DesignDocument document;
+    document.name = file.string();
+    std::string message = std::get<FileProblem>(content).message;
+    if (!isFile && !document.name.empty() && !file.has_parent_path())
+        message = "is neither a file nor a sample study of this kind" + didYouMean(nearestName(document.name, sampleStudyNames("design")));
+    document.problems.push_back({document.name, 0, "", std::move(message)});
+    return document;
 }
 
 std::string writeDesignCsv(const std::filesystem::path& file, const DesignTask& task, const DesignStudy& study)

@@ -42,4 +42,12 @@ const SampleStudy* findSampleStudy(std::string_view kind, std::string_view name)
     return nullptr;
 }
 
+std::vector<std::string> sampleStudyNames(std::string_view kind)
+{
+    std::vector<std::string> names;
+    for (const SampleStudy& each : sampleStudies())
+        if (each.kind == kind) names.push_back(each.name);
+    return names;
+}
+
 } // namespace touchdown

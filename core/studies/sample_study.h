@@ -19,6 +19,7 @@ struct SampleStudy {
 const std::vector<SampleStudy>& sampleStudies();
 /// The one of this kind and name; nullptr if there is none.
 const SampleStudy* findSampleStudy(std::string_view kind, std::string_view name);
+std::vector<std::string> sampleStudyNames(std::string_view kind);
 
 /// Names and texts, as the build put them in.
 struct SampleStudyText {

@@ -2,7 +2,6 @@
 #include "core/studies/study_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "core/simulation/cml_case.h"
@@ -10,33 +9,53 @@
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
 #include "core/simulation/text_file.h"
+#include "core/studies/advisor.h"
+#include "core/studies/hysteresis.h"
 #include "core/studies/sample_study.h"
+#include "core/studies/stability.h"
 #include "core/studies/study_head.h"
 #include "core/studies/study_options.h"
 #include "core/studies/study_reader.h"
+#include "core/studies/work_precision.h"
 
 namespace touchdown {
 
 namespace {
 
 struct Study {
+    StudyKind kind;
     StudyPerformance (*plan)(StudyReader&);
     std::string (*text)(const Case&);
 };
 
-/// Beside studyKinds(), in the same order.
-constexpr std::array<Study, 0> studies{};
-
-const std::vector<StudyKind>& kinds()
+const std::vector<Study>& studies()
 {
-    static const std::vector<StudyKind> list{};
+    static const std::vector<Study> list{
+        {{"work-precision", "Accuracy against speed",
+          "Runs a case by several methods with several settings: the error of each against a proven reference, and its time"},
+         planWorkPrecision,
+         workPrecisionTemplate},
+        {{"stability", "Stability where methods fail",
+          "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one parameter"},
+         planStability,
+         stabilityTemplate},
+        {{"hysteresis", "Touch-down and take-off",
+          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the equilibria"},
+         planHysteresis,
+         hysteresisTemplate},
+        {{"advise", "No more model than the scene needs",
+          "Tries a ladder of models on a film case, from small motions to the whole film, and advises the cheapest that is good enough"},
+         planAdvisor,
+         advisorTemplate},
+    };
     return list;
 }
 
 const Study* findStudy(const std::string& kind)
 {
-    const auto found = std::ranges::find(kinds(), kind, &StudyKind::name);
-    return found == kinds().end() ? nullptr : &studies[static_cast<std::size_t>(found - kinds().begin())];
+    for (const Study& each : studies())
+        if (each.kind.name == kind) return &each;
+    return nullptr;
 }
 
 /// What may stand where a study is wanted.
@@ -75,7 +94,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     const Study* study = findStudy(kind);
     if (study == nullptr) {
         std::vector<std::string> names;
-        for (const StudyKind& each : kinds()) names.push_back(each.name);
+        for (const StudyKind& each : studyKinds()) names.push_back(each.name);
         return refuse(std::move(plan), "", inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
     }
     TomlDocument toml = readToml(source.text);
@@ -103,10 +122,11 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     reader.finish();
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
-    plan.perform = [perform = std::move(perform), kind, title = plan.title](int jobs, const StudyCallback& callback) {
+    const bool named = !title.empty();
+    plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs, const StudyCallback& callback) {
         StudyReport report = perform(jobs, callback);
         report.kind = kind;
-        if (report.title.empty()) report.title = title;
+        if (named || report.title.empty()) report.title = title;
         return report;
     };
     return plan;
@@ -123,21 +143,27 @@ CaseDocument openSample(const std::string& kind, const std::string& name)
 {
     CaseDocument document = openCase(name);
     if (document.valid() || !document.problems.front().message.starts_with("is neither a file")) return document;
-    std::vector<std::string> names;
+    std::vector<std::string> names = sampleStudyNames(kind);
     for (const SampleCase& each : sampleCases()) names.push_back(each.name);
     std::string& message = document.problems.front().message;
     message = "is neither a file, a sample case nor a sample study of this kind";
-    for (const SampleStudy& each : sampleStudies()) {
-        if (each.kind == kind) names.push_back(each.name);
+    for (const SampleStudy& each : sampleStudies())
         if (each.name == name) message += "; it is one of kind " + inQuotes(each.kind);
-    }
     message += didYouMean(nearestName(name, names));
     return document;
 }
 
 } // namespace
 
-std::span<const StudyKind> studyKinds() { return kinds(); }
+std::span<const StudyKind> studyKinds()
+{
+    static const std::vector<StudyKind> kinds = [] {
+        std::vector<StudyKind> list;
+        for (const Study& each : studies()) list.push_back(each.kind);
+        return list;
+    }();
+    return kinds;
+}
 
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
                     const std::vector<std::string>& options)

@@ -136,6 +136,13 @@ void TestCommandLine::list()
         QVERIFY(text.out.contains(each.toObject()["name"].toString().toUtf8() + " "));
         QVERIFY(text.out.contains(each.toObject()["title"].toString().toUtf8() + "\n"));
     }
+    QVERIFY(text.out.contains("\nStudies: touchdown study KIND NAME\n"));
+    const QJsonArray studies = json.json()["studies"].toArray();
+    QVERIFY(studies.size() >= 2);
+    for (const auto& each : studies) {
+        QVERIFY(!each.toObject()["kind"].toString().isEmpty());
+        QVERIFY(text.out.contains(each.toObject()["title"].toString().toUtf8() + "\n"));
+    }
 }
 
 void TestCommandLine::describeAll()

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/command_process.h"
+
+using namespace touchdown;
+
+class TestConvergenceCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { folder_ = std::make_unique<CommandFolder>(); }
+
+    void levels()
+    {
+        const Outcome o = folder_->touchdown({"study", "convergence", "contact_hertz", "--json", "--levels", "3",
+                                              "--jobs", "2", "--out", "a.h5", "--csv", "a.csv"});
+        QCOMPARE(o.code, 0);
+        QCOMPARE(o.err, QByteArray());
+        const QJsonObject study = o.json();
+        QCOMPARE(study["status"].toString(), QString("completed"));
+        QCOMPARE(study["separation"].toDouble(), -10e-9);
+        QCOMPARE(study["levels"].toArray().size(), 3);
+        const QJsonObject finest = study["levels"].toArray().last().toObject();
+        QCOMPARE(finest["cells"].toInt(), 128 * 128);
+        const QJsonObject observed = study["observed"].toObject()["contact_force"].toObject();
+        QVERIFY(observed["limit"].toDouble() > 3.57e-3 && observed["limit"].toDouble() < 3.58e-3);
+        QCOMPARE(folder_->files(), (QStringList{"a.csv", "a.h5"}));
+    }
+    void table()
+    {
+        const Outcome o = folder_->touchdown({"study", "convergence", "contact_hertz", "--levels", "3"});
+        QCOMPARE(o.code, 0);
+        for (const char* part : {"contact_force", "observed order", "limit", "error", "0.0625 um"})
+            QVERIFY2(o.out.contains(part), part);
+    }
+    void refuses_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("no case") << QStringList{"convergence"} << "CASE";
+        QTest::newRow("springs") << QStringList{"convergence", "fig10a"} << "no grid";
+        QTest::newRow("one level") << QStringList{"convergence", "contact_hertz", "--levels", "1"} << "levels";
+        QTest::newRow("a bad setting") << QStringList{"convergence", "contact_hertz", "--set", "pad.radius=0"}
+                                       << "pad.radius";
+        QTest::newRow("a bad target") << QStringList{"convergence", "contact_hertz", "--out", "no/such.h5"}
+                                      << "no/such.h5";
+        QTest::newRow("one file for two")
+            << QStringList{"convergence", "contact_hertz", "--out", "a", "--csv", "a"} << "both name";
+    }
+    void refuses()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, says);
+        const Outcome o = folder_->touchdown(QStringList{"study"} + arguments);
+        QCOMPARE(o.code, 2);
+        QCOMPARE(o.out, QByteArray());
+        QVERIFY2(o.err.contains(says.toUtf8()), o.err);
+        QCOMPARE(folder_->files(), QStringList());
+    }
+    void noAnswer()
+    {
+        const Outcome o = folder_->touchdown(
+            {"study", "convergence", "contact_hertz", "--json", "--set", "elastic.maximum_iterations=1"});
+        QCOMPARE(o.code, 1);
+        QCOMPARE(o.json()["status"].toString(), QString("failed"));
+        QVERIFY(o.err.startsWith("failed: cells of "));
+    }
+
+private:
+    std::unique_ptr<CommandFolder> folder_;
+};
+
+QTEST_GUILESS_MAIN(TestConvergenceCommand)
+#include "test_convergence_command.moc"
