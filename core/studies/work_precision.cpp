@@ -97,8 +97,9 @@ private:
 std::string methodText(const MethodSpec& spec)
 {
     std::string text = "\n[[method]]\nname = " + tomlString(spec.name) + "\nset = { ";
-    for (const CaseSetting& setting : spec.set) text += tomlString(setting.key) + " = " + tomlString(setting.value) + " ";
-    text += "}\nkey = " + tomlString(spec.key) + "\nvalues = [";
+    for (const CaseSetting& setting : spec.set)
+        text += (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
+    text += " }\nkey = " + tomlString(spec.key) + "\nvalues = [";
     for (const std::string& value : spec.values) text += (&value == &spec.values.front() ? "" : ", ") + tomlString(value);
     return text + "]\n";
 }
