@@ -18,7 +18,7 @@
 
 namespace touchdown {
 
-MainWindow::MainWindow(QWidget* parent)
+MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     : QMainWindow(parent),
       actions_(new WindowActions(*this, edits_.undoStack())),
       files_(new CaseFiles(edits_, *this)),
@@ -26,18 +26,20 @@ MainWindow::MainWindow(QWidget* parent)
       aboutCase_(new AboutCasePane(this)),
       runs_(new RunWindow(this)),
       film_(new FilmWindow(steady, actions_->solve, this)),
+      studies_(new StudyWindow(std::move(studies), this)),
       messages_(new MessageStrip(this))
 {
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *casePanel_, *aboutCase_, *messages_});
+    pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
     session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
     connectFiles();
     connectRuns();
     connectFilm();
+    connectStudies();
     connectView();
     connectHelp();
     resize(1500, 940);
@@ -49,10 +51,11 @@ MainWindow::~MainWindow()
 {
     // What shows the runs and the case goes before them: they are members, and those go before child widgets.
     edits_.undoStack().disconnect(this);
-    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()), static_cast<QObject*>(&controller()), static_cast<QObject*>(film_)})
+    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()), static_cast<QObject*>(&controller()), static_cast<QObject*>(film_), static_cast<QObject*>(studies_), static_cast<QObject*>(&studies_->controller())})
         sender->disconnect(this);
     controller().stopAndWait();
     film_->controller().stopAndWait();
+    studies_->controller().stopAndWait();
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
 }
@@ -85,6 +88,30 @@ void MainWindow::startRun()
 {
     if (!readyToRun()) return;
     runs_->start({edits_.value(), files_->text(), recordTo_.toStdString()});
+}
+
+void MainWindow::performStudy()
+{
+    setPage(Page::Studies);
+    if (!readyToRun()) return;
+    messages_->clear();
+    if (studies_->perform()) return;
+    messages_->show(MessageStrip::Kind::Failure, tr("The study cannot be performed: see what is wrong below its text."));
+}
+
+void MainWindow::onStudied(const StudyReport& report)
+{
+    updateRunActions();
+    const QString title = QString::fromStdString(report.title);
+    switch (report.status) {
+    case StudyStatus::Completed:
+        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
+                        report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front()));
+        break;
+    case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
+    case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
+    }
+    emit calculationEnded(report.status == StudyStatus::Completed, QString::fromStdString(report.message));
 }
 
 void MainWindow::onRunEnded(int number, const Summary& summary)
@@ -127,7 +154,7 @@ void MainWindow::onSolved(const SteadyResult& result)
 void MainWindow::onCaseOpened()
 {
     casePanel_->setPreset(files_->sample());
-    setPage(Page::StaticState);
+    if (pages_->page() != Page::Studies) setPage(Page::StaticState);
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_.value());
@@ -163,6 +190,7 @@ void MainWindow::onCaseEdited()
     aboutCase_->setCase(edits_.value());
     film_->edit(edits_.value());
     runs_->edit(edits_.value());
+    studies_->setCase(edits_.value());
     pages_->showModel(edits_.value().model);
     updateRunActions();
     updateTitle();
@@ -187,7 +215,8 @@ void MainWindow::updateRunActions()
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);
     actions_->stop->setEnabled(state == State::Running || state == State::Paused
-                               || film_->controller().state() == SteadyController::State::Running);
+                               || film_->controller().state() == SteadyController::State::Running
+                               || studies_->controller().state() == StudyController::State::Running);
     actions_->resetAll->setEnabled(edits_.anyChanged());
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
@@ -287,20 +316,21 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     controller().stop();
     film_->controller().stop();
+    studies_->controller().stop();
     saveSession();
     event->accept();
 }
 
 void MainWindow::saveSession()
 {
-    pages_->showModel(ModelKind::Springs); // the next session begins with its panes
+    setPage(Page::Run); // the next session begins with its panes
     session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
 void MainWindow::restoreSession()
 {
     session_->restore();
-    pages_->hideStaticPanes();
+    pages_->showPanesOfPage();
     look();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workbench: parameters at the left; in the centre the page of runs over time, and for a film beside it the page of its static
-// state; the case, the runs and the values at the cursors, or the static attitude, at the right; what happened at the foot.
+// The workbench: parameters at the left; in the centre the pages of runs over time, of a film's static state and of studies; the case,
+// the runs and the values at the cursors, or the static attitude, or the text of a study at the right; what happened at the foot.
 #pragma once
 
 #include "ui/about_case_pane.h"
@@ -12,6 +12,7 @@
 #include "ui/message_strip.h"
 #include "ui/run_files.h"
 #include "ui/run_window.h"
+#include "ui/study_window.h"
 #include "ui/window_actions.h"
 #include "ui/window_pages.h"
 #include "ui/window_session.h"
@@ -24,7 +25,9 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(QWidget* parent = nullptr);
+    explicit MainWindow(QWidget* parent = nullptr) : MainWindow(coreStudies(), parent) {}
+    /// With other studies than those of the core.
+    explicit MainWindow(StudyCatalogue studies, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     /// What the last session left: geometry, theme, font, panes.
@@ -37,6 +40,8 @@ public:
     void solveStaticState();
     /// Solves a film case for the pressure at the attitude of its start.
     void solveAtGivenAttitude();
+    /// Performs the study that is written on the page of studies.
+    void performStudy();
     void openResults(const QString& file) { runFiles_->openRun(file); }
     using Page = WindowPages::Page;
     void setPage(Page page) { pages_->setPage(page); }
@@ -58,9 +63,10 @@ public:
     RunProgress& progress() { return *runs_->progress(); }
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
+    StudyWindow& studies() { return *studies_; }
 
 signals:
-    /// A run or a solution has come to its end, and everything shows it; `valid` when it has an answer.
+    /// A run, a solution or a study has come to its end, and everything shows it; `valid` when it has an answer.
     void calculationEnded(bool valid, const QString& message);
 
 protected:
@@ -73,6 +79,7 @@ private:
     void connectFiles();
     void connectRuns();
     void connectFilm();
+    void connectStudies();
     void connectView();
     void connectHelp();
 
@@ -83,6 +90,7 @@ private:
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
+    void onStudied(const StudyReport& report);
     void solve(bool given);
     void updateRunActions();
     void updateTitle();
@@ -101,6 +109,7 @@ private:
     AboutCasePane* aboutCase_;
     RunWindow* runs_;
     FilmWindow* film_;
+    StudyWindow* studies_;
     MessageStrip* messages_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;

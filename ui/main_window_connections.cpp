@@ -88,6 +88,21 @@ void MainWindow::connectFilm()
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
 }
 
+void MainWindow::connectStudies()
+{
+    connect(actions_->study, &QAction::triggered, this, &MainWindow::performStudy);
+    connect(studies_->editor(), &StudyEditor::runRequested, this, &MainWindow::performStudy);
+    connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
+    connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
+    connect(studies_, &StudyWindow::succeeded, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(studies_, &StudyWindow::failed, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
+        edits_.setAll(found, tr("apply the study: %1").arg(title));
+        messages_->show(MessageStrip::Kind::Success, tr("The parameters are those that the study found. Undo takes them back."));
+    });
+}
+
 void MainWindow::connectView()
 {
     PlotGroup* group = plots().group();

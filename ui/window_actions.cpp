@@ -98,11 +98,13 @@ void WindowActions::buildRun(QMainWindow& window)
     pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause the run, or let it go on"));
     pause->setCheckable(true);
     step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"), tr("Let a paused run go on by one picture"));
-    stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"), tr("Stop the run; what there is of it stays"));
+    stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"), tr("Stop what is under way; what there is of it stays"));
     menu->addSeparator();
     solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
                 tr("Solve for the static attitude; a solution under way starts again"));
     solve->setIconText(tr("Solve"));
+    study = add(menu, tr("Perform st&udy"), QKeySequence(Qt::SHIFT | Qt::Key_F5), QStringLiteral("study"),
+                tr("Perform the study of the page Studies; one under way starts again"));
     solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
                      tr("Solve for the pressure only, at the height, pitch and roll of the start"));
     solve->setVisible(false);
@@ -175,6 +177,7 @@ void WindowActions::buildToolBar(QMainWindow& window)
     toolBar->addSeparator();
     toolBar->addAction(solve);
     toolBar->addAction(run);
+    toolBar->addAction(study);
     toolBar->addAction(pause);
     toolBar->addAction(step);
     toolBar->addAction(stop);
@@ -216,13 +219,13 @@ std::vector<const QAction*> WindowActions::withShortcuts() const
     return list;
 }
 
-void WindowActions::setPage(ModelKind model, bool staticState)
+void WindowActions::setPage(ModelKind model, bool inTime)
 {
     const bool film = model == ModelKind::Film;
     for (QAction* action : {solve, solveGiven, exportCml}) action->setVisible(film);
-    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(!staticState);
-    for (QAction* action : pace_) action->setVisible(!staticState);
-    plots->menuAction()->setVisible(!staticState);
+    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(inTime);
+    for (QAction* action : pace_) action->setVisible(inTime);
+    plots->menuAction()->setVisible(inTime);
 }
 
 void WindowActions::choosePace(double simulatedPerWallSecond)

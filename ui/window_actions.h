@@ -28,7 +28,7 @@ public:
 
     QAction *newCase, *open, *save, *saveAs, *importCml, *exportCml, *openResults, *exportPage, *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
-    QAction *run, *solve, *solveGiven, *pause, *step, *stop, *record;
+    QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
     QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
     QAction *help, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
@@ -41,8 +41,8 @@ public:
     void updateIcons(const QPalette& palette);
     /// All actions with a shortcut, for the shortcut sheet.
     std::vector<const QAction*> withShortcuts() const;
-    /// Offers what the model can do, and what belongs to the page of a run or to that of a static state.
-    void setPage(ModelKind model, bool staticState);
+    /// Offers what the model can do, and what belongs to the page of runs in time, if that is shown.
+    void setPage(ModelKind model, bool inTime);
     void choosePace(double simulatedPerWallSecond);
 
 signals:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands around the case: in the centre the page of runs over time and that of a film's static state, beside them panes, which
-// come and go with their page, and the progress of both at the foot.
+// What stands around the case: in the centre the pages of runs over time, of a film's static state and of studies, beside them panes,
+// which come and go with their page, and the progress of each at the foot.
 #pragma once
 
 #include <QDockWidget>
@@ -16,6 +16,7 @@
 #include "ui/film_window.h"
 #include "ui/message_strip.h"
 #include "ui/run_window.h"
+#include "ui/study_window.h"
 #include "ui/window_actions.h"
 
 namespace touchdown {
@@ -30,6 +31,7 @@ public:
         WindowActions& actions;
         RunWindow& runs;
         FilmWindow& film;
+        StudyWindow& studies;
         CasePanel& casePanel;
         AboutCasePane& aboutCase;
         MessageStrip& messages;
@@ -37,15 +39,16 @@ public:
     /// Builds centre, panes and foot of the window.
     explicit WindowPages(const Parts& parts);
 
-    /// A film has both; any other case runs in time only.
-    enum class Page { StaticState, Run };
-    void setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
+    enum class Page { StaticState, Run, Studies };
+    /// Only a film has a static state of its own: of any other case it is the run in time that is shown instead.
+    void setPage(Page page);
+    Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     /// Offers what the model has.
     void showModel(ModelKind model);
     ModelKind model() const { return model_; }
-    /// The panes of the static state come with a film.
-    void hideStaticPanes();
-    /// That of the page; and of the other one while something is under way there.
+    /// Only the panes of the page that is shown, as after an arrangement was restored.
+    void showPanesOfPage();
+    /// That of the page; and of the others while something is under way there.
     void updateProgress();
 
     QTabBar* tabs() const { return tabs_; }
@@ -59,18 +62,22 @@ private:
     void buildCentre();
     void buildPanes();
     QDockWidget* addPane(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
-    /// Brings the page and the panes of the static state, or those of the runs.
-    void showPage(bool staticState);
+    void showPage();
 
     Parts parts_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
     QDockWidget* about_ = nullptr;
-    std::vector<QDockWidget*> runPanes_;    // of a run over time
-    std::vector<QDockWidget*> staticPanes_; // of a static state
-    std::vector<QDockWidget*> openPanes_;   // of the page that is not shown: those that come back with it
+    struct Pane {
+        QDockWidget* dock = nullptr;
+        std::vector<Page> pages; // on which it may stand
+        bool wanted = true;      // it was not closed there
+    };
+    std::vector<Pane> panes_; // those that come and go
+    QDockWidget* attitude_ = nullptr;
+    QDockWidget* study_ = nullptr;
     ModelKind model_ = ModelKind::Springs;
-    bool staticShown_ = false;
+    Page shown_ = Page::Run;
 };
 
 } // namespace touchdown
