@@ -2,6 +2,7 @@
 #include "core/studies/ensemble.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <span>
@@ -141,7 +142,7 @@ ShareDifference shareDifference(const std::vector<std::size_t>& first, const std
         c += first[i] != end && second[i] == end;
     }
     const double n = static_cast<double>(first.size());
-    return {(b - c) / n, std::sqrt(b + c - (b - c) * (b - c) / n) / n};
+    return {(b - c) / n, std::sqrt(b + c) / n, std::abs(b - c) - 1.0 > 2.0 * std::sqrt(b + c)};
 }
 
 std::size_t otherwise(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second)

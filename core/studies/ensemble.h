@@ -10,11 +10,11 @@
 //   (p + z^2/2N -+ z sqrt(p (1 - p)/N + z^2/4N^2)) / (1 + z^2/N)
 //
 // Two ways to run the same starts are compared start by start (McNemar, Psychometrika 12, 1947): with b starts that only the first
-// one ends so, and c that only the second one does, the shares differ by (b - c)/N with the standard error
-// sqrt(b + c - (b - c)^2/N)/N. A difference of more than twice that is not by chance.
+// one ends so, and c that only the second one does, the shares differ by (b - c)/N. Were they the same, that would be 0 with the
+// standard error sqrt(b + c)/N. Where |b - c| - 1 > 2 sqrt(b + c) (the 1 for small numbers: Edwards, Psychometrika 13, 1948), the difference
+// is not by chance.
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -74,7 +74,7 @@ Share shareOf(std::size_t count, std::size_t total);
 struct ShareDifference {
     double difference = 0.0; // of the first from the second
     double error = 0.0;      // standard error
-    bool significant() const { return std::abs(difference) > 2.0 * error; }
+    bool significant = false;
 };
 ShareDifference shareDifference(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second, std::size_t end);
 /// Starts that end in another class.

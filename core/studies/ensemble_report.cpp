@@ -97,7 +97,7 @@ private:
         std::string differences;
         for (std::size_t k = 0; k < ends_.classes.size(); ++k) {
             const ShareDifference difference = differenceIn(e, k);
-            if (!difference.significant()) continue;
+            if (!difference.significant) continue;
             differences += (differences.empty() ? "" : "; ") + ends_.classes[k].name + " " + shareText(shareIn(e, k)) + " instead of " +
                            percent(shareIn(0, k).share) + ", " + fewDigits(std::abs(difference.difference) / difference.error, "") +
                            " standard errors apart";
@@ -142,7 +142,7 @@ private:
                           {.name = "lower", .longName = "Lower end of its 95 % interval"}, {.name = "upper", .longName = "Upper end"},
                           {.name = "difference", .longName = "Share less that of the reference"},
                           {.name = "difference_error", .longName = "Its standard error, start by start"},
-                          {.name = "differs", .longName = "Differs by more than twice that"},
+                          {.name = "differs", .longName = "Differs by more than chance"},
                           {"spacing", "m", "nm", "Mean spacing over the last tenth"}, {"spacing_deviation", "m", "nm", "Its deviation among starts"},
                           {"spread", "m", "nm", "Standard deviation over the last tenth, mean of the starts"}},
                          {}};
@@ -164,7 +164,7 @@ private:
         const Spread spacing = among(&EndState::spacing), spread = among(&EndState::spread);
         const auto number = [&](double value) { return spacing.count > 0 ? StudyValue(value) : StudyValue(); };
         return {all_[e].method, all_[e].setting, ends_.classes[k].name, static_cast<double>(share.count), share.share, share.lower, share.upper,
-                difference.difference, difference.error, std::string(e > 0 && difference.significant() ? "yes" : ""),
+                difference.difference, difference.error, std::string(e > 0 && difference.significant ? "yes" : ""),
                 number(spacing.mean), number(spacing.deviation), number(spread.mean)};
     }
 

@@ -25,7 +25,7 @@ struct ErrorScale {
 ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
 {
     ErrorScale scale;
-    if (!runs.reference.uncertainty.empty()) scale.uncertainty = runs.reference.uncertainty[0].at(task.measure).value_or(0.0);
+    scale.uncertainty = uncertaintyOf(task, runs);
     double least = INFINITY, largest = 0.0;
     for (const PrecisionPoint& point : runs.points)
         if (const auto error = errorOf(task, point); error && *error > 0.0) {
@@ -74,8 +74,8 @@ ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const E
     }
     std::erase_if(panel.series, [](const ChartSeries& series) { return series.points.empty(); });
     ChartSeries front{"best of all", {}, ChartLine::Steps, false, true};
-    for (const PrecisionPoint* point : paretoFront(task, runs, scale.uncertainty))
-        if (height(*point) > 0.0) front.points.push_back({std::max(*errorOf(task, *point), scale.lowest), height(*point)});
+    for (const PrecisionPoint* point : paretoFront(task, runs, height))
+        front.points.push_back({std::max(*worthOf(task, runs, *point), scale.lowest), height(*point)});
     if (!front.points.empty()) panel.series.push_back(std::move(front));
     if (scale.uncertainty > 0.0) panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
     if (failed) panel.bands.push_back({true, scale.border, INFINITY, "no valid end"});
@@ -87,7 +87,8 @@ std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, cons
     const ProvenReference& reference = runs.reference;
     std::string caption = "To the left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
                           " repeats after a warm-up; of runs longer than " + fewDigitsOfTime(task.timeLimit) +
-                          " a single one. Ringed: the case's own setting. Grey: than these no run is both faster and more accurate.";
+                          " a single one. Ringed: the case's own setting. Grey: the best of all, where a run is worth no more than finer "
+                          "settings of its method.";
     if (scale.uncertainty > 0.0)
         caption += " Shaded at the left: by " + fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
                    " the reference itself differs from its proof; a run there is as good as the reference can tell.";

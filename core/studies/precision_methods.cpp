@@ -14,7 +14,7 @@ namespace touchdown {
 namespace {
 
 constexpr double mostSteps = 1e7;          // of a method's finest run
-constexpr double mostReferenceSteps = 4e7;
+constexpr double fewestReferenceSteps = 4e6, mostReferenceSteps = 4e7;
 constexpr int stepsBelow = 12;             // 1, 2, 5, 10 ..: four decades
 
 std::string secondsText(double seconds) { return formatQuantity(seconds, seconds < 0.999e-6 ? "ns" : "us"); }
@@ -57,22 +57,25 @@ std::vector<MethodSpec> springMethods(const Case& c)
     return methods;
 }
 
-std::vector<MethodSpec> filmMethods(bool inTime)
+std::vector<MethodSpec> filmMethods(const Case& c, bool inTime)
 {
     const std::vector<std::string> nodes = inTime ? std::vector<std::string>{"49", "97", "145", "193"}
                                                   : std::vector<std::string>{"33", "49", "65", "97", "145", "193", "289"};
+    const std::string ownScheme = toText(c, *findField("film.scheme")), ownGrid = toText(c, *findField("film.grid"));
     std::vector<MethodSpec> methods;
-    for (const std::string grid : {"adapted", "graded", "uniform"})
-        methods.push_back({"grid " + grid, {{"film.grid", grid}}, "film.nodes", nodes, {}});
+    const auto add = [&](const std::string& scheme, const std::string& grid) {
+        methods.push_back({scheme + ", " + grid, {{"film.scheme", scheme}, {"film.grid", grid}}, "film.nodes", nodes, {"97"}});
+    };
+    for (const std::string grid : {"adapted", "graded", "uniform"}) add(ownScheme, grid);
     for (const std::string scheme : {"upwind", "power-law", "exponential", "complete-flux"})
-        methods.push_back({"scheme " + scheme, {{"film.scheme", scheme}}, "film.nodes", nodes, {}});
+        if (scheme != ownScheme) add(scheme, ownGrid);
     if (!inTime) {
-        methods.push_back({"solver line-multigrid", {{"film.solver", "line-multigrid"}}, "film.nodes", nodes, {}});
+        methods.push_back({"line-multigrid", {{"film.solver", "line-multigrid"}}, "film.nodes", nodes, {}});
         return methods;
     }
     const std::vector<std::string> errors{"0.5 nm", "0.05 nm", "0.005 nm", "0.0005 nm"};
     for (const std::string coupling : {"monolithic", "staggered"})
-        methods.push_back({"coupling " + coupling, {{"film.coupling", coupling}}, "run.step_error", errors, {"0.005 nm"}});
+        methods.push_back({coupling, {{"film.coupling", coupling}}, "run.step_error", errors, {"0.005 nm"}});
     return methods;
 }
 
@@ -160,7 +163,7 @@ std::vector<PrecisionReference> springReferences(const Case& c, const std::vecto
         applySettings(reference.c, {{"run.integrator", integrator}, {key, value}});
         return reference;
     };
-    const double finest = leastOf(methods, c.run.duration / mostSteps, [](const Case& each) {
+    const double finest = leastOf(methods, 2.0 * c.run.duration / fewestReferenceSteps, [](const Case& each) {
         const IntegratorKind kind = each.run.integrator;
         return kind == IntegratorKind::Dopri5 || kind == IntegratorKind::Cvode ? each.run.duration : each.run.step;
     });
@@ -198,12 +201,12 @@ std::vector<PrecisionReference> filmReferences(const Case& c, bool inTime, const
 std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime)
 {
     if (c.model == ModelKind::Springs) return springMethods(c);
-    return c.model == ModelKind::Film ? filmMethods(inTime) : std::vector<MethodSpec>{};
+    return c.model == ModelKind::Film ? filmMethods(c, inTime) : std::vector<MethodSpec>{};
 }
 
 std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method)
 {
-    method = {.name = spec.name, .key = spec.key, .settings = {}};
+    method = {.name = spec.name, .key = spec.key};
     Case base = start;
     if (std::string problem = apply(base, spec.set); !problem.empty()) return problem;
     const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
@@ -215,6 +218,7 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMetho
         return {};
     }
     const Field* field = findField(spec.key);
+    method.ordered = field != nullptr && (field->kind == FieldKind::Number || field->kind == FieldKind::Integer || field->kind == FieldKind::List);
     bool found = false;
     for (const std::string& value : spec.values) {
         PrecisionSetting setting{.label = value, .c = base};

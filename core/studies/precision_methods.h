@@ -30,7 +30,7 @@ std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime);
 std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method);
 
 /// Finer than any setting of the methods, and of at least two families. Springs: dopri5 at 1e-14, cvode at 1e-13, rk4-events at half
-/// of the finest step, but of no more than forty million. Film: adapted and graded grids with half as many nodes more than the finest,
+/// of the finest step, with four to forty million of them. Film: adapted and graded grids with half as many nodes more than the finest,
 /// in time with a quarter of the smallest step error.
 std::vector<PrecisionReference> defaultReferences(const Case& c, bool inTime, const std::vector<PrecisionMethod>& methods);
 

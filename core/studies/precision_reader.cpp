@@ -107,7 +107,7 @@ void readMethods(StudyReader& reader, PrecisionTask& task)
     }
     if (own && specs.empty()) reader.add("method", "there are no methods that suit this model; list them as [[method]]");
     const auto chosen = [](const PrecisionMethod& method) { return std::ranges::any_of(method.settings, &PrecisionSetting::chosen); };
-    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen)) task.methods.push_back({"the case as it is", "", {{"", task.start, true, true}}});
+    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen)) task.methods.push_back({.name = "the case as it is", .settings = {{"", task.start, true, true}}});
 }
 
 void readReferences(StudyReader& reader, PrecisionTask& task)

@@ -12,11 +12,6 @@ namespace touchdown {
 
 namespace {
 
-double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
-{
-    return runs.reference.uncertainty.empty() ? 0.0 : runs.reference.uncertainty[0].at(task.measure).value_or(0.0);
-}
-
 std::string unitOf(const PrecisionTask& task)
 {
     if (task.measure == ErrorMeasure::PeakFrequency) return "kHz";
@@ -28,7 +23,7 @@ const PrecisionPoint* fastestWithin(const PrecisionTask& task, const PrecisionRu
 {
     const PrecisionPoint* best = nullptr;
     for (const PrecisionPoint& point : runs.points) {
-        const std::optional<double> its = errorOf(task, point);
+        const std::optional<double> its = worthOf(task, runs, point);
         if (point.kind != PointKind::Good || !its || *its > error) continue;
         if (best == nullptr || point.fastest() < best->fastest()) best = &point;
     }
@@ -46,14 +41,14 @@ std::vector<Within> fastestRuns(const PrecisionTask& task, const PrecisionRuns& 
 {
     double least = INFINITY, largest = 0.0;
     for (const PrecisionPoint& point : runs.points)
-        if (const auto error = errorOf(task, point); error && point.kind == PointKind::Good) {
+        if (const auto error = worthOf(task, runs, point); error && point.kind == PointKind::Good) {
             least = std::min(least, *error);
             largest = std::max(largest, *error);
         }
     std::vector<Within> all;
     if (largest == 0.0) return all;
     const double factor = unitFactor(unitOf(task));
-    least = std::max({least, uncertaintyOf(task, runs), 1e-12 * largest});
+    least = std::max(least, 1e-12 * largest);
     const int first = static_cast<int>(std::ceil(std::log10(largest / factor)));
     for (int exponent = first; factor * std::pow(10.0, exponent) >= least; --exponent) {
         const double error = factor * std::pow(10.0, exponent);
@@ -171,6 +166,7 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
         return setting.c.run.integrator == IntegratorKind::Rk4 && std::abs(setting.c.run.step - 10e-9) < 1e-15;
     });
     const double uncertainty = uncertaintyOf(task, runs), error = std::max(*errorOf(task, *chosen), uncertainty);
+    const double worth = *worthOf(task, runs, *chosen);
     if (paper != nullptr && paper != chosen) {
         std::string text = costOf(task, *chosen) + "; " + costOf(task, *paper, ", the paper's method,");
         if (const auto its = errorOf(task, *paper); its && error > 0.0 && *its > 0.0)
@@ -178,7 +174,7 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
                     timesAs(std::max(*its, uncertainty) / error, "more accurate", "less accurate");
         report.findings.push_back(text + ".");
     }
-    const PrecisionPoint* best = fastestWithin(task, runs, error);
+    const PrecisionPoint* best = fastestWithin(task, runs, worth);
     if (best == nullptr) return;
     const bool isBest = best == chosen || best->fastest() >= chosen->fastest();
     report.findings.push_back("Of the runs that err by no more than the case's own setting, " + nameOf(task, *chosen) +
@@ -213,18 +209,27 @@ void tellFastest(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepo
     if (!text.empty()) report.findings.push_back(text + ".");
 }
 
+/// All of a few, some of many.
+std::string listOf(const std::vector<std::string>& names)
+{
+    constexpr std::size_t most = 12;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : "; ") + names[i];
+    return names.size() > most ? list + "; and " + std::to_string(names.size() - most) + " more" : list;
+}
+
 void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
-    std::string wrong, failed, missing;
-    const auto append = [&](std::string& list, const PrecisionPoint& point) { list += (list.empty() ? "" : "; ") + nameOf(task, point); };
+    std::vector<std::string> wrong, failed, missing;
     for (const PrecisionPoint& point : runs.points) {
-        if (!point.ran) append(missing, point);
-        else if (point.kind == PointKind::WrongState) append(wrong, point);
-        else if (point.kind == PointKind::Failed) append(failed, point);
+        const std::string its = nameOf(task, point);
+        if (!point.ran) missing.push_back(its);
+        else if (point.kind == PointKind::WrongState) wrong.push_back(its);
+        else if (point.kind == PointKind::Failed) failed.push_back(its);
     }
-    if (!wrong.empty()) report.findings.push_back("These end in another state than the reference: " + wrong + ".");
-    if (!failed.empty()) report.findings.push_back("These have no valid end: " + failed + ".");
-    if (!missing.empty()) report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + missing + ".");
+    if (!wrong.empty()) report.findings.push_back("In another state than the reference ends " + listOf(wrong) + ".");
+    if (!failed.empty()) report.findings.push_back("No valid end has " + listOf(failed) + ".");
+    if (!missing.empty()) report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(missing) + ".");
 }
 
 } // namespace
@@ -242,13 +247,30 @@ std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& p
     return point.errors[0].at(task.measure);
 }
 
-std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs, double uncertainty)
+double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
+{
+    return runs.reference.uncertainty.empty() ? 0.0 : runs.reference.uncertainty[0].at(task.measure).value_or(0.0);
+}
+
+std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point)
+{
+    std::optional<double> worth = errorOf(task, point);
+    if (!worth) return worth;
+    *worth = std::max(*worth, uncertaintyOf(task, runs));
+    if (!task.methods[point.method].ordered) return worth;
+    for (const PrecisionPoint& finer : runs.points)
+        if (finer.method == point.method && finer.setting > point.setting) *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
+    return worth;
+}
+
+std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs,
+                                               const std::function<double(const PrecisionPoint&)>& cost)
 {
     std::vector<const PrecisionPoint*> order, front;
-    const auto error = [&](const PrecisionPoint* point) { return std::max(*errorOf(task, *point), uncertainty); };
+    const auto error = [&](const PrecisionPoint* point) { return *worthOf(task, runs, *point); };
     for (const PrecisionPoint& point : runs.points)
-        if (point.kind == PointKind::Good && errorOf(task, point)) order.push_back(&point);
-    std::ranges::stable_sort(order, {}, [&](const PrecisionPoint* point) { return std::tuple(point->fastest(), error(point)); });
+        if (point.kind == PointKind::Good && errorOf(task, point) && cost(point) > 0.0) order.push_back(&point);
+    std::ranges::stable_sort(order, {}, [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
     for (const PrecisionPoint* point : order)
         if (front.empty() || error(point) < error(front.back())) front.push_back(point);
     std::ranges::reverse(front);

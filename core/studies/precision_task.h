@@ -24,8 +24,9 @@ struct PrecisionSetting {
 
 struct PrecisionMethod {
     std::string name; // "rk4"
-    std::string key;  // that is swept, "run.step"; empty: none
-    std::vector<PrecisionSetting> settings; // from coarse to fine
+    std::string key{}; // that is swept, "run.step"; empty: none
+    bool ordered = false;                     // the values are numbers, from coarse to fine
+    std::vector<PrecisionSetting> settings{};
 };
 
 /// A run that may prove the reference. Those of one family share what they do wrong.
