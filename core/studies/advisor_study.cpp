@@ -24,7 +24,7 @@ double ownError(const AdvisorTask& task) { return task.start.run.steps == StepCo
 
 double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task)
 {
-    return std::max(task.tolerance * std::abs(full.mean), leastAllowed * ownError(task));
+    return std::max(task.tolerance * std::max(std::abs(full.mean), full.spread), leastAllowed * ownError(task));
 }
 double allowedSpreadOf(const TailEstimate& full, const AdvisorTask& task)
 {
@@ -40,23 +40,28 @@ public:
 
     AdvisorResult advise()
     {
-        if (!runFull()) return std::move(result_);
-        if (!runRungs(ladderOf(task_, rest_.roll), 0.5, 0.85)) return stop();
-        std::vector<LadderPart> parts;
-        for (const RungOutcome& rung : result_.rungs)
-            if (rung.rung.kind == RungKind::Part && rung.within && rung.seconds < result_.full.seconds) parts.push_back(rung.rung.parts[0]);
-        if (!runRungs(sumsOf(task_, parts), 0.85, 1.0)) return stop();
-        choose();
-        if (task_.confirm && !confirm()) return stop();
+        if (runFull() && climb()) return std::move(result_);
+        if (result_.status == StudyStatus::Completed) stop();
         return std::move(result_);
     }
 
 private:
-    AdvisorResult stop()
+    /// False: stopped.
+    bool climb()
+    {
+        if (!runRungs(ladderOf(task_, rest_.roll), 0.5, 0.85)) return false;
+        std::vector<LadderPart> parts;
+        for (const RungOutcome& rung : result_.rungs)
+            if (rung.rung.kind == RungKind::Part && rung.within && rung.seconds < result_.full.seconds) parts.push_back(rung.rung.parts[0]);
+        if (!runRungs(sumsOf(task_, parts), 0.85, 1.0)) return false;
+        choose();
+        return !task_.confirm || confirm();
+    }
+
+    void stop()
     {
         result_.status = StudyStatus::Cancelled;
         result_.message = "stopped before all models were tried";
-        return std::move(result_);
     }
 
     bool runFull()
@@ -81,10 +86,7 @@ private:
             findRates(goOn);
             full_ = pilotRun(task_.start, asked, goOn);
         }, [&](std::size_t) { return tell_(0.5 * share, "the full model"); });
-        if (!went || full_.stopped) {
-            stop();
-            return false;
-        }
+        if (!went || full_.stopped) return false;
         if (!full_.valid()) {
             result_.status = StudyStatus::Failed;
             result_.message = "the full model gives no answer to compare with: " + full_.problem;

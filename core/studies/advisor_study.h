@@ -4,11 +4,10 @@
 // run will be is known to a quarter of what may be wrong with it, or to the end; the models in time without a part over as much of theirs,
 // judged by the same estimate, so that what it has of its own drops out. The other models take milliseconds and are known to the end.
 //
-// Errors: of the mean spacing over the last tenth, of its standard deviation there, in metres. Allowed are tolerance times the mean,
-// and spread_tolerance times the spread or, where that is more, times tolerance times the mean; of both at least twice what one
-// step of the full model may displace the slider by. Besides, a model must end in the same
-// state (flying, in contact, in and out of it) and, where the spread is more than tolerance times the mean, have its largest peak
-// at the same frequency.
+// Errors: of the mean spacing over the last tenth, of its standard deviation there, in metres. Allowed are tolerance times the mean or,
+// where a bounce has more, the spread; and spread_tolerance times the spread or, where that is more, times tolerance times the mean; of both
+// at least twice what one step of the full model may displace the slider by. Besides, a model must end in the same state (flying, in
+// contact, in and out of it) and, where the spread is more than tolerance times the mean, have its largest peak at the same frequency.
 #pragma once
 
 #include <optional>

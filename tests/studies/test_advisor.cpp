@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <algorithm>
+
+#include "core/simulation/toml_document.h"
+#include "core/studies/advisor.h"
+#include "core/studies/advisor_report.h"
+#include "tests/support/small_slider.h"
+
+using namespace touchdown;
+
+class TestAdvisor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aQuietSceneNeedsItsStaticState();
+    void overWavesTheStaticStateIsWrong();
+    void aPartThatDecidesIsKept();
+    void stopsWhereItIsTold();
+    void saysWhatIsWrong_data();
+    void saysWhatIsWrong();
+    void itsTemplateIsValid();
+    void theLadderHasWhatTheSceneHas();
+    void aClaimIsConfirmedWithinAFactorOfTwo_data();
+    void aClaimIsConfirmedWithinAFactorOfTwo();
+};
+
+namespace {
+
+/// Two rails over the whole length with a taper: damped at any grid.
+Case taperFlat()
+{
+    Case c = test::smallSlider(33);
+    c.slider = {.mass = 1.6e-6, .pitchInertia = 2.2e-13, .rollInertia = 1.45e-13, .length = 1.25e-3, .width = 1e-3, .thickness = 0.3e-3};
+    c.surface.baseRecess = 3e-6;
+    c.surface.taperLength = 0.15e-3;
+    c.surface.taperAngle = 10e-3;
+    c.surface.rails = {test::rectangle(0.0, 0.0, 1.25e-3, 0.12e-3, 0.0), test::rectangle(0.0, 0.88e-3, 1.25e-3, 1e-3, 0.0)};
+    c.suspension.preload = 2.5e-3 * 9.80665;
+    c.disk.speed = 565.0;
+    c.degreesOfFreedom = 2;
+    c.initial.state = InitialState::Static;
+    c.run.duration = 0.3e-3;
+    c.film.tolerance = 1e-7;
+    return c;
+}
+
+Case overWaves()
+{
+    Case c = taperFlat();
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {2e-9};
+    c.diskSurface.waveLengths = {c.disk.speed * c.disk.radius / 100e3}; // passes at 100 kHz
+    return c;
+}
+
+StudyPerformance plan(const Case& c, const std::string& text, std::vector<InputProblem>& problems)
+{
+    const TomlDocument toml = readToml(text);
+    StudyReader reader(toml, "advice.toml", c, problems);
+    StudyPerformance perform = planAdvisor(reader);
+    reader.finish();
+    return perform;
+}
+
+StudyReport perform(const Case& c, const std::string& text, const StudyCallback& callback = {})
+{
+    std::vector<InputProblem> problems;
+    const StudyPerformance ready = plan(c, text, problems);
+    return problems.empty() ? ready(1, callback) : StudyReport{.status = StudyStatus::Failed, .message = problems[0].message};
+}
+
+/// A value of the table of models; what a text or nothing is stays NaN.
+double ofModel(const StudyReport& report, const std::string& model, const std::string& column)
+{
+    const StudyTable& table = report.tables.at(0);
+    const auto at = std::ranges::find(table.columns, column, &StudyColumn::name) - table.columns.begin();
+    for (const auto& row : table.rows)
+        if (std::get<std::string>(row[0]) == model)
+            if (const auto* number = std::get_if<double>(&row[static_cast<std::size_t>(at)])) return *number;
+    return std::nan("");
+}
+
+std::string verdict(const StudyReport& report, const std::string& model)
+{
+    for (const auto& row : report.tables.at(0).rows)
+        if (std::get<std::string>(row[0]) == model) return std::get<std::string>(row[2]);
+    return {};
+}
+
+} // namespace
+
+// It begins in its static state over a flat disk: nothing moves it away.
+void TestAdvisor::aQuietSceneNeedsItsStaticState()
+{
+    const StudyReport report = perform(taperFlat(), "confirm = true\nmodels = [\"static\", \"parts\"]");
+    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+    QCOMPARE(verdict(report, "static state"), std::string("advised"));
+    QVERIFY(report.findings.at(0).starts_with("Advice: static state."));
+    QVERIFY(report.findings.at(2).starts_with("Confirmed"));
+    QVERIFY(ofModel(report, "static state", "mean_error") <= 5e-12); // run.step_error
+    QCOMPARE(report.charts.at(0).panels.size(), 2u);
+    QVERIFY(!report.found); // the static state is no case in time
+}
+
+// A wave of 2 nm passes: the static state has no spread at all, and the linear film answers as the full one. The spectrum of the second
+// half of 0.3 ms resolves 1.5/0.15 ms = 10 kHz, a peak's place a tenth of that.
+void TestAdvisor::overWavesTheStaticStateIsWrong()
+{
+    const StudyReport report = perform(overWaves(), "pilot = 1.0\nconfirm = true\nmodels = [\"static\", \"wave-answer\"]");
+    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+    QCOMPARE(verdict(report, "static state"), std::string("too far"));
+    QCOMPARE(verdict(report, "answer to the waves"), std::string("advised"));
+    QVERIFY2(report.findings.at(2).starts_with("Confirmed"), report.findings.at(2).c_str());
+    const double full = ofModel(report, "full model", "spread");
+    QVERIFY(ofModel(report, "static state", "spread") == 0.0);
+    QVERIFY(std::abs(ofModel(report, "answer to the waves", "spread") - full) < 0.05 * full);
+    QVERIFY(std::abs(ofModel(report, "full model", "peak_frequency") - 100e3) < 1e3);
+}
+
+void TestAdvisor::aPartThatDecidesIsKept()
+{
+    const StudyReport report = perform(overWaves(), "models = [\"parts\"]");
+    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+    QCOMPARE(verdict(report, "film, flat disk"), std::string("too far"));
+    if (report.found) QVERIFY(report.found->diskSurface.kind == DiskSurfaceKind::Waves);
+}
+
+void TestAdvisor::stopsWhereItIsTold()
+{
+    int calls = 0;
+    const StudyReport report = perform(taperFlat(), "", [&](const StudyProgress&) { return ++calls < 2; });
+    QCOMPARE(report.status, StudyStatus::Cancelled);
+    QVERIFY(!report.message.empty());
+}
+
+void TestAdvisor::saysWhatIsWrong_data()
+{
+    QTest::addColumn<bool>("film");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("key");
+    QTest::newRow("springs") << false << "" << "case";
+    QTest::newRow("a tolerance of nothing") << true << "tolerance = 0" << "tolerance";
+    QTest::newRow("a pilot beyond the end") << true << "pilot = 1.5" << "pilot";
+    QTest::newRow("an unknown model") << true << "models = [\"static\", \"magic\"]" << "models";
+    QTest::newRow("an unknown key") << true << "tolerances = 0.1" << "tolerances";
+}
+
+void TestAdvisor::saysWhatIsWrong()
+{
+    QFETCH(bool, film);
+    QFETCH(QString, text);
+    QFETCH(QString, key);
+    std::vector<InputProblem> problems;
+    plan(film ? taperFlat() : Case{}, text.toStdString(), problems);
+    QCOMPARE(problems.size(), 1u);
+    QCOMPARE(problems[0].key, key.toStdString());
+}
+
+void TestAdvisor::itsTemplateIsValid()
+{
+    std::vector<InputProblem> problems;
+    plan(taperFlat(), advisorTemplate(taperFlat()), problems);
+    QVERIFY2(problems.empty(), problems.empty() ? "" : problems[0].text().c_str());
+}
+
+void TestAdvisor::theLadderHasWhatTheSceneHas()
+{
+    AdvisorTask task;
+    task.start = overWaves();
+    task.start.film.nodes = {129, 65};
+    const auto names = [&] {
+        std::vector<std::string> list;
+        for (const Rung& rung : ladderOf(task, 0.0)) list.push_back(rung.name);
+        return list;
+    };
+    const auto has = [](const std::vector<std::string>& list, const char* name) { return std::ranges::find(list, name) != list.end(); };
+    std::vector<std::string> ladder = names();
+    QVERIFY(has(ladder, "answer to the waves") && has(ladder, "film, flat disk") && has(ladder, "film, 65 x 33 grid lines"));
+    QVERIFY(!has(ladder, "film, no contact") && !has(ladder, "film, roll held") && !has(ladder, "rest in contact"));
+    task.start.diskSurface = {};
+    task.start.degreesOfFreedom = 3;
+    task.start.contact = ContactKind::OnoYamane;
+    ladder = names();
+    QVERIFY(!has(ladder, "answer to the waves") && !has(ladder, "film, flat disk"));
+    QVERIFY(has(ladder, "film, no contact") && has(ladder, "film, no menisci") && has(ladder, "film, roll held") && has(ladder, "rest in contact"));
+}
+
+void TestAdvisor::aClaimIsConfirmedWithinAFactorOfTwo_data()
+{
+    QTest::addColumn<double>("claimed");
+    QTest::addColumn<double>("found");
+    QTest::addColumn<bool>("came");
+    QTest::newRow("as claimed") << 0.5 << 0.5 << true;
+    QTest::newRow("twice as large") << 0.5 << 0.99 << true;
+    QTest::newRow("more than that") << 0.5 << 1.01 << false;
+    QTest::newRow("half as large") << 0.5 << 0.26 << true;
+    QTest::newRow("less than that") << 0.5 << 0.24 << false;
+    QTest::newRow("both below what the pilot can tell") << 0.1 << 0.001 << true;
+}
+
+void TestAdvisor::aClaimIsConfirmedWithinAFactorOfTwo()
+{
+    QFETCH(double, claimed);
+    QFETCH(double, found);
+    QFETCH(bool, came);
+    QCOMPARE(confirms(claimed, found, 0.1, 1.0), came);
+}
+
+QTEST_GUILESS_MAIN(TestAdvisor)
+#include "test_advisor.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/studies/tail_estimate.h"
+
+using namespace touchdown;
+
+class TestTailEstimate : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aWholeRunIsNotEstimated();
+    void ringingGoesOn();
+    void whatStaysStays();
+    void whatDiesAwayDiesAway();
+    void contactOfTheLastQuarter_data();
+    void contactOfTheLastQuarter();
+    void tooFewSamplesFail();
+};
+
+namespace {
+
+constexpr double twoPi = 2.0 * std::numbers::pi;
+constexpr double interval = 0.1e-6; // [s]
+constexpr double frequency = 100e3; // [Hz]
+constexpr double duration = 1e-3;   // [s]
+
+SpacingSamples decaying(double until, double amplitude, double damping)
+{
+    SpacingSamples samples{.interval = interval, .spacing = {}, .touching = {}};
+    const auto count = static_cast<std::size_t>(std::lround(until / interval)) + 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double t = interval * static_cast<double>(k);
+        samples.spacing.push_back(10e-9 + amplitude * std::exp(-damping * t) * std::sin(twoPi * frequency * t));
+    }
+    samples.touching.assign(count, 0);
+    return samples;
+}
+
+/// Standard deviation over the last tenth of amplitude e^(-damping t) sin(omega t): the square's mean over whole periods, where damping is
+/// far below omega, is amplitude^2/2 times the mean of e^(-2 damping t).
+double tailSpread(double amplitude, double damping)
+{
+    const double g = 2.0 * damping, from = 0.9 * duration;
+    return amplitude * std::sqrt(0.5 * (std::exp(-g * from) - std::exp(-g * duration)) / (g * (duration - from)));
+}
+
+} // namespace
+
+// Ten whole periods of 100 samples and one sample more: it moves mean and square by a thousandth of the amplitude.
+void TestTailEstimate::aWholeRunIsNotEstimated()
+{
+    const TailEstimate tail = estimateTail(decaying(duration, 1e-9, 0.0), duration);
+    QVERIFY(std::abs(tail.mean - 10e-9) < 1e-12);
+    QVERIFY(std::abs(tail.spread / (1e-9 / std::numbers::sqrt2) - 1.0) < 2e-3);
+    QCOMPARE(tail.meanUncertainty, 0.0);
+    QVERIFY(std::abs(tail.peakFrequency - frequency) < 0.1 * tail.resolution);
+    QCOMPARE(tail.kind, EndKind::Flying);
+}
+
+// Its mean over the tail, whole periods, is (e^(-3.6) - e^(-4))/(omega 0.1 ms) of the amplitude: 0.14 pm.
+void TestTailEstimate::ringingGoesOn()
+{
+    constexpr double damping = 4e3; // [1/s]
+    const TailEstimate tail = estimateTail(decaying(0.3 * duration, 1e-9, damping), duration, {{{-5e3, twoPi * 98e3}, false}});
+    QVERIFY(std::abs(tail.mean - 10e-9) < 0.15e-12);
+    QVERIFY(std::abs(tail.spread / tailSpread(1e-9, damping) - 1.0) < 5e-3); // damping/omega = 0.6 %
+    QVERIFY(tail.spreadUncertainty < 1e-3 * tail.spread);
+}
+
+// Hann's window over x = 7.5 periods lets 1/(pi x (x^2 - 1)) = 8e-4 of a motion's amplitude pass into the mean.
+void TestTailEstimate::whatStaysStays()
+{
+    const TailEstimate tail = estimateTail(decaying(0.3 * duration, 1e-9, 0.0), duration);
+    QVERIFY(std::abs(tail.mean - 10e-9) < 1e-12);
+    QVERIFY(std::abs(tail.spread / (1e-9 / std::numbers::sqrt2) - 1.0) < 1e-3);
+}
+
+// Where all blocks shrink by one factor their limit is zero, and the variance goes on with that factor, as it is wrong by the window's
+// share, which grows over the 0.6 ms from the last block to the tail. Of the amplitude, 0.55 to 0.3 nm there, 8e-4 pass into
+// each block's mean; that is led on by v_3/(v_1 - v_3) = 1.2 times the difference of two: in all below 1.5 pm.
+void TestTailEstimate::whatDiesAwayDiesAway()
+{
+    constexpr double damping = 4e3; // [1/s]
+    const TailEstimate tail = estimateTail(decaying(0.3 * duration, 1e-9, damping), duration);
+    QVERIFY(std::abs(tail.spread / tailSpread(1e-9, damping) - 1.0) < 0.01);
+    QVERIFY(std::abs(tail.mean - 10e-9) < 1.5e-12);
+}
+
+void TestTailEstimate::contactOfTheLastQuarter_data()
+{
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::addColumn<int>("kind");
+    QTest::newRow("never") << 2.0 << 2.0 << static_cast<int>(EndKind::Flying);
+    QTest::newRow("before it") << 0.0 << 0.5 << static_cast<int>(EndKind::Flying);
+    QTest::newRow("all of it") << 0.6 << 2.0 << static_cast<int>(EndKind::Contact);
+    QTest::newRow("a part of it") << 0.8 << 0.9 << static_cast<int>(EndKind::Intermittent);
+}
+
+void TestTailEstimate::contactOfTheLastQuarter()
+{
+    QFETCH(double, from);
+    QFETCH(double, to);
+    QFETCH(int, kind);
+    SpacingSamples samples = decaying(0.3 * duration, 1e-9, 0.0);
+    const double count = static_cast<double>(samples.touching.size());
+    for (std::size_t k = 0; k < samples.touching.size(); ++k) {
+        const double share = static_cast<double>(k) / count;
+        samples.touching[k] = share >= from && share < to;
+    }
+    QCOMPARE(static_cast<int>(estimateTail(samples, duration).kind), kind);
+}
+
+void TestTailEstimate::tooFewSamplesFail()
+{
+    QCOMPARE(estimateTail(decaying(2e-6, 1e-9, 0.0), duration).kind, EndKind::Failed);
+}
+
+QTEST_GUILESS_MAIN(TestTailEstimate)
+#include "test_tail_estimate.moc"
