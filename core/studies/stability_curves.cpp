@@ -137,8 +137,9 @@ void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<Loca
             unlimited += (unlimited.empty() ? "" : ", ") + method.name;
             continue;
         }
-        std::string sentence = method.sentence + " blows up beyond a step of " + fewDigitsOfTime(limit.step, 3) + ", " + limit.motion->where + " (" +
-                               fewDigits(limit.motion->fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
+        std::string sentence = method.sentence + " blows up beyond a step of " + fewDigitsOfTime(limit.step, 3) + ", " + limit.motion->where;
+        if (limit.motion->where.find("Hz") == std::string::npos)
+            sentence += " (" + fewDigits(limit.motion->fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
         if (method.isTheCases) {
             const double share = step / limit.step;
             sentence += "; this case takes " + which + fewDigitsOfTime(step) + ", " + fewDigits(share, "") + " times that";

@@ -11,6 +11,7 @@
 #include "core/simulation/film_setup.h"
 #include "core/simulation/steady.h"
 #include "core/simulation/step_length.h"
+#include "core/studies/closing_gap.h"
 #include "core/studies/few_digits.h"
 #include "core/studies/stability_curves.h"
 
@@ -134,6 +135,8 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     limits.rows.push_back({"explicit", "air alone", air, step, step / air});
     picture.findings.push_back("Explicit steps of the air would blow up beyond " + fewDigitsOfTime(air) + " on this grid, where it evens out fastest; implicit ones have no limit.");
     picture.tables = {std::move(limits), eigenvalueTable(motions)};
+    if (!goOn()) return false;
+    addClosingGap(c, picture);
     for (std::string& finding : picture.findings) finding.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(finding.front())));
     return true;
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the slip models make of a gap that closes. An infinitely wide wedge, from 100 nm down to the disk, which it touches, in the case's
+// air at the speed of its disk: where the gap closes nothing passes, so that dp/dx = 6 mu U/(Q h^2). A second-order term c Kn^2 in Q keeps Q h^2 above
+// c (lambda0 p0/p)^2 and the pressure bounded; without one, first order and Fukui-Kaneko, it grows as the gap falls, without end (Wu & Bogy
+// 2003), and what a grid shows of it is the grid's.
+//
+// With first order p goes with h^-s, s = mu U/(lambda0 p0 angle). The angle is ours: that for which s = 0.9, some hundredths, as an
+// asperity's flank has it.
+#pragma once
+
+#include "core/studies/stability_picture.h"
+
+namespace touchdown {
+
+/// Adds a chart, the table "closing_gap" and sentences for a case of model "film".
+void addClosingGap(const Case& c, LinearPicture& picture);
+
+} // namespace touchdown
