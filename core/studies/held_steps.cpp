@@ -20,6 +20,18 @@ std::optional<double> valueOf(const std::vector<std::pair<std::string, double>>&
     return found->second;
 }
 
+/// Mean of a column between two times; 0 where there is no sample.
+double meanBetween(const std::vector<double>& time, const std::vector<double>& column, double begin, double end)
+{
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < std::min(time.size(), column.size()); ++i) {
+        if (time[i] < begin || time[i] > end) continue;
+        sum += column[i];
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+}
+
 /// The branch on which the pad ends: forces tell it, but for asperities that have let go and menisci that pull nothing.
 ContactBranch branchAfter(const HeldEnd& before)
 {
@@ -97,6 +109,7 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
     }
     for (const std::string& warning : run.summary.warnings)
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    step.drift = std::abs(step.end.spacing - meanBetween(run.time, run.columns[0], 0.45 * steps.hold, 0.55 * steps.hold));
     const double begin = run.columns[0].empty() ? 0.0 : run.columns[0].front();
     last = {std::move(c), std::move(run.summary), begin, run.end.kind != EndKind::Failed};
     return step;

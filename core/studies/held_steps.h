@@ -30,6 +30,9 @@ struct HeldStep {
     EndState end;
     Statistics spacing; // over the last tenth [m]
     double pitch = 0.0; // its mean there [rad]
+    double drift = 0.0; // by which the mean spacing there differs from that of a tenth in the middle of the hold [m]
+    /// Neither moves there by more than a tenth of a nanometre, nor has since the middle.
+    bool atRest() const { return spacing.max - spacing.min <= 0.1e-9 && drift <= 0.1e-9; }
     std::string problem; // why there is no valid end, in a sentence; "" where there is one
 };
 

@@ -30,7 +30,7 @@ struct Range {
 /// spring has a spacing: as pressure or speed would lower it, and so that an end takes off again.
 Range defaultRange(const Case& c)
 {
-    if (c.model == ModelKind::Film) return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, 8, std::min(c.run.duration, 0.2e-3)};
+    if (c.model == ModelKind::Film) return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, 8, c.run.duration};
     const double height = c.springs.flyingHeight;
     if (!(height > 0.0)) return {"ono_yamane.meniscus_force", 5.0 * c.onoYamane.meniscusForce, 0.0, 40, c.run.duration};
     Range range{"springs.flying_height", roundedTo(2.0 * height, 2), 0.0, 40, c.run.duration};

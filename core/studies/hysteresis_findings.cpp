@@ -12,8 +12,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double settled = 0.1e-9; // range over the last tenth of a hold above which it has not come to rest [m]
-
 class FindingsWriter {
 public:
     FindingsWriter(const HeldSteps& task, const HysteresisResult& result)
@@ -151,7 +149,7 @@ private:
         const double low = std::min(each.before, each.after), high = std::max(each.before, each.after);
         std::string beyond;
         for (const StudiedMark& mark : result_.marks) {
-            if (mark.kind == EquilibriumMark::Kink || mark.outside) continue;
+            if (mark.kind == EquilibriumMark::Kink || mark.kind == EquilibriumMark::Hopf || mark.outside) continue;
             if (mark.kind == EquilibriumMark::Switch && mark.name != (each.down ? "touch-down" : "take-off")) continue;
             if (mark.at.value >= low && mark.at.value <= high)
                 return "; the equilibrium that was left ends at " + text_.of(mark.at.value);
@@ -213,7 +211,7 @@ private:
         std::size_t compared = 0;
         for (const HeldStep& step : result_.steps) {
             if (!step.done || (step.end.kind != EndKind::Flying && step.end.kind != EndKind::Contact)) continue;
-            if (step.spacing.max - step.spacing.min > settled) continue;
+            if (!step.atRest()) continue;
             double nearest = std::numeric_limits<double>::infinity();
             for (const EquilibriumAt& at : equilibriaAt(result_.lines, step.value))
                 nearest = std::min(nearest, std::abs(at.spacing - step.end.spacing));
@@ -230,12 +228,12 @@ private:
     {
         const auto rings = [](const HeldStep& step) {
             return step.done && step.end.kind != EndKind::Failed && step.end.kind != EndKind::Intermittent &&
-                   step.spacing.max - step.spacing.min > settled;
+                   !step.atRest();
         };
         const auto count = std::ranges::count_if(result_.steps, rings);
         if (count > 0)
-            findings_.push_back(std::to_string(count) + (count == 1 ? " held value still moves" : " held values still move") + " by more than " + fewDigits(settled, "nm") +
-                                " at the end of " + fewDigitsOfTime(task_.hold, 3) + "; a longer hold tells more.");
+            findings_.push_back(std::to_string(count) + (count == 1 ? " held value has" : " held values have") +
+                                " not come to rest to 0.1 nm after " + fewDigitsOfTime(task_.hold, 3) + "; a longer hold tells more.");
     }
 
     void addFailures()
