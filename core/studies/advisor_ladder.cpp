@@ -58,6 +58,11 @@ std::vector<LadderPart> partsOf(const Case& c, double roll)
             const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);
             parts.push_back({"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
         }
+    else
+        for (const double factor : {2.0, 4.0}) {
+            const std::string step = fewDigits(factor * c.run.step, "ns", 6);
+            parts.push_back({"steps of " + step, "shorter steps than " + step, {{"run.step", step}}, "steps"});
+        }
     return parts;
 }
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
 constexpr double leastAllowed = 2.0; // of the error of the full model's own steps
+constexpr double mostGrowth = 0.3;   // e-folds of a mode over the run, beyond which a part does not foretell its end
 constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
 
 /// What one step may displace the slider by, and an answer is not worth [m].
@@ -69,6 +70,7 @@ private:
         const double duration = task_.start.run.duration;
         double next = task_.pilot;
         const auto enough = [&](const SpacingSamples& samples) {
+            if (result_.growth > mostGrowth) return false; // it may still do what it has not done yet
             if (result_.pilotTime > 0.0 || samples.reached() < next * duration) return result_.pilotTime > 0.0 && !task_.confirm;
             next = samples.reached() / duration + 0.05;
             const TailEstimate tail = estimateTail(samples, duration, rates_);
@@ -85,6 +87,7 @@ private:
             };
             findRates(goOn);
             full_ = pilotRun(task_.start, asked, goOn);
+            if (full_.valid()) describeFull();
         }, [&](std::size_t) { return tell_(0.5 * share, "the full model"); });
         if (!went || full_.stopped) return false;
         if (!full_.valid()) {
@@ -92,11 +95,17 @@ private:
             result_.message = "the full model gives no answer to compare with: " + full_.problem;
             return false;
         }
+        return true;
+    }
+
+    void describeFull()
+    {
+        const double duration = task_.start.run.duration;
         if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
         RungOutcome& full = result_.full;
         full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
         full.samples = full_.samples.until(result_.pilotTime);
-        full.tail = estimateTail(full.samples, duration, rates_);
+        foretell(full);
         full.seconds = full_.secondsTo(duration);
         full.within = true;
         full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError(task_));
@@ -104,7 +113,19 @@ private:
         result_.pilotSeconds = full_.secondsTo(result_.pilotTime);
         result_.studySeconds = full_.course.empty() ? 0.0 : full_.course.back().second;
         result_.contactActed = full_.contactActs;
-        return true;
+    }
+
+    bool pilotIsWhole() const { return result_.pilotTime >= task_.start.run.duration - 0.5 * task_.start.run.sampleInterval; }
+
+    /// The end of a model in time, by its samples up to the pilot's time and to less of it.
+    void foretell(RungOutcome& rung) const
+    {
+        const double duration = task_.start.run.duration;
+        rung.tail = estimateTail(rung.samples, duration, rates_);
+        if (pilotIsWhole()) return;
+        constexpr std::array shares{0.9, 0.8};
+        for (std::size_t k = 0; k < shares.size(); ++k)
+            rung.earlier[k] = estimateTail(rung.samples.until(shares[k] * result_.pilotTime), duration, rates_);
     }
 
     /// The static state, and the rates at which the scene rings about it; without them ends are foretold otherwise.
@@ -146,11 +167,12 @@ private:
             seconds = outcome.seconds;
             return outcome;
         }
-        RungOutcome outcome{.rung = rung, .problem = {}, .remark = {}, .tail = {}, .samples = {}, .errors = {}, .found = rung.c};
+        RungOutcome outcome{.rung = rung, .problem = {}, .remark = {}, .tail = {}, .earlier = {}, .samples = {}, .errors = {}, .found = rung.c};
         // Contact that never acts changes nothing: no run can tell more.
         const bool same = rung.parts.size() == 1 && (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") && !full_.contactActs;
         if (same) {
             outcome.tail = result_.full.tail;
+            outcome.earlier = result_.full.earlier;
             outcome.samples = result_.full.samples;
             outcome.seconds = result_.full.seconds;
             outcome.remark = "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
@@ -161,7 +183,7 @@ private:
         seconds = run.course.empty() ? 0.0 : run.course.back().second;
         outcome.problem = run.problem;
         outcome.samples = run.samples.until(wanted);
-        outcome.tail = estimateTail(outcome.samples, task_.start.run.duration, rates_);
+        foretell(outcome);
         outcome.seconds = run.secondsTo(task_.start.run.duration);
         return outcome;
     }
@@ -169,19 +191,16 @@ private:
     void judge(RungOutcome& rung) const
     {
         if (!rung.valid()) return;
-        const double duration = task_.start.run.duration;
         const TailEstimate& full = result_.full.tail;
         RungErrors& errors = rung.errors;
         errors = compare(rung.tail, full);
         errors.meanResolution = full.meanUncertainty;
         errors.spreadResolution = full.spreadUncertainty;
-        if (!rung.samples.spacing.empty() && result_.pilotTime < duration - 0.5 * full_.samples.interval) {
+        if (!rung.samples.spacing.empty() && !pilotIsWhole()) {
             // Both by the same estimate of as much: how it moves by itself does not count.
             errors.meanResolution = errors.spreadResolution = 0.0;
-            for (const double share : {0.9, 0.8}) {
-                const double until = share * result_.pilotTime;
-                const RungErrors before = compare(estimateTail(rung.samples.until(until), duration, rates_),
-                                                  estimateTail(result_.full.samples.until(until), duration, rates_));
+            for (std::size_t k = 0; k < rung.earlier.size(); ++k) {
+                const RungErrors before = compare(rung.earlier[k], result_.full.earlier[k]);
                 errors.meanResolution = std::max(errors.meanResolution, std::abs(before.mean - errors.mean));
                 errors.spreadResolution = std::max(errors.spreadResolution, std::abs(before.spread - errors.spread));
             }

@@ -10,6 +10,8 @@
 // contact, in and out of it) and, where the spread is more than tolerance times the mean, have its largest peak at the same frequency.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +35,7 @@ struct RungOutcome {
     std::string problem;         // why it has no answer, in a sentence
     std::string remark;          // what is to be said of it, in a sentence
     TailEstimate tail;
+    std::array<TailEstimate, 2> earlier; // of models in time: foretold by 0.9 and 0.8 of the pilot
     SpacingSamples samples;      // of models in time, as far as they were run
     double seconds = 0.0;        // of one processor, over the whole run
     RungErrors errors;

@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int improvements = 6;
-constexpr std::size_t mostSamples = 2000; // that are fitted: more tell nothing of rates far below theirs
+constexpr std::size_t mostSamples = 1000; // that are fitted: more tell nothing of rates far below theirs
 constexpr double fewestPeriods = 1.5;     // of the slowest motion
 constexpr double largestChange = 0.1;     // of a rate, in one improvement [-]
 constexpr double worthImproving = 0.02;   // of the largest amplitude: rates of smaller motions stay [-]
