@@ -108,6 +108,7 @@ int finishOutput(int code)
 
 void complain(std::string_view sentence)
 {
+    std::fflush(stdout); // so that both stay in order where they go to one place
     std::fprintf(stderr, "%.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }
 

@@ -79,13 +79,14 @@ int studyCommand(const StudyArguments& arguments)
     if (!problems.empty()) {
         report.status = StudyStatus::Failed;
         report.message = problems.front();
-    } else if (!arguments.apply.empty() && !report.found && report.status == StudyStatus::Completed) {
-        report.status = StudyStatus::Failed;
-        report.message = "there is no case to write to " + arguments.apply + ": the study advises none";
     }
     print(arguments.json ? studyJson(report) : studyText(report));
-    if (report.status == StudyStatus::Completed) return exitDone;
-    complain(std::string(name(report.status)) + ": " + report.message);
+    if (report.status != StudyStatus::Completed) {
+        complain(std::string(name(report.status)) + ": " + report.message);
+        return exitNoAnswer;
+    }
+    if (arguments.apply.empty() || report.found) return exitDone;
+    complain("--apply: the study advises no case that could be written to " + arguments.apply);
     return exitNoAnswer;
 }
 

@@ -218,11 +218,12 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMetho
         return {};
     }
     const Field* field = findField(spec.key);
-    method.ordered = field != nullptr && (field->kind == FieldKind::Number || field->kind == FieldKind::Integer || field->kind == FieldKind::List);
+    if (field == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
+    method.ordered = field->kind == FieldKind::Number || field->kind == FieldKind::Integer || field->kind == FieldKind::List;
     bool found = false;
     for (const std::string& value : spec.values) {
         PrecisionSetting setting{.label = value, .c = base};
-        const std::string full = field == nullptr ? value : fullValue(*field, value);
+        const std::string full = fullValue(*field, value);
         if (std::string problem = apply(setting.c, {{spec.key, full}}); !problem.empty()) return problem;
         setting.label = shortLabel(*field, value);
         setting.chosen = own && toText(setting.c, *field) == toText(start, *field);

@@ -127,6 +127,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
         StudyReport report = perform(jobs, callback);
         report.kind = kind;
         if (named || report.title.empty()) report.title = title;
+        if (report.status == StudyStatus::Cancelled && report.message.empty()) report.message = "stopped before it was done";
         return report;
     };
     return plan;

@@ -198,7 +198,7 @@ std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std
 {
     std::vector<std::pair<std::string, std::string>> list;
     settled_.insert(table);
-    if (find(table) != nullptr || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
+    if (entries_.contains(table) || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
         add(table, "must be a table such as { \"run.duration\" = \"1 ms\" }");
     for (const TomlEntry& entry : toml_.entries) {
         if (!entry.key.starts_with(table + '.')) continue;
@@ -214,10 +214,11 @@ std::vector<std::string> StudyReader::tables(const std::string& list)
 {
     asked_.insert(list);
     std::vector<std::string> names;
-    const TomlEntry* entry = find(list);
-    const auto* array = entry == nullptr ? nullptr : std::get_if<TomlArray>(&entry->value);
+    const auto entry = entries_.find(list);
+    const bool given = entry != entries_.end();
+    const auto* array = given ? std::get_if<TomlArray>(&entry->second->value) : nullptr;
     const TomlTable* table = findTable(list);
-    if ((entry != nullptr && (array == nullptr || !array->elements.empty())) ||
+    if ((given && (array == nullptr || !array->elements.empty())) ||
         (table != nullptr && table->kind != TomlTableKind::Array)) {
         add(list, "is one of a list; write [[" + list + "]]");
         settled_.insert(list);
@@ -278,11 +279,13 @@ void StudyReader::finish()
             addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
 }
 
+/// A value; where a table stands instead, that is told once.
 const TomlEntry* StudyReader::find(const std::string& key)
 {
     asked_.insert(key);
-    const auto found = entries_.find(key);
-    return found == entries_.end() ? nullptr : found->second;
+    if (const auto found = entries_.find(key); found != entries_.end()) return found->second;
+    if (findTable(key) != nullptr && settled_.insert(key).second) add(key, "is a table, not a value");
+    return nullptr;
 }
 
 const TomlTable* StudyReader::findTable(const std::string& key) const

@@ -140,6 +140,8 @@ private slots:
                                       << "a.toml:1: kind: is \"stability\", not \"hysteresis\"\n";
         QTest::newRow("no kind at all") << "kind = 3\ncase = \"fig10a\""
                                         << "a.toml:1: kind: has the wrong type; text in quotation marks is needed\n";
+        QTest::newRow("a kind in a table") << "kind = {}\ncase = \"fig10a\"" << "a.toml:1: kind: is a table, not a value\n";
+        QTest::newRow("a case in a table") << "[case]\nname = 1" << "a.toml:1: case: is a table, not a value\n";
         QTest::newRow("an unknown key") << "case = \"fig10a\"\nstep = 3" << "a.toml:2: step: unknown key; did you mean steps?\n";
         QTest::newRow("a value out of range") << "case = \"fig10a\"\nsteps = 0"
                                               << "a.toml:2: steps: must be a whole number from 1 to ";

@@ -134,6 +134,9 @@ private slots:
         QTest::newRow("a list as a text") << "method = \"a\"" << "a.toml:1: method: is one of a list; write [[method]]\n";
         QTest::newRow("an unknown key of a table")
             << "[[method]]\n[[method]]\nnam = \"a\"" << "a.toml:3: method[2].nam: unknown key; did you mean name?\n";
+        QTest::newRow("a table for a number") << "count = {}" << "a.toml:1: count: is a table, not a value\n";
+        QTest::newRow("a table for a text") << "[name]\nx = 1" << "a.toml:1: name: is a table, not a value\n";
+        QTest::newRow("tables for a list") << "[[list]]\nx = 1" << "a.toml:1: list: is a table, not a value\n";
         QTest::newRow("settings as a text") << "set = \"run.step=1\""
                                             << "a.toml:1: set: must be a table such as { \"run.duration\" = \"1 ms\" }\n";
         QTest::newRow("a date in settings")
