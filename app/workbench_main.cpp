@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/workbench_pictures.h"
+#include "app/workbench_study.h"
 #include "core/simulation/case_file.h"
 #include "core/simulation/results_file.h"
 #include "ui/main_window.h"
@@ -26,9 +27,13 @@ struct Arguments {
     bool staticState = false;
     QString exportFolder;
     QString screenshot;
+    QString study;    // kind
+    QString pictures; // folder
     QString size;
     QString theme;
 };
+
+constexpr int studyWidth = 1000; // of the charts of a study [px]
 
 /// Ends the program for --help, --version and mistakes: none of them needs a display.
 Arguments parse(int argc, char** argv)
@@ -57,11 +62,17 @@ Arguments parse(int argc, char** argv)
         QStringLiteral("screenshot"),
         QStringLiteral("Runs the case, writes a picture of the whole window to <file> and ends."),
         QStringLiteral("file"));
+    const QCommandLineOption study(
+        QStringLiteral("study"),
+        QStringLiteral("Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no display, writes its "
+                       "charts as PNG and SVG to the folder of --pictures, prints their paths and ends."),
+        QStringLiteral("kind"));
+    const QCommandLineOption pictures(QStringLiteral("pictures"), QStringLiteral("Where the charts of --study go."), QStringLiteral("folder"));
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Of the window for pictures, as 1600x1000."),
                                   QStringLiteral("size"), QStringLiteral("1600x1000"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
                                    QStringLiteral("name"));
-    parser.addOptions({help, version, run, staticState, exportTo, screenshot, size, theme});
+    parser.addOptions({help, version, run, staticState, exportTo, screenshot, study, pictures, size, theme});
 
     const auto fail = [](const QString& sentence) {
         std::cerr << "touchdown-workbench: " << sentence.toStdString() << "\nSee touchdown-workbench --help.\n";
@@ -84,11 +95,38 @@ Arguments parse(int argc, char** argv)
     arguments.staticState = parser.isSet(staticState);
     arguments.exportFolder = parser.value(exportTo);
     arguments.screenshot = parser.value(screenshot);
+    arguments.study = parser.value(study);
+    arguments.pictures = parser.value(pictures);
     arguments.size = parser.value(size);
     arguments.theme = parser.value(theme);
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
         fail(QStringLiteral("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
+    if (arguments.study.isEmpty() != arguments.pictures.isEmpty())
+        fail(QStringLiteral("--study and --pictures need each other: what to study, and where its charts go."));
     return arguments;
+}
+
+void useNames()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("touchdown-workbench"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
+}
+
+/// The study that was asked for, as pictures; the exit code. Mistakes in it come before anything that draws.
+int studyPictures(const Arguments& arguments, int argc, char** argv)
+{
+    const std::string file = arguments.file.isEmpty() ? std::string(touchdown::defaultCaseName) : arguments.file.toStdString();
+    const touchdown::StudyPlan plan = touchdown::openStudy(arguments.study.toStdString(), file);
+    if (!plan.valid()) {
+        for (const touchdown::InputProblem& problem : plan.problems) std::cerr << problem.text() << '\n';
+        return badInput;
+    }
+    qputenv("QT_QPA_PLATFORM", "offscreen"); // there is no window
+    const QApplication application(argc, argv);
+    useNames();
+    touchdown::applyTheme(touchdown::Theme::Light);
+    return touchdown::pictureStudy(plan, arguments.pictures, studyWidth);
 }
 
 /// The case that was asked for; ends the program with a sentence for each problem when it is bad.
@@ -126,6 +164,7 @@ int main(int argc, char** argv)
         const QCoreApplication forTheParser(count, argv);
         return parse(argc, argv);
     }();
+    if (!arguments.study.isEmpty()) return studyPictures(arguments, argc, argv);
     const bool isRun = CaseFiles::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
     if (isRun) checkRun(arguments.file, pictures);
@@ -136,9 +175,7 @@ int main(int argc, char** argv)
         document = readCase(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
 
     QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
-    QCoreApplication::setApplicationName(QStringLiteral("touchdown-workbench"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
+    useNames();
     QGuiApplication::setDesktopFileName(QStringLiteral("touchdown-workbench"));
     applyTheme(themeFromName(arguments.theme));
 

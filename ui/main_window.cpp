@@ -103,10 +103,11 @@ void MainWindow::onStudied(const StudyReport& report)
 {
     updateRunActions();
     const QString title = QString::fromStdString(report.title);
+    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front())};
+    if (!report.warnings.empty()) lines << QString::fromStdString(report.warnings.front());
     switch (report.status) {
     case StudyStatus::Completed:
-        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
-                        report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front()));
+        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, lines.join(QLatin1Char('\n')));
         break;
     case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
     case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;

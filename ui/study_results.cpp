@@ -76,6 +76,7 @@ StudyResults::StudyResults(QWidget* parent)
 
 void StudyResults::buildEmpty()
 {
+    staleMark_->setObjectName(QStringLiteral("stale"));
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setWordWrap(true);
     empty_->setMargin(60);
