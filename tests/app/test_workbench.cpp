@@ -85,6 +85,8 @@ void TestWorkbench::refusesBadInput_data()
     QTest::newRow("pictures of a saved run") << QStringList{"run.h5", "--export", "pictures"} << QByteArray("saved run");
     QTest::newRow("two cases") << QStringList{"fig10a", "fig10b"} << QByteArray("more than one case");
     QTest::newRow("unknown option") << QStringList{"--fast"} << QByteArray("fast");
+    QTest::newRow("study without pictures") << QStringList{"--study", "work-precision", "fig10a"} << QByteArray("--pictures");
+    QTest::newRow("unknown study") << QStringList{"--study", "speed", "--pictures", folder_.filePath("s"), "fig10a"} << QByteArray("speed");
     QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << QByteArray("pink");
 }
 

@@ -73,6 +73,7 @@ private slots:
     void opensASampleCaseByKeyboard();
     void goesThroughTheMapsOfAContact();
     void stopsByAClick();
+    void showsAndWritesAStudy();
     void zoomsAndReadsAPlot();
     void growsForAProjector();
     void fitsASmallScreen();
@@ -200,6 +201,25 @@ void TestXvfbWorkbench::stopsByAClick()
     click(button(window_->actions().stop));
     QTRY_COMPARE(window_->controller().state(), State::Idle);
     QCOMPARE(window_->runs().record(0).summary->status, RunStatus::Cancelled);
+}
+
+/// Its page by a click on its tab; what is typed into its text is a problem until it is taken back.
+void TestXvfbWorkbench::showsAndWritesAStudy()
+{
+    const QTabBar* tabs = window_->pageTabs();
+    click(window_->pageTabs(), tabs->tabRect(static_cast<int>(MainWindow::Page::Studies)).center());
+    StudyEditor* editor = window_->studies().editor();
+    QTRY_VERIFY(editor->isVisible() && window_->studies().results()->isVisible());
+    QTRY_VERIFY(!editor->toText().isEmpty());
+    QTRY_VERIFY2(editor->run()->isEnabled(), qPrintable(editor->problems()));
+    click(editor->text(), QPoint(60, 12));
+    QTRY_VERIFY(editor->text()->hasFocus());
+    press("ctrl+End");
+    type(QStringLiteral("no such key"));
+    QTRY_VERIFY(!editor->run()->isEnabled());
+    QVERIFY(!editor->problems().isEmpty());
+    press("ctrl+z");
+    QTRY_VERIFY(editor->run()->isEnabled());
 }
 
 void TestXvfbWorkbench::zoomsAndReadsAPlot()
