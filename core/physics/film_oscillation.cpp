@@ -34,7 +34,8 @@ void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& con
 {
     const auto apply = [this, s](std::span<const Complex> v, std::span<Complex> out) { film_.applyJacobian(v, out, work_, s); };
     const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) { multigrid_.precondition(v, out); };
-    converged = gmres_.solve(apply, precondition, right_, response, {.tolerance = 1e-8, .maximumIterations = 200}).converged && converged;
+    const GmresOptions options{.tolerance = 1e-8, .maximumIterations = 200, .goOn = goOn_};
+    converged = gmres_.solve(apply, precondition, right_, response, options).converged && converged;
 }
 
 ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,

@@ -12,7 +12,9 @@
 
 #include <array>
 #include <complex>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/physics/film_newton.h"
@@ -34,12 +36,16 @@ public:
     std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
                                                const std::array<std::vector<double>, 3>& byPressure, bool& converged);
 
+    /// Asked at each iteration; where it says false nothing converges.
+    void ask(std::function<bool()> goOn) { goOn_ = std::move(goOn); }
+
 private:
     void setRate(std::complex<double> s);
     /// dp for the right-hand side in right_, from the guess that it holds.
     void solve(std::complex<double> s, std::vector<std::complex<double>>& response, bool& converged);
 
     const GasFilm& film_;
+    std::function<bool()> goOn_;
     std::array<std::vector<double>, 3> columns_, storage_; // dR/da and T
     Multigrid<std::complex<double>> multigrid_;
     Gmres<std::complex<double>> gmres_;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/simulation/film_modes.h"
+#include "core/physics/film_oscillation.h"
 #include "core/simulation/film_scene.h"
 #include "core/simulation/ono_yamane_contact.h"
 
@@ -40,6 +40,48 @@ Eigen::Matrix3d aboutCentre(const Matrix3& stiffness, double length)
     result.col(1) -= 0.5 * length * result.col(0);
     return result;
 }
+
+/// What the film, steady at its attitude, answers to motions exp(s t) about it, with the torques of its shear.
+class FilmAnswer {
+public:
+    FilmAnswer(FilmLevel& level, double shearArm, double length, const std::function<bool()>& goOn) : length_(length)
+    {
+        std::vector<double> residual(level.pressure.size());
+        level.film.linearise(level.pressure, residual);
+        oscillation_.emplace(level.film, level.pressure);
+        oscillation_->ask(goOn);
+        GasFilm::ForceDerivatives forces;
+        level.film.forceDerivatives(level.pressure, forces);
+        for (std::size_t k = 0; k < 3; ++k) {
+            byPressure_[k] = forces.byPressure[k];
+            byAttitude_[k] = forces.byAttitude[k];
+            if (k == 0) continue;
+            for (std::size_t at = 0; at < byPressure_[k].size(); ++at) byPressure_[k][at] -= shearArm * forces.byPressure[k + 2][at];
+            for (std::size_t m = 0; m < 3; ++m) byAttitude_[k][m] -= shearArm * forces.byAttitude[k + 2][m];
+        }
+    }
+
+    /// Z(s) about the mass centre [N/m ...].
+    Eigen::Matrix3cd at(Complex s)
+    {
+        converged_ = true;
+        const ComplexMatrix3 z = oscillation_->stiffness(s, byPressure_, byAttitude_, converged_);
+        Eigen::Matrix3cd result;
+        for (int k = 0; k < 3; ++k)
+            for (int m = 0; m < 3; ++m) result(k, m) = z[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)];
+        result.col(1) -= 0.5 * length_ * result.col(0);
+        return result;
+    }
+    /// Whether the film was solved at the last s.
+    bool converged() const { return converged_; }
+
+private:
+    double length_; // [m]
+    std::optional<FilmOscillation> oscillation_;
+    std::array<std::vector<double>, 3> byPressure_;
+    std::array<std::array<double, 3>, 3> byAttitude_{};
+    bool converged_ = true;
+};
 
 class EquilibriumSearch {
 public:
@@ -193,23 +235,20 @@ private:
         result_.found.push_back(std::move(at));
     }
 
-    /// As FilmModes finds them, with the contact's stiffness.
+    /// As for the modes of the static state (core/simulation/film_modes.h), with the contact's stiffness.
     void findEigenvalues(FilmEquilibrium& at, const Eigen::Matrix3d& touch, Eigen::Index n)
     {
         FilmLevel& level = scene_.level();
-        SteadyResult state;
-        state.attitude = at.attitude;
-        state.grid = level.gaps.grid;
-        state.pressure = level.gaps.pad.unpad<double>(level.pressure);
-        FilmModes modes(case_, state);
+        FilmAnswer film(level, body_->shearArm(), case_.slider.length, goOn_);
         std::vector<Complex> known;
         for (const double frequency : {1e5, 3e5, 1e6}) { // [Hz]
+            if (!goOn_()) return;
             if (known.size() == static_cast<std::size_t>(n)) break;
-            const std::vector<Complex> trials = others(trial(modes, {0.0, 2.0 * std::numbers::pi * frequency}, touch, n), known);
+            const std::vector<Complex> trials = others(trial(film, {0.0, 2.0 * std::numbers::pi * frequency}, touch, n), known);
             for (const Complex start : trials) {
                 Complex s = start;
                 if (!goOn_() || known.size() == static_cast<std::size_t>(n)) break;
-                if (follow(modes, s, touch, n, known)) known.push_back(s);
+                if (follow(film, s, touch, n, known)) known.push_back(s);
             }
         }
         result_.lost += static_cast<int>(n) - static_cast<int>(known.size());
@@ -217,11 +256,11 @@ private:
         at.eigenvalues = std::move(known);
     }
 
-    bool follow(FilmModes& modes, Complex& s, const Eigen::Matrix3d& touch, Eigen::Index n, const std::vector<Complex>& known)
+    bool follow(FilmAnswer& film, Complex& s, const Eigen::Matrix3d& touch, Eigen::Index n, const std::vector<Complex>& known)
     {
         for (int pass = 0; pass < mostPasses && goOn_(); ++pass) {
-            const std::vector<Complex> left = others(trial(modes, s, touch, n), known);
-            if (!modes.converged() || left.empty()) return false;
+            const std::vector<Complex> left = others(trial(film, s, touch, n), known);
+            if (!film.converged() || left.empty()) return false;
             const Complex next = *std::ranges::min_element(left, {}, [&](Complex each) { return std::abs(each - s); });
             const double change = std::abs(next - s);
             s = next;
@@ -231,17 +270,20 @@ private:
     }
 
     /// The oscillations that there would be if the film answered at all rates as at s.
-    std::vector<Complex> trial(FilmModes& modes, Complex s, const Eigen::Matrix3d& touch, Eigen::Index n) const
+    std::vector<Complex> trial(FilmAnswer& film, Complex s, const Eigen::Matrix3d& touch, Eigen::Index n) const
     {
         constexpr double perRate = 1e-6; // [s]
-        const FilmModes::Film film = modes.film(s);
-        Eigen::Matrix3d stiffness = film.stiffness + touch, damping = film.damping;
+        const Eigen::Matrix3cd answer = film.at(s);
+        Eigen::Matrix3d damping = answer.imag() / s.imag();
+        Eigen::Matrix3d stiffness = answer.real() - s.real() * damping + touch;
+        Eigen::Matrix3d toMass = Eigen::Matrix3d::Zero();
         for (int i = 0; i < 3; ++i) {
-            stiffness(i, i) += body_->springs()[static_cast<std::size_t>(i)];
-            damping(i, i) += body_->dampers()[static_cast<std::size_t>(i)];
+            const auto k = static_cast<std::size_t>(i);
+            stiffness(i, i) += body_->springs()[k];
+            damping(i, i) += body_->dampers()[k];
+            toMass(i, i) = 1.0 / body_->inertia()[k];
         }
-        const Eigen::Vector3d scale = modes.scale();
-        const Eigen::Matrix3d toMass = modes.mass().inverse();
+        const Eigen::Vector3d scale(1.0, 1.0 / case_.slider.length, 1.0 / case_.slider.width);
         const Eigen::Matrix3d K = scale.asDiagonal().inverse() * (toMass * stiffness) * scale.asDiagonal();
         const Eigen::Matrix3d C = scale.asDiagonal().inverse() * (toMass * damping) * scale.asDiagonal();
         Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
