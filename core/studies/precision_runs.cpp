@@ -15,7 +15,7 @@ namespace {
 
 constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
 constexpr double budgetOfFirstRuns = 0.7; // what is left is for repeats
-constexpr double sameState = 0.1;         // a film's spacings in one state differ by no more than this share, whatever the grid
+constexpr double sameState = 0.5;         // a film's spacings in one state differ by no more than this share, whatever the grid
 
 std::vector<std::string> namesOf(const PrecisionTask& task)
 {
