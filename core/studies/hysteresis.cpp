@@ -74,6 +74,11 @@ public:
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
         addFilm(whole);
+        if (!task_.fresh && task_.start.model == ModelKind::Film)
+            result_.warnings.push_back(std::string("each value begins with the air steady at the attitude of the one before") +
+                                       (task_.start.contact == ContactKind::Elastic
+                                            ? ", and without what contact and adhesion of the surfaces remember of the way there"
+                                            : ""));
         result_.warnings.insert(result_.warnings.end(), stepWarnings_.begin(), stepWarnings_.end());
         StudyReport report = hysteresisReport(task_, result_);
         if (!whole) {
