@@ -150,9 +150,9 @@ void paintCell(QPainter& painter, const QRectF& cell, const ClassStyle& style, b
         painter.fillRect(cell, QBrush(faint, style.pattern));
     }
     const QFontMetricsF metrics(painter.font());
-    if (!letter || cell.height() < 0.95 * metrics.height() || cell.width() < 1.3 * metrics.horizontalAdvance(style.letter)) return;
+    if (!letter || cell.height() < 0.95 * metrics.height() || cell.width() < 1.05 * metrics.horizontalAdvance(style.letter)) return;
     if (style.pattern != Qt::NoBrush) {
-        QRectF behind(0.0, 0.0, 1.3 * metrics.horizontalAdvance(style.letter), 0.9 * metrics.height());
+        QRectF behind(0.0, 0.0, 1.15 * metrics.horizontalAdvance(style.letter), 0.9 * metrics.height());
         behind.moveCenter(cell.center());
         painter.fillRect(behind, style.colour);
     }

@@ -42,16 +42,19 @@ void StudyLegend::addSeries(const StudyChart& chart, const ChartStyles& styles)
 
 void StudyLegend::addClasses(const StudyChart& chart)
 {
+    std::vector<std::pair<int, Entry>> classes; // by severity: from good to failed, as the colours go
     for (const ChartPanel& panel : chart.panels) {
         if (!panel.map) continue;
         const std::vector<ClassStyle> fills = classStyles(panel.map->classes, theme_);
         for (std::size_t i = 0; i < fills.size(); ++i) {
             const bool used = std::ranges::find(panel.map->cells, static_cast<int>(i)) != panel.map->cells.end();
             const QString name = QString::fromStdString(panel.map->classes[i].name);
-            if (used && std::ranges::find(entries_, name, &Entry::text) == entries_.end())
-                entries_.push_back({Entry::Kind::Class, name, {}, {}, fills[i]});
+            const bool known = std::ranges::any_of(classes, [&name](const auto& each) { return each.second.text == name; });
+            if (used && !known) classes.push_back({panel.map->classes[i].severity, {Entry::Kind::Class, name, {}, {}, fills[i]}});
         }
     }
+    std::ranges::stable_sort(classes, {}, &std::pair<int, Entry>::first);
+    for (auto& [severity, entry] : classes) entries_.push_back(std::move(entry));
 }
 
 void StudyLegend::addKey(const StudyChart& chart)

@@ -53,6 +53,8 @@ private:
     void paintGrid(QPainter& painter) const;
     void paintMap(QPainter& painter) const;
     void paintBands(QPainter& painter) const;
+    /// The label of a band; where the band is out of sight, with an arrow to it.
+    QString withArrow(const ChartBand& band) const;
     void paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) const;
     void paintLines(QPainter& painter) const;
     void paintErrors(QPainter& painter) const;

@@ -117,13 +117,22 @@ void StudyPanel::paintBands(QPainter& painter) const
     }
 }
 
+QString StudyPanel::withArrow(const ChartBand& band) const
+{
+    const QString text = QString::fromStdString(band.label);
+    const PlotRange& range = band.alongX ? axes_.x.range() : axes_.y.range();
+    if (band.upper < range.low) return (band.alongX ? QStringLiteral("← ") : QStringLiteral("↓ ")) + text;
+    if (band.lower > range.high) return band.alongX ? text + QStringLiteral(" →") : QStringLiteral("↑ ") + text;
+    return text;
+}
+
 void StudyPanel::paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) const
 {
     painter.setFont(numberFont_);
     const QFontMetricsF metrics(numberFont_);
     for (const ChartBand& band : panel_.bands) {
         const QRectF box = bandBox(band);
-        const QString text = QString::fromStdString(band.label);
+        const QString text = withArrow(band);
         const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
         // Inside first, then beside it; at the right of what lies across, at the top of what stands.
         std::vector<QPointF> corners;
