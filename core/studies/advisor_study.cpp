@@ -16,20 +16,19 @@ namespace touchdown {
 namespace {
 
 constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
-constexpr double leastAllowed = 2.0; // of the error of the full model's own steps
 constexpr double mostGrowth = 0.3;   // e-folds of a mode over the run, beyond which a part does not foretell its end
 constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
 
-/// What one step may displace the slider by, and an answer is not worth [m].
-double ownError(const AdvisorTask& task) { return task.start.run.steps == StepControl::Adaptive ? task.start.run.stepError : 1e-12; }
+/// Twice what one step may displace the slider by: what the full model itself leaves open [m].
+double ownError(const AdvisorTask& task) { return 2.0 * (task.start.run.steps == StepControl::Adaptive ? task.start.run.stepError : 1e-12); }
 
 double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task)
 {
-    return std::max(task.tolerance * std::max(std::abs(full.mean), full.spread), leastAllowed * ownError(task));
+    return std::max(task.tolerance * std::max(std::abs(full.mean), full.spread), ownError(task));
 }
 double allowedSpreadOf(const TailEstimate& full, const AdvisorTask& task)
 {
-    return std::max(task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean)), leastAllowed * ownError(task));
+    return std::max(task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean)), ownError(task));
 }
 
 class Advisor {
@@ -138,6 +137,9 @@ private:
             rates_.push_back({mode.rate, false});
             result_.growth = std::max(result_.growth, mode.rate.real() * task_.start.run.duration);
         }
+        // Air that creeps out of the cavity takes about as long as the disk drags it along under the slider.
+        const double speed = std::abs(task_.start.disk.speed) * task_.start.disk.radius;
+        if (!rates_.empty() && speed > 0.0) rates_.push_back({-speed / task_.start.slider.length, false});
         for (const MotionTerm& wave : motion.waves) rates_.push_back({wave.rate, true});
     }
 

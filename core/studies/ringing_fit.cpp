@@ -16,7 +16,8 @@ using Complex = std::complex<double>;
 constexpr int improvements = 6;
 constexpr std::size_t mostSamples = 1000; // that are fitted: more tell nothing of rates far below theirs
 constexpr double fewestPeriods = 1.5;     // of the slowest motion
-constexpr double largestChange = 0.1;     // of a rate, in one improvement [-]
+constexpr double largestChange = 0.2;     // of a rate, in one improvement [-]
+constexpr double slowest = 0.3;        // decay over the samples [-]
 constexpr double worthImproving = 0.02;   // of the largest amplitude: rates of smaller motions stay [-]
 
 } // namespace
@@ -35,7 +36,7 @@ std::optional<RingingFit> fitRinging(std::span<const double> samples, double int
     const double span = interval * static_cast<double>(samples.size());
     RingingFit fit;
     for (const RingingRate& rate : rates) {
-        if (std::abs(rate.rate.imag()) * span < 2.0 * std::numbers::pi * fewestPeriods) return {};
+        if (rate.rate.imag() != 0.0 && std::abs(rate.rate.imag()) * span < 2.0 * std::numbers::pi * fewestPeriods) return {};
         fit.rates.push_back(rate.rate);
     }
     const auto rows = static_cast<Eigen::Index>(count);
@@ -54,7 +55,7 @@ std::optional<RingingFit> fitRinging(std::span<const double> samples, double int
                 const Complex e = std::exp(fit.rates[static_cast<std::size_t>(k)] * t);
                 const Eigen::Index column = 1 + perRate * k;
                 matrix(row, column) = e.real();
-                matrix(row, column + 1) = -e.imag();
+                matrix(row, column + 1) = -e.imag(); // zero of one that creeps: the decomposition leaves it out
                 if (!improves || rates[static_cast<std::size_t>(k)].fixed) continue;
                 matrix(row, column + 2) = t / span * e.real();
                 matrix(row, column + 3) = -t / span * e.imag();
@@ -78,6 +79,8 @@ std::optional<RingingFit> fitRinging(std::span<const double> samples, double int
             const Complex change = Complex(x[3 + perRate * k], x[4 + perRate * k]) / (span * fit.amplitudes[at]);
             const double most = largestChange * std::abs(fit.rates[at]);
             fit.rates[at] += std::abs(change) > most ? change * (most / std::abs(change)) : change;
+            // What creeps slower than that is not told from what stays, and is taken for it.
+            if (rates[at].rate.imag() == 0.0) fit.rates[at] = std::min(fit.rates[at].real(), -slowest / span);
         }
     }
     if (!std::isfinite(fit.constant) || !std::isfinite(fit.left)) return {};

@@ -13,7 +13,7 @@
 namespace touchdown {
 
 struct RingingRate {
-    std::complex<double> rate; // s [1/s]
+    std::complex<double> rate; // s [1/s]; real: it creeps
     bool fixed = false;        // as that of a wave
 };
 

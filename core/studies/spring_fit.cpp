@@ -134,6 +134,7 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     takeStart(springs, c, rest, padDistance);
     springs.run.integrator = IntegratorKind::Dopri5;
     springs.title = "Springs fitted to: " + c.title;
+    springs.about.assumed = "Two springs fitted to the film about its static state, with the rear one where the slider is lowest.";
 
     // Frequencies and damping with the suspension, as those of the film are.
     const std::array<double, 2> arms{s.frontDistance, -s.rearDistance};

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double tailShare = 0.1;   // of the run
 constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
+constexpr double leak = 3e-3;         // of the spread, that a block's mean takes of a motion [-]
+constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]
 constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
 constexpr std::size_t fewestSamples = 48;
 
@@ -56,18 +58,10 @@ double meanPower(double r, double a, double b)
     return std::abs(rate) * (b - a) < 1e-9 ? std::pow(r, a) : (std::exp(rate * b) - std::exp(rate * a)) / (rate * (b - a));
 }
 
-Moments foretoldByBlocks(std::span<const double> spacing, double interval, double duration)
+/// The variance over the tail, n blocks' distances after the third one, n from `from` to `to`; negative where the three do not tell.
+double foretoldVariance(double v1, double v2, double v3, double from, double to)
 {
-    const std::size_t block = spacing.size() / 4, first = spacing.size() - 2 * block;
-    std::array<Moments, 3> at;
-    for (std::size_t i = 0; i < 3; ++i) at[i] = windowed(spacing.subspan(first + i * (block / 2), block));
-    const double v1 = at[0].variance, v2 = at[1].variance, v3 = at[2].variance, d1 = v2 - v1, d2 = v3 - v2;
-    const double average = (v1 + v2 + v3) / 3.0, averageMean = (at[0].mean + at[1].mean + at[2].mean) / 3.0;
-    if (std::max(std::abs(d1), std::abs(d2)) <= sameVariance * average) return {averageMean, average};
-    // The tail, in blocks' distances from the third one's middle.
-    const double distance = 0.5 * static_cast<double>(block) * interval;
-    const double middle = interval * (static_cast<double>(spacing.size()) - 0.5 * static_cast<double>(block));
-    const double from = ((1.0 - tailShare) * duration - middle) / distance, to = (duration - middle) / distance;
+    const double d1 = v2 - v1, d2 = v3 - v2;
     double rest = v3, ratio = 1.0;
     if (d1 < 0.0 && d2 < 0.0) {
         ratio = d2 / d1;
@@ -81,10 +75,32 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, doubl
         ratio = d2 / d1;
         rest = v3 + d2 * ratio / (1.0 - ratio);
     } else {
-        return {averageMean, average};
+        return -1.0;
     }
-    const double tail = rest + (v3 - rest) * meanPower(ratio, from, to);
-    return {at[2].mean + (tail - v3) * (at[2].mean - at[0].mean) / (v3 - v1), tail};
+    return rest + (v3 - rest) * meanPower(ratio, from, to);
+}
+
+Moments foretoldByBlocks(std::span<const double> spacing, double interval, double duration)
+{
+    const std::size_t block = spacing.size() / 4, first = spacing.size() - 2 * block;
+    std::array<Moments, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) at[i] = windowed(spacing.subspan(first + i * (block / 2), block));
+    const double v1 = at[0].variance, v2 = at[1].variance, v3 = at[2].variance;
+    const double average = (v1 + v2 + v3) / 3.0, averageMean = (at[0].mean + at[1].mean + at[2].mean) / 3.0;
+    // The tail, in blocks' distances from the third one's middle.
+    const double distance = 0.5 * static_cast<double>(block) * interval;
+    const double middle = interval * (static_cast<double>(spacing.size()) - 0.5 * static_cast<double>(block));
+    const double from = ((1.0 - tailShare) * duration - middle) / distance, to = (duration - middle) / distance;
+    const bool stays = std::max(std::abs(v2 - v1), std::abs(v3 - v2)) <= sameVariance * average;
+    const double variance = stays ? -1.0 : foretoldVariance(v1, v2, v3, from, to);
+    Moments tail{averageMean, variance >= 0.0 ? variance : average};
+    const double d1 = at[1].mean - at[0].mean, d2 = at[2].mean - at[1].mean, ratio = d2 / d1;
+    if (std::abs(d1) > leak * std::sqrt(v1) && ratio > 0.0 && ratio < slowestCreep)
+        // The mean creeps by itself.
+        tail.mean = at[2].mean + d2 * ratio / (1.0 - ratio) * (1.0 - meanPower(ratio, from, to));
+    else if (variance >= 0.0)
+        tail.mean = at[2].mean + (variance - v3) * (at[2].mean - at[0].mean) / (v3 - v1);
+    return tail;
 }
 
 /// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.

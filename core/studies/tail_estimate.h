@@ -8,7 +8,8 @@
 //
 //   v = v_3 + (v_3 - v_2) r/(1 - r),  r = (v_3 - v_2)/(v_2 - v_1)          (Aitken 1926)
 //
-// or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its square. By how much the
+// or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its square, or tends to a
+// limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ. By how much the
 // outcome moves when the last tenth, or fifth, of the part is left out is its uncertainty.
 #pragma once
 

@@ -14,6 +14,7 @@ private slots:
     void findsRatesThatAreKnownAbout();
     void keepsAFixedRate();
     void saysWhatItLeaves();
+    void whatCreepsIsTold();
     void needsPeriodsAndSamples();
 };
 
@@ -67,6 +68,16 @@ void TestRingingFit::saysWhatItLeaves()
     const auto fit = fitRinging(ringing(8000, 10e-9, {{known, 1e-9}, {rate(300e3, 0.0), 0.1e-9}}), interval, {{known, true}});
     QVERIFY(fit);
     QVERIFY(std::abs(fit->left / (0.1e-9 / std::numbers::sqrt2) - 1.0) < 0.02);
+}
+
+// 2 nm that decay within 50 us, by 2.6 times over the samples, beside a motion that rings.
+void TestRingingFit::whatCreepsIsTold()
+{
+    const Complex mode = rate(85e3, 2e4);
+    const auto fit = fitRinging(ringing(1300, 10e-9, {{mode, 1e-9}, {Complex(-2e4), 2e-9}}), interval, {{1.01 * mode, false}, {-1.2e4, false}});
+    QVERIFY(fit);
+    QVERIFY(std::abs(fit->constant - 10e-9) < 1e-14);
+    QVERIFY(std::abs(fit->rates[1] - Complex(-2e4)) < 1.0);
 }
 
 void TestRingingFit::needsPeriodsAndSamples()

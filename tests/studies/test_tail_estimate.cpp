@@ -16,6 +16,7 @@ private slots:
     void ringingGoesOn();
     void whatStaysStays();
     void whatDiesAwayDiesAway();
+    void aMeanThatCreepsComesToItsEnd();
     void contactOfTheLastQuarter_data();
     void contactOfTheLastQuarter();
     void tooFewSamplesFail();
@@ -88,6 +89,17 @@ void TestTailEstimate::whatDiesAwayDiesAway()
     const TailEstimate tail = estimateTail(decaying(0.3 * duration, 1e-9, damping), duration);
     QVERIFY(std::abs(tail.spread / tailSpread(1e-9, damping) - 1.0) < 0.01);
     QVERIFY(std::abs(tail.mean - 10e-9) < 1.5e-12);
+}
+
+// 1 nm that decays within 100 us and nothing else: each block's mean is one factor nearer to the limit, so that the limit is exact, and
+// over the tail (e^(-9) - e^(-10))/1 of it are left, 0.08 pm.
+void TestTailEstimate::aMeanThatCreepsComesToItsEnd()
+{
+    SpacingSamples samples{.interval = interval, .spacing = {}, .touching = std::vector<char>(3001, 1)};
+    for (std::size_t k = 0; k < 3001; ++k) samples.spacing.push_back(2e-9 + 1e-9 * std::exp(-1e4 * interval * static_cast<double>(k)));
+    const TailEstimate tail = estimateTail(samples, duration);
+    QVERIFY(std::abs(tail.mean - 2e-9) < 0.1e-12);
+    QCOMPARE(tail.kind, EndKind::Contact);
 }
 
 void TestTailEstimate::contactOfTheLastQuarter_data()
