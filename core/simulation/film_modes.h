@@ -34,7 +34,8 @@ public:
     FilmModes(const FilmModes&) = delete;
 
     struct Film {
-        Eigen::Matrix3d stiffness, damping; // K_f [N/m ...], C_f [N s/m ...]
+        Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); // K_f [N/m ...]
+        Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();   // C_f [N s/m ...]
     };
     /// About the mass centre; s must not be real.
     Film film(Complex s);

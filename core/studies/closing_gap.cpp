@@ -92,7 +92,7 @@ void addClosingGap(const Case& c, LinearPicture& picture)
     const double ambient = airOf(c.air).pressure;
     StudyChart chart;
     chart.title = "Pressure in a gap that closes, by slip model";
-    chart.caption = "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") + " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the pressure stays bounded; "
+    chart.caption = "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") + " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the pressure stays bounded in this wedge; "
                     "without one it grows as long as the grid lets it. The angle is ours: that at which first order's pressure grows with the gap to the -0.9.";
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = "Gap", .unit = "m", .displayUnit = "nm", .logarithmic = true};
@@ -117,7 +117,7 @@ void addClosingGap(const Case& c, LinearPicture& picture)
         if (model != c.air.slip.model) continue;
         const std::string figures = fewDigits(wide / ambient, "") + ", " + fewDigits(middle / ambient, "") + " and " + fewDigits(narrow / ambient, "") + " times ambient at 1, 0.1 and 0.01 nm";
         picture.findings.push_back(growth > bounded ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: " + figures +
-                                                          " in a wedge at its disk's speed; the models with a second-order term do not."
+                                                          " in a wedge at its disk's speed; the models with a second-order term do not in this one."
                                                     : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: " + figures + " in a wedge at its disk's speed.");
     }
     if (c.air.slip.model == SlipModel::Combination && c.air.slip.blendWidth == 0.0)
