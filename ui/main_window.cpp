@@ -104,7 +104,7 @@ void MainWindow::onStudied(const StudyReport& report)
     updateRunActions();
     const QString title = QString::fromStdString(report.title);
     QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front())};
-    if (!report.warnings.empty()) lines << QString::fromStdString(report.warnings.front());
+    if (!report.warnings.empty()) lines << tr("What weakens this stands below the findings (⚠).");
     switch (report.status) {
     case StudyStatus::Completed:
         messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, lines.join(QLatin1Char('\n')));
