@@ -284,8 +284,10 @@ std::vector<StudyTable> precisionTables(const PrecisionTask& task, const Precisi
 
 void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
+    // That errors mean little comes before them.
+    if (runs.reference.horizon) tellReference(task, runs, report);
     tellChosen(task, runs, report);
-    tellReference(task, runs, report);
+    if (!runs.reference.horizon) tellReference(task, runs, report);
     tellFastest(task, runs, report);
     tellOthers(task, runs, report);
 }
