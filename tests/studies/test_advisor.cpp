@@ -68,7 +68,11 @@ StudyReport perform(const Case& c, const std::string& text, const StudyCallback&
 {
     std::vector<InputProblem> problems;
     const StudyPerformance ready = plan(c, text, problems);
-    return problems.empty() ? ready(1, callback) : StudyReport{.status = StudyStatus::Failed, .message = problems[0].message};
+    if (problems.empty()) return ready(1, callback);
+    StudyReport report;
+    report.status = StudyStatus::Failed;
+    report.message = problems[0].message;
+    return report;
 }
 
 /// A value of the table of models; what a text or nothing is stays NaN.
