@@ -18,6 +18,7 @@ constexpr double tailShare = 0.1;   // of the run
 constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
 constexpr double leak = 3e-3;         // of the spread, that a block's mean takes of a motion [-]
 constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]
+constexpr double ledOn = 0.5;         // of the way from the last block's mean to the one foretold [-]
 constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
 constexpr std::size_t fewestSamples = 48;
 
@@ -167,6 +168,8 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     estimate.mean = tail.mean;
     estimate.spread = std::sqrt(tail.variance);
     estimate.kind = kindOf(touching.subspan(count - count / 4));
+    // A mean that is led on beyond what was seen is known to half of that way.
+    estimate.meanUncertainty = ledOn * std::abs(tail.mean - windowed(all.subspan(count - count / 4)).mean);
     for (const double share : {0.9, 0.8}) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
         const Moments shorter = foretold(all.first(part), samples.interval, duration, rates);

@@ -10,7 +10,7 @@
 //
 // or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its square, or tends to a
 // limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ. By how much the
-// outcome moves when the last tenth, or fifth, of the part is left out is its uncertainty.
+// outcome moves when the last tenth, or fifth, of the part is left out, and half of the way by which a mean is led on, is its uncertainty.
 #pragma once
 
 #include <vector>
