@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@ constexpr double leak = 3e-3;         // of the spread, that a block's mean take
 constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]
 constexpr double ledOn = 0.5;         // of the way from the last block's mean to the one foretold [-]
 constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
+constexpr double diesOut = 0.5;       // of the present spread, below which a bounce may come to an end [-]
 constexpr std::size_t fewestSamples = 48;
 
 struct Moments {
@@ -126,6 +128,12 @@ EndKind kindOf(std::span<const char> touching)
     return count == 0 ? EndKind::Flying : count == touching.size() ? EndKind::Contact : EndKind::Intermittent;
 }
 
+void forgetAll(TailEstimate& estimate)
+{
+    estimate.meanUncertainty = estimate.spreadUncertainty = std::numeric_limits<double>::infinity();
+    estimate.sameKind = false;
+}
+
 Moments foretold(std::span<const double> spacing, double interval, double duration, const std::vector<RingingRate>& rates)
 {
     if (!rates.empty())
@@ -148,7 +156,10 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     const std::span<const double> all = samples.spacing;
     const std::span<const char> touching = samples.touching;
     const std::size_t count = all.size();
-    if (count < fewestSamples) return estimate;
+    if (count < fewestSamples) {
+        forgetAll(estimate);
+        return estimate;
+    }
 
     const Spectrum spectrum = welch(all.subspan(count / 2), samples.interval, {.scaling = SpectrumScaling::Amplitude, .segment = count - count / 2});
     estimate.resolution = spectrum.equivalentNoiseBandwidth;
@@ -169,9 +180,15 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     estimate.spread = std::sqrt(tail.variance);
     estimate.kind = kindOf(touching.subspan(count - count / 4));
     // A mean that is led on beyond what was seen is known to half of that way.
-    estimate.meanUncertainty = ledOn * std::abs(tail.mean - windowed(all.subspan(count - count / 4)).mean);
+    const std::span<const double> quarter = all.subspan(count - count / 4);
+    estimate.meanUncertainty = ledOn * std::abs(tail.mean - windowed(quarter).mean);
+    if (estimate.kind == EndKind::Intermittent && estimate.spread < diesOut * std::sqrt(plain(quarter).variance)) estimate.sameKind = false;
     for (const double share : {0.9, 0.8}) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
+        if (part < fewestSamples) {
+            forgetAll(estimate);
+            break;
+        }
         const Moments shorter = foretold(all.first(part), samples.interval, duration, rates);
         estimate.meanUncertainty = std::max(estimate.meanUncertainty, std::abs(shorter.mean - tail.mean));
         estimate.spreadUncertainty = std::max(estimate.spreadUncertainty, std::abs(std::sqrt(shorter.variance) - estimate.spread));

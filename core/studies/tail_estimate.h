@@ -11,6 +11,8 @@
 // or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its square, or tends to a
 // limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ. By how much the
 // outcome moves when the last tenth, or fifth, of the part is left out, and half of the way by which a mean is led on, is its uncertainty.
+// Where there are too few samples for that, nothing is known. The kind is that of the part's last quarter: a bounce that dies out will end
+// otherwise, so that its kind is not known.
 #pragma once
 
 #include <vector>
@@ -33,11 +35,11 @@ struct SpacingSamples {
 struct TailEstimate {
     EndKind kind = EndKind::Failed;
     double mean = 0.0, spread = 0.0;   // of the spacing [m]
-    double meanUncertainty = 0.0, spreadUncertainty = 0.0; // [m]; zero where the tail is there
+    double meanUncertainty = 0.0, spreadUncertainty = 0.0; // [m]; zero where the tail is there, infinite where nothing is known
     double peakFrequency = 0.0;        // of the largest peak of the spectrum of the second half; zero: there is none [Hz]
     double peakAmplitude = 0.0;        // [m]
     double resolution = 0.0;           // of that spectrum [Hz]
-    bool sameKind = true;              // also without the last fifth
+    bool sameKind = true;              // also without the last fifth, and not a bounce that dies out; false: the kind is not known
 };
 
 /// Of a run of this duration [s], or of its first part; with the rates at which it may ring.

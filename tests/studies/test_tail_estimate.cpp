@@ -19,7 +19,10 @@ private slots:
     void aMeanThatCreepsComesToItsEnd();
     void contactOfTheLastQuarter_data();
     void contactOfTheLastQuarter();
+    void theKindOfABounceThatDiesOutIsNotKnown_data();
+    void theKindOfABounceThatDiesOutIsNotKnown();
     void tooFewSamplesFail();
+    void tooFewSamplesWithoutTheirLastFifthTellNothing();
 };
 
 namespace {
@@ -127,9 +130,39 @@ void TestTailEstimate::contactOfTheLastQuarter()
     QCOMPARE(static_cast<int>(estimateTail(samples, duration).kind), kind);
 }
 
+void TestTailEstimate::theKindOfABounceThatDiesOutIsNotKnown_data()
+{
+    QTest::addColumn<double>("damping");
+    QTest::addColumn<bool>("known");
+    QTest::newRow("it goes on") << 0.0 << true;
+    QTest::newRow("it dies out") << 4e3 << false;
+}
+
+// It touches in each period, in all of what is seen. At 4e3 1/s the spread falls by e^(-4e3 (0.95 - 0.26) ms) = 0.06 from the pilot's last
+// quarter to the tail.
+void TestTailEstimate::theKindOfABounceThatDiesOutIsNotKnown()
+{
+    QFETCH(double, damping);
+    QFETCH(bool, known);
+    SpacingSamples samples = decaying(0.3 * duration, 1e-9, damping);
+    for (std::size_t k = 0; k < samples.touching.size(); ++k) samples.touching[k] = samples.spacing[k] < 10e-9;
+    const TailEstimate tail = estimateTail(samples, duration);
+    QCOMPARE(tail.kind, EndKind::Intermittent);
+    QCOMPARE(tail.sameKind, known);
+}
+
 void TestTailEstimate::tooFewSamplesFail()
 {
-    QCOMPARE(estimateTail(decaying(2e-6, 1e-9, 0.0), duration).kind, EndKind::Failed);
+    const TailEstimate tail = estimateTail(decaying(2e-6, 1e-9, 0.0), duration);
+    QCOMPARE(tail.kind, EndKind::Failed);
+    QVERIFY(!tail.sameKind && std::isinf(tail.meanUncertainty) && std::isinf(tail.spreadUncertainty));
+}
+
+// Of 51 samples four fifths are 40, fewer than an estimate takes.
+void TestTailEstimate::tooFewSamplesWithoutTheirLastFifthTellNothing()
+{
+    const TailEstimate tail = estimateTail(decaying(5e-6, 1e-9, 0.0), duration);
+    QVERIFY(!tail.sameKind && std::isinf(tail.meanUncertainty) && std::isinf(tail.spreadUncertainty));
 }
 
 QTEST_GUILESS_MAIN(TestTailEstimate)
