@@ -69,7 +69,8 @@ private:
         const double duration = task_.start.run.duration;
         double next = task_.pilot;
         const auto enough = [&](const SpacingSamples& samples) {
-            if (result_.growth > mostGrowth) return false; // it may still do what it has not done yet
+            // It may still do what it has not done yet.
+            if (result_.growth > mostGrowth || !result_.growthProblem.empty()) return false;
             if (result_.pilotTime > 0.0 || samples.reached() < next * duration) return result_.pilotTime > 0.0 && !task_.confirm;
             next = samples.reached() / duration + 0.05;
             const TailEstimate tail = estimateTail(samples, duration, rates_);
@@ -94,6 +95,11 @@ private:
             result_.message = "the full model gives no answer to compare with: " + full_.problem;
             return false;
         }
+        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) {
+            result_.status = StudyStatus::Failed;
+            result_.message = "the full model gives no answer to compare with: its samples do not tell its end";
+            return false;
+        }
         return true;
     }
 
@@ -110,11 +116,11 @@ private:
         full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError(task_));
         full.errors.spreadResolution = std::max(full.tail.spreadUncertainty, ownError(task_));
         result_.pilotSeconds = full_.secondsTo(result_.pilotTime);
-        result_.studySeconds = full_.course.empty() ? 0.0 : full_.course.back().second;
+        result_.studySeconds += full_.course.empty() ? 0.0 : full_.course.back().second;
         result_.contactActed = full_.contactActs;
     }
 
-    bool pilotIsWhole() const { return result_.pilotTime >= task_.start.run.duration - 0.5 * task_.start.run.sampleInterval; }
+    bool pilotIsWhole() const { return result_.pilotTime >= task_.start.run.duration - 0.5 * full_.samples.interval; }
 
     /// The end of a model in time, by its samples up to the pilot's time and to less of it.
     void foretell(RungOutcome& rung) const
@@ -130,7 +136,10 @@ private:
     /// The static state, and the rates at which the scene rings about it; without them ends are foretold otherwise.
     void findRates(const GoOn& goOn)
     {
+        const double begin = threadSeconds();
         const LinearMotion motion = linearMotion(task_.start, [&](const SteadyProgress&) { return goOn(); });
+        result_.studySeconds += threadSeconds() - begin;
+        if (motion.modes.empty()) result_.growthProblem = motion.message.empty() ? "no static state was found" : motion.message;
         rest_ = motion.steady.attitude;
         if (motion.steady.status == SteadyStatus::Converged) result_.gridError = motion.steady.discretisationError.minimumSpacing;
         for (const MotionTerm& mode : motion.modes) {
@@ -186,6 +195,7 @@ private:
         outcome.problem = run.problem;
         outcome.samples = run.samples.until(wanted);
         foretell(outcome);
+        if (outcome.valid() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
         outcome.seconds = run.secondsTo(task_.start.run.duration);
         return outcome;
     }

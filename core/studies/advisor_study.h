@@ -53,7 +53,8 @@ struct AdvisorResult {
     double studySeconds = 0.0;       // of all threads
     bool contactActed = false;
     double gridError = 0.0;          // of the full model's static spacing [m]; zero: not known
-    double growth = 0.0;             // e-folds of a mode that grows, over the run; zero: none does
+    double growth = 0.0;             // e-folds of a mode that grows, over the run; zero: none does, or it is not known
+    std::string growthProblem;       // why it is not known, in a sentence; the full model is run to its end then
     std::vector<RungOutcome> rungs;
     std::optional<std::size_t> advice; // among rungs; none: the full model
     // Where it was confirmed:

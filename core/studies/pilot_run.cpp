@@ -8,6 +8,14 @@
 
 namespace touchdown {
 
+namespace {
+
+constexpr double fewestSamples = 1000.0; // of a run, so that its last tenth and a first part of it have statistics
+
+} // namespace
+
+double pilotInterval(const Case& c) { return std::min(c.run.sampleInterval, c.run.duration / fewestSamples); }
+
 double threadSeconds()
 {
     timespec now{};
@@ -34,6 +42,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
 {
     Case quiet = c;
     quiet.run.fieldSnapshots = 0;
+    quiet.run.sampleInterval = pilotInterval(c);
     const std::vector<Quantity> quantities = recordedQuantities(quiet);
     const auto spacing = static_cast<std::size_t>(findQuantity(quantities, spacingOf(quiet)));
     const int contact = findQuantity(quantities, "contact_force"), adhesion = findQuantity(quantities, "adhesion_force");
@@ -42,7 +51,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
 
     PilotRun pilot;
     pilot.duration = c.run.duration;
-    pilot.samples.interval = c.run.sampleInterval;
+    pilot.samples.interval = quiet.run.sampleInterval;
     pilot.lowest = std::numeric_limits<double>::infinity();
     bool known = false;
     const double begin = threadSeconds();

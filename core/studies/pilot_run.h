@@ -31,6 +31,9 @@ struct PilotRun {
     double secondsTo(double time) const;
 };
 
+/// At which a pilot of this case is sampled [s]: as the case is, or often enough to tell its end.
+double pilotInterval(const Case& c);
+
 /// Asked as the run goes, with the samples so far; true: enough is known.
 using PilotEnough = std::function<bool(const SpacingSamples&)>;
 

@@ -64,11 +64,13 @@ void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOu
     const Recess recess(c.surface, c.slider.length, c.slider.width);
     const MinimumSpacing spacing(c.surface, recess);
     // The second half: its last fifth is the tail, all of it has the spectrum.
-    const auto count = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval * (1.0 + 1e-9)) + 1;
-    SpacingSamples samples{c.run.sampleInterval, std::vector<double>(count), std::vector<char>(count, 0)};
-    for (std::size_t k = count / 2; k < count; ++k) samples.spacing[k] = spacing.at(motion.at(static_cast<double>(k) * c.run.sampleInterval)).spacing;
+    const double interval = pilotInterval(c);
+    const auto count = static_cast<std::size_t>(c.run.duration / interval * (1.0 + 1e-9)) + 1;
+    SpacingSamples samples{interval, std::vector<double>(count), std::vector<char>(count, 0)};
+    for (std::size_t k = count / 2; k < count; ++k) samples.spacing[k] = spacing.at(motion.at(static_cast<double>(k) * interval)).spacing;
     outcome.tail = estimateTail(samples, c.run.duration);
-    const double lowest = *std::min_element(samples.spacing.begin() + static_cast<std::ptrdiff_t>(count - count / 10), samples.spacing.end());
+    const auto last = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, count / 10));
+    const double lowest = *std::min_element(samples.spacing.end() - last, samples.spacing.end());
     if (!std::isfinite(outcome.tail.mean) || lowest <= 0.0)
         outcome.problem = motion.unstable() ? "a mode of the film grows, so that its motion does not stay small"
                                               : "the motion does not stay above the disk, so that it is not small";
@@ -102,6 +104,7 @@ RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn)
     if (rung.kind == RungKind::WaveAnswer) solveSmallMotion(rung.c, MotionParts::Waves, goOn, outcome);
     if (rung.kind == RungKind::SmallMotion) solveSmallMotion(rung.c, MotionParts::All, goOn, outcome);
     if (rung.kind == RungKind::Springs) solveSprings(rung.c, goOn, outcome);
+    if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
     outcome.seconds = threadSeconds() - begin;
     return outcome;
 }
