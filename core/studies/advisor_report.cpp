@@ -13,6 +13,9 @@ namespace {
 
 std::string nm(double length) { return fewDigits(length, "nm"); }
 std::string times(double ratio) { return fewDigits(ratio, "") + " times"; }
+/// What a model takes against the full one, which takes `ratio` times that.
+std::string lessOrMore(double ratio) { return ratio >= 1.0 ? times(ratio) + " less" : times(1.0 / ratio) + " as much"; }
+std::string saving(double ratio) { return ratio >= 1.0 ? "saves " + times(ratio) : "costs " + lessOrMore(ratio); }
 std::string readableTime(double seconds) { return fewDigitsOfTime(seconds); }
 
 std::string verdictOf(const RungOutcome& rung)
@@ -35,10 +38,12 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
 {
     const double duration = task.start.run.duration;
     const TailEstimate& full = result.full.tail;
-    const bool whole = result.pilotTime >= duration - 0.5 * task.start.run.sampleInterval;
+    const bool whole = result.pilotTime >= duration - 0.5 * result.full.samples.interval;
     const std::string window = whole ? "over the whole run of " + readableTime(duration)
                                      : "over the first " + readableTime(result.pilotTime) + " of " + readableTime(duration);
-    if (!result.advice) {
+    if (!result.advice && result.status != StudyStatus::Completed) {
+        report.findings.push_back("There is no advice: not all models were tried.");
+    } else if (!result.advice) {
         report.findings.push_back("The scene needs the full model: no cheaper one is within the tolerance.");
     } else {
         const RungOutcome& advice = result.rungs[*result.advice];
@@ -69,8 +74,7 @@ void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport
             text += "wrong here, it ends " + std::string(name(rung.tail.kind)) + " at " + fewDigits(rung.tail.mean, "nm", 3);
         else
             text += (rung.within ? "within the tolerance, " : "not enough, ") + errorsText(rung.errors, task, result) +
-                    (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; saves " +
-                    times(result.full.seconds / rung.seconds);
+                    (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; " + saving(result.full.seconds / rung.seconds);
         report.findings.push_back(text + ".");
     }
 }
@@ -87,7 +91,7 @@ void tellConfirmed(const AdvisorTask& task, const AdvisorResult& result, StudyRe
                            std::string(came ? "Confirmed" : "Not confirmed") + " by the full model to its end: error of the mean spacing " +
                                nm(found.mean) + ", of the spread " + nm(found.spread) + (found.sameEnd ? "" : ", and it ends otherwise") +
                                "; " + readableTime(result.adviceSeconds) + " instead of " + readableTime(result.fullSeconds) + ", " +
-                               times(result.fullSeconds / result.adviceSeconds) + " less.");
+                               lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
     if (!came) report.warnings.push_back("the full model's whole run does not confirm what the pilot claims; give a longer pilot");
 }
 
@@ -98,6 +102,9 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
                                   " in the static spacing; errors above are against that model.");
     if (result.gridError > result.allowedMean(task))
         report.warnings.push_back("the full model's own grid errs by more than is allowed of a smaller model: about " + nm(result.gridError));
+    if (!result.growthProblem.empty())
+        report.warnings.push_back("whether small motions about a static state grow is not known (" + result.growthProblem +
+                                  "), so that the full model was run to its end");
     if (result.growth > 0.0)
         report.warnings.push_back("a mode of the film about the static state grows, by " + fewDigits(result.growth, "") +
                                   " e-folds over the run: small motions do not end there");
@@ -184,7 +191,7 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
 {
     report.status = result.status;
     report.message = result.message;
-    if (result.full.samples.spacing.empty()) return;
+    if (result.status == StudyStatus::Failed || result.full.samples.spacing.empty()) return;
     tellAdvice(task, result, report);
     tellConfirmed(task, result, report);
     tellRungs(task, result, report);

@@ -17,6 +17,10 @@ private slots:
     void aQuietSceneNeedsItsStaticState();
     void overWavesTheStaticStateIsWrong();
     void aPartThatDecidesIsKept();
+    void fewSamplesOfItsOwnDoNotMisleadIt();
+    void whereGrowthIsNotKnownItRunsTheWhole();
+    void saysThatGrowthIsNotKnown();
+    void aModelThatTakesLongerCosts();
     void stopsWhereItIsTold();
     void saysWhatIsWrong_data();
     void saysWhatIsWrong();
@@ -129,6 +133,63 @@ void TestAdvisor::aPartThatDecidesIsKept()
     QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
     QCOMPARE(verdict(report, "film, flat disk"), std::string("too far"));
     if (report.found) QVERIFY(report.found->diskSurface.kind == DiskSurfaceKind::Waves);
+}
+
+// Seven samples of its own: pilots take a thousand. The case that is advised keeps its own.
+void TestAdvisor::fewSamplesOfItsOwnDoNotMisleadIt()
+{
+    Case c = taperFlat();
+    c.run.sampleInterval = 50e-6;
+    const StudyReport report = perform(c, "models = [\"static\", \"small-motion\", \"springs\"]");
+    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+    QCOMPARE(verdict(report, "static state"), std::string("advised"));
+    const double full = ofModel(report, "full model", "mean");
+    QVERIFY(std::abs(ofModel(report, "static state", "mean") - full) <= 1e-11); // twice run.step_error
+    QVERIFY(std::abs(ofModel(report, "small motions", "mean") - full) <= 1e-11);
+    QVERIFY(!report.found || report.found->run.sampleInterval == c.run.sampleInterval);
+}
+
+// Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not oscillate, and
+// linear_motion.h has no such modes.
+void TestAdvisor::whereGrowthIsNotKnownItRunsTheWhole()
+{
+    Case c = taperFlat();
+    c.suspension.damping = 100.0;
+    const StudyReport report = perform(c, "pilot = 0.1\nmodels = [\"static\"]");
+    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+    QCOMPARE(report.warnings.size(), 1u);
+    QVERIFY2(report.warnings[0].find("was run to its end") != std::string::npos, report.warnings[0].c_str());
+    QVERIFY2(report.findings.at(1).find("over the whole run") != std::string::npos, report.findings.at(1).c_str());
+}
+
+void TestAdvisor::saysThatGrowthIsNotKnown()
+{
+    AdvisorTask task;
+    task.start = taperFlat();
+    AdvisorResult result;
+    result.full.samples = {.interval = 1e-6, .spacing = {1e-9, 1e-9}, .touching = {0, 0}};
+    result.full.seconds = result.studySeconds = 1.0;
+    result.growthProblem = "no static state was found";
+    StudyReport report;
+    reportAdvice(task, result, report);
+    QCOMPARE(report.warnings.size(), 1u);
+    QVERIFY2(report.warnings[0].find("no static state was found") != std::string::npos, report.warnings[0].c_str());
+}
+
+void TestAdvisor::aModelThatTakesLongerCosts()
+{
+    AdvisorTask task;
+    task.start = taperFlat();
+    AdvisorResult result;
+    result.full.samples = {.interval = 1e-6, .spacing = {1e-9, 1e-9}, .touching = {0, 0}};
+    result.full.seconds = result.studySeconds = 1.0;
+    RungOutcome slow = result.full;
+    slow.rung.name = "slow";
+    slow.seconds = 1.25;
+    result.rungs = {slow};
+    StudyReport report;
+    reportAdvice(task, result, report);
+    QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) { return text.ends_with("; costs 1.3 times as much."); }));
 }
 
 void TestAdvisor::stopsWhereItIsTold()
