@@ -125,7 +125,7 @@ public:
         for (const Attitude& start : starts) {
             if (result_.stopped || !goOn_()) break;
             level.pressure = still;
-            refine(body_->coordinates(start));
+            if (!refine(body_->coordinates(start))) ++result_.givenUp;
         }
         result_.stopped = result_.stopped || !goOn_();
         return std::move(result_);
@@ -160,40 +160,43 @@ private:
         return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / case_.slider.length) / case_.suspension.preload;
     }
 
-    void refine(Vector3 q)
+    /// False where nothing was learned; a residual that no step makes smaller tells that there is none near.
+    bool refine(Vector3 q)
     {
         FilmLevel& level = scene_.level();
-        if (!solveFilm(q)) return;
+        if (!solveFilm(q)) return false;
         Vector3 g = forces(q);
         for (int k = 0; k < mostIterations; ++k) {
-            if (!goOn_()) return;
+            if (!goOn_()) return false;
             const Eigen::Matrix3d film = aboutCentre(level.flying.stiffness(level.pressure, goOn_), case_.slider.length);
             contact_->at(body_->attitude(q), 0.0);
             const Eigen::Matrix3d touch = toEigen(contact_->stiffness());
             if (error(g) <= case_.steady.loadTolerance) {
                 if (contact_->region() != ContactRegion::Apart) describe(q, film, touch, true);
-                return;
+                return true;
             }
             const Vector3 change = newtonStep(film + touch, g);
             double share = std::min(1.0, longestStep / std::max(body_->displacement(change), 1e-300));
             const std::vector<double> before = level.pressure;
-            bool better = false;
+            bool better = false, solved = false;
             for (int halving = 0; halving < mostHalvings && !better; ++halving, share *= 0.5) {
                 Vector3 tried = q;
                 for (std::size_t i = 0; i < 3; ++i) tried[i] += share * change[i];
                 level.pressure = before;
                 if (!solveFilm(tried)) {
-                    if (!goOn_()) return;
+                    if (!goOn_()) return false;
                     continue;
                 }
+                solved = true;
                 const Vector3 there = forces(tried);
                 better = error(there) < error(g);
                 if (!better) continue;
                 q = tried;
                 g = there;
             }
-            if (!better) return;
+            if (!better) return solved;
         }
+        return false;
     }
 
     Vector3 newtonStep(const Eigen::Matrix3d& stiffness, const Vector3& g) const
@@ -251,7 +254,8 @@ private:
                 if (follow(film, s, touch, n, known)) known.push_back(s);
             }
         }
-        result_.lost += static_cast<int>(n) - static_cast<int>(known.size());
+        at.lost = static_cast<int>(n) - static_cast<int>(known.size());
+        result_.lost += at.lost;
         std::ranges::sort(known, [](Complex a, Complex b) { return a.real() > b.real(); });
         at.eigenvalues = std::move(known);
     }

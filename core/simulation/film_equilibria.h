@@ -30,7 +30,8 @@ struct FilmEquilibrium {
     bool touching = false;                         // on the take-off branch: pressed, or held by menisci
     double netContactForce = 0.0;                  // [N]
     std::vector<std::complex<double>> eigenvalues; // of the oscillations, by falling real part [1/s]
-    Stability stability = Stability::Stable;
+    Stability stability = Stability::Stable; // as far as the motions tell that were followed
+    int lost = 0;                            // oscillations that were not
 };
 
 struct FilmEquilibria {
@@ -38,6 +39,7 @@ struct FilmEquilibria {
     std::string problem; // why nothing was sought, in a sentence
     std::vector<FilmEquilibrium> found;
     int lost = 0;          // oscillations that could not be followed
+    int givenUp = 0;       // starts from which the film was not solved or Newton's method did not end
     double resolved = 0.0; // frequency above which the grid is too coarse for their damping [Hz]
 };
 

@@ -17,8 +17,8 @@
 //
 // Equilibria: of the spring model all that are found in all of its modes, traced by continuation (core/simulation/spring_equilibria.h);
 // of a film under Ono and Yamane's characteristic those at the held values (core/simulation/film_equilibria.h). With the eigenvalues of
-// small motions they answer "self-excited or forced?": where an equilibrium is unstable by an oscillation, or there is none, bouncing
-// needs no cause from outside; where all are stable, what starts near them fades.
+// small motions they answer "self-excited or forced?": where an equilibrium is unstable by an oscillation, or there is none and
+// the slider bounces, bouncing needs no cause from outside; where all are stable, what starts near them fades.
 #pragma once
 
 #include <string>

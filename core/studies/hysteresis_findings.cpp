@@ -54,57 +54,81 @@ private:
         return values;
     }
 
+    std::size_t validEnds() const
+    {
+        return static_cast<std::size_t>(std::ranges::count_if(result_.steps, [](const HeldStep& step) {
+            return step.done && step.end.kind != EndKind::Failed;
+        }));
+    }
+
+    /// Values without an equilibrium: sought in vain while the slider bounces, or while it does not, or not sought to the end. True where
+    /// there are any.
+    bool addMissing(const std::vector<double>& bounces)
+    {
+        std::vector<double> excited, quiet, unsought;
+        for (const double value : task_.values) {
+            const auto within = [](const EquilibriumAt& at) { return !at.outside; };
+            if (std::ranges::any_of(equilibriaAt(result_.lines, value), within)) continue;
+            // Starts share their equilibria, so that what is not known of one is not known of any.
+            const bool missed = std::ranges::find(result_.unsought, value) != result_.unsought.end();
+            const bool sought = !(task_.fresh ? !result_.unsought.empty() : missed);
+            const bool bounced = std::ranges::find(bounces, value) != bounces.end();
+            (!sought ? unsought : bounced ? excited : quiet).push_back(value);
+        }
+        if (!excited.empty())
+            findings_.push_back("Self-excited: at " + valuesText(excited) +
+                                " the slider ends in and out of contact, and no equilibrium was found for it to come to rest in.");
+        if (!quiet.empty())
+            findings_.push_back("At " + valuesText(quiet) +
+                                " no equilibrium was found, and no held value ends in and out of contact; one may have been missed.");
+        if (!unsought.empty())
+            findings_.push_back("Not known: at " + valuesText(unsought) + " the search for equilibria did not come to its end.");
+        return !excited.empty() || !quiet.empty() || !unsought.empty();
+    }
+
     /// Self-excited or forced?
     void addAnswer()
     {
-        std::vector<double> flutter, doubtful, divergence, neutral;
+        std::vector<double> flutter, doubtful, incomplete, divergence, neutral;
         double slowest = -std::numeric_limits<double>::infinity();
-        std::size_t count = 0;
         for (const EquilibriumLine& line : result_.lines)
             for (const StudiedEquilibrium& at : line.points) {
                 if (line.outside) continue;
-                ++count;
-                slowest = std::max(slowest, at.growth());
+                slowest = std::max(slowest, at.growth().value_or(slowest));
+                if (at.incomplete()) incomplete.push_back(at.value);
                 if (result_.doubtful(at)) doubtful.push_back(at.value);
                 else if (at.stability == Stability::Flutter) flutter.push_back(at.value);
                 if (at.stability == Stability::Divergence) divergence.push_back(at.value);
                 if (at.stability == Stability::Neutral) neutral.push_back(at.value);
             }
-        std::vector<double> none;
-        for (const double value : task_.values) {
-            const auto within = [](const EquilibriumAt& at) { return !at.outside; };
-            if (std::ranges::none_of(equilibriaAt(result_.lines, value), within)) none.push_back(value);
-        }
         const std::vector<double> bounces = bouncing();
-        if (count == 0) {
-            findings_.push_back("No equilibrium was found" + inRange() + ": nothing to come to rest in.");
-            return;
-        }
         if (!flutter.empty()) addFlutter(flutter);
         if (!doubtful.empty())
             findings_.push_back("Not known on this grid: at " + valuesText(doubtful) +
                                 " an equilibrium seems unstable by an oscillation above " + fewDigits(result_.resolved, "kHz") +
                                 ", where the grid gives damping a wrong sign; a finer grid tells.");
-        if (!none.empty())
-            findings_.push_back("Self-excited: at " + valuesText(none) +
-                                " no equilibrium was found, so that the slider has nothing to come to rest in.");
-        if (flutter.empty() && none.empty() && neutral.empty() && doubtful.empty()) {
+        if (!incomplete.empty())
+            findings_.push_back("Not known: at " + valuesText(incomplete) +
+                                " an oscillation about an equilibrium could not be followed, or is damped so much that there is none.");
+        const bool missing = addMissing(bounces);
+        if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty()) {
             std::string sentence = "no equilibrium" + inRange() + " loses its stability by an oscillation: there is no Hopf point, and "
-                                 + (divergence.empty() ? "all are stable" : "those that are unstable (" + valuesText(divergence) +
-                                                                                ") are left without oscillating, for a stable one")
+                                 + (divergence.empty() ? "all are stable"
+                                                       : "those that are unstable (" + valuesText(divergence) +
+                                                             ") are left without oscillating")
                                  + ". Bouncing that lasts must be forced from outside, or be a cycle far from equilibrium.";
-            if (divergence.empty())
+            if (divergence.empty() && slowest < 0.0)
                 sentence += " The slowest disturbance fades within " + fewDigitsOfTime(-1.0 / slowest) + " by a factor of e.";
             findings_.push_back("Forced, as far as small motions tell: " + std::move(sentence));
-            if (bounces.empty())
-                findings_.push_back("No such cycle was seen: none of the " + std::to_string(result_.steps.size()) +
-                                    " held values ends in and out of contact.");
+            if (bounces.empty() && validEnds() > 0)
+                findings_.push_back("No such cycle was seen: none of the " + std::to_string(validEnds()) +
+                                    " held values that have a valid end ends in and out of contact.");
         } else if (!neutral.empty()) {
             findings_.push_back("At " + valuesText(neutral) +
                                 " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them.");
         }
         if (!bounces.empty())
-            findings_.push_back(std::to_string(bounces.size()) + " of " + std::to_string(result_.steps.size()) +
+            findings_.push_back(std::to_string(bounces.size()) + " of " + std::to_string(validEnds()) +
                                 " held values end in and out of contact (" + valuesText(bounces) + ").");
     }
 
@@ -151,6 +175,10 @@ private:
         for (const StudiedMark& mark : result_.marks) {
             if (mark.kind == EquilibriumMark::Kink || mark.kind == EquilibriumMark::Hopf || mark.outside) continue;
             if (mark.kind == EquilibriumMark::Switch && mark.name != (each.down ? "touch-down" : "take-off")) continue;
+            // A fold of another branch may lie in the same step: the one that was left folds nearer to the state left.
+            if (mark.kind == EquilibriumMark::Fold &&
+                std::abs(mark.at.spacing - each.left) >= std::abs(mark.at.spacing - each.reached))
+                continue;
             if (mark.at.value >= low && mark.at.value <= high)
                 return "; the equilibrium that was left ends at " + text_.of(mark.at.value);
             if (mark.kind == EquilibriumMark::Switch && (mark.at.value - each.after) * (each.after - each.before) > 0.0)
@@ -177,6 +205,7 @@ private:
     void addLoop()
     {
         const LoopOf loop = loopOf(result_.steps);
+        if (loop.known == 0) return;
         if (loop.values.empty()) {
             findings_.push_back("No hysteresis: there and back the end states are the same" +
                                 std::string(loop.whole ? "." : " where both are known."));
@@ -185,7 +214,13 @@ private:
         const bool plain = text_.displayUnit.empty() || text_.displayUnit == "1";
         const std::string unit = plain ? " nm" : text_.displayUnit == "nm" ? " nm^2" : " nm " + text_.displayUnit;
         const double factor = plain ? 1.0 : unitFactor(text_.displayUnit);
-        findings_.push_back("Hysteresis at " + valuesText(loop.values) + ": the ways there and back end in different states. The loop of the mean "
+        const bool lag = loop.moving == loop.values.size();
+        std::string sentence = std::string(lag ? "Hysteresis or a lag" : "Hysteresis") + " at " + valuesText(loop.values) +
+                               ": the ways there and back end in different states";
+        if (loop.moving > 0)
+            sentence += ", but at " + (lag ? std::string("none") : std::to_string(loop.moving)) + " of these values " +
+                        (lag ? "have both" : "not both have") + " come to rest: a longer hold tells hysteresis from a lag";
+        findings_.push_back(sentence + ". The loop of the mean "
                             "spacing has an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
                             (loop.whole ? "." : ", without values at which a run failed."));
     }
@@ -195,7 +230,7 @@ private:
         std::vector<double> several;
         for (const double value : task_.values) {
             const auto rests = [](const EquilibriumAt& at) {
-                return !at.outside && (at.stability == Stability::Stable || at.stability == Stability::Neutral);
+                return !at.outside && !at.incomplete && (at.stability == Stability::Stable || at.stability == Stability::Neutral);
             };
             if (std::ranges::count_if(equilibriaAt(result_.lines, value), rests) > 1) several.push_back(value);
         }
@@ -226,11 +261,7 @@ private:
 
     void addUnsettled()
     {
-        const auto rings = [](const HeldStep& step) {
-            return step.done && step.end.kind != EndKind::Failed && step.end.kind != EndKind::Intermittent &&
-                   !step.atRest();
-        };
-        const auto count = std::ranges::count_if(result_.steps, rings);
+        const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
             findings_.push_back(std::to_string(count) + (count == 1 ? " held value has" : " held values have") +
                                 " not come to rest to 0.1 nm after " + fewDigitsOfTime(task_.hold, 3) + "; a longer hold tells more.");

@@ -16,12 +16,12 @@ constexpr double neighbours = 2e-9; // spacings of one line at neighbouring valu
 
 StudiedEquilibrium studied(const SpringEquilibrium& at)
 {
-    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}};
+    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0};
 }
 
 StudiedEquilibrium studied(double value, const FilmEquilibrium& at)
 {
-    return {value, at.spacing, at.attitude.pitch, at.stability, at.eigenvalues};
+    return {value, at.spacing, at.attitude.pitch, at.stability, at.eigenvalues, at.lost};
 }
 
 /// Between two neighbouring values at which the stability differs by an oscillation: where the growth is zero on the line between.
@@ -34,9 +34,10 @@ void addCrossings(HysteresisResult& result)
                 return at.stability == Stability::Stable || at.stability == Stability::Flutter;
             };
             if (a.stability == b.stability || !oscillates(a) || !oscillates(b)) continue;
-            if (result.doubtful(a) || result.doubtful(b)) continue;
-            const double share = a.growth() / (a.growth() - b.growth());
-            StudiedMark mark{EquilibriumMark::Hopf, "Hopf point", a.growth() > 0.0 ? a : b, false};
+            if (result.doubtful(a) || result.doubtful(b) || a.incomplete() || b.incomplete()) continue;
+            const double growthA = a.growth().value_or(0.0), growthB = b.growth().value_or(0.0);
+            const double share = growthA / (growthA - growthB);
+            StudiedMark mark{EquilibriumMark::Hopf, "Hopf point", growthA > 0.0 ? a : b, false};
             mark.at.value = std::lerp(a.value, b.value, share);
             mark.at.spacing = std::lerp(a.spacing, b.spacing, share);
             mark.at.pitch = std::lerp(a.pitch, b.pitch, share);
@@ -85,13 +86,15 @@ void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result
 void addFilmEquilibria(const std::vector<double>& values, const std::vector<FilmEquilibria>& found, HysteresisResult& result)
 {
     result.traced = true;
-    int lost = 0;
+    int lost = 0, givenUp = 0;
     double resolved = result.resolved, fastest = 0.0; // [Hz]
     for (std::size_t i = 0; i < found.size(); ++i) {
         std::vector<std::size_t> grown; // lines that have a point at this value
         if (!found[i].problem.empty())
             result.warnings.push_back("no equilibria were sought at value " + std::to_string(i + 1) + ": " + found[i].problem);
+        if (!found[i].problem.empty() || found[i].givenUp > 0) result.unsought.push_back(values[i]);
         lost += found[i].lost;
+        if (found[i].givenUp > 0) ++givenUp;
         if (found[i].resolved > 0.0) resolved = std::min(resolved, found[i].resolved);
         for (const FilmEquilibrium& at : found[i].found) {
             for (const auto& eigenvalue : at.eigenvalues) fastest = std::max(fastest, eigenvalue.imag() / (2.0 * std::numbers::pi));
@@ -114,6 +117,9 @@ void addFilmEquilibria(const std::vector<double>& values, const std::vector<Film
     }
     result.resolved = resolved * cellsForDamping / cellsForItsSign;
     addCrossings(result);
+    if (givenUp > 0)
+        result.warnings.push_back("at " + std::to_string(givenUp) + (givenUp == 1 ? " value" : " values") +
+                                  " the search for equilibria in contact did not come to its end from every start: one may be missed");
     if (lost > 0)
         result.warnings.push_back(std::to_string(lost) + (lost == 1 ? " oscillation" : " oscillations") +
                                   " about equilibria could not be followed, or so much damped that there is none");

@@ -12,7 +12,7 @@ namespace touchdown {
 
 namespace {
 
-using Ordinate = std::function<double(const StudiedEquilibrium&)>;
+using Ordinate = std::function<std::optional<double>(const StudiedEquilibrium&)>; // none: not known
 using StepOrdinate = std::function<ChartPoint(const HeldStep&)>;
 
 double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi); }
@@ -20,6 +20,7 @@ double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.i
 std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
 {
     const bool stable = at.stability == Stability::Stable || at.stability == Stability::Neutral;
+    if (stable && at.incomplete()) return std::string("equilibria of unknown stability") + (outside ? ", outside the model" : "");
     return std::string(stable ? (at.stability == Stability::Stable ? "stable equilibria" : "neutral equilibria")
                               : result.doubtful(at) ? "unstable equilibria, on this grid" : "unstable equilibria") +
            (outside ? ", outside the model" : "");
@@ -28,6 +29,9 @@ std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at
 /// Lines cut where their stability changes; each part reaches to the first point of the next.
 void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordinate& ordinate)
 {
+    const auto add = [&](ChartSeries& series, const StudiedEquilibrium& at, const std::string& label) {
+        if (const std::optional<double> y = ordinate(at)) series.points.push_back({.x = at.value, .y = *y, .label = label});
+    };
     for (const EquilibriumLine& line : result.lines) {
         for (std::size_t begin = 0; begin < line.points.size();) {
             ChartSeries series;
@@ -38,17 +42,16 @@ void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordi
             series.quiet = line.outside;
             std::size_t i = begin;
             for (; i < line.points.size() && groupOf(result, line.points[i], line.outside) == group; ++i)
-                series.points.push_back({.x = line.points[i].value, .y = ordinate(line.points[i])});
-            if (i < line.points.size()) series.points.push_back({.x = line.points[i].value, .y = ordinate(line.points[i])});
+                add(series, line.points[i], {});
+            if (i < line.points.size()) add(series, line.points[i], {});
             begin = i;
-            panel.series.push_back(std::move(series));
+            if (!series.points.empty()) panel.series.push_back(std::move(series));
         }
     }
     const auto addMarks = [&](const char* name, EquilibriumMark kind) {
         ChartSeries series{.name = name, .points = {}, .line = ChartLine::None};
         for (const StudiedMark& mark : result.marks)
-            if (mark.kind == kind)
-                series.points.push_back({.x = mark.at.value, .y = ordinate(mark.at), .label = mark.name});
+            if (mark.kind == kind) add(series, mark.at, mark.name);
         if (!series.points.empty()) panel.series.push_back(std::move(series));
     };
     addMarks("folds", EquilibriumMark::Fold);
@@ -163,7 +166,9 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
     for (const EquilibriumLine& line : result.lines) {
         ++branch;
         for (const StudiedEquilibrium& at : line.points) {
-            std::vector<StudyValue> row{branch, line.state, at.value, at.spacing, at.pitch, std::string(name(at.stability))};
+            const bool known = !at.incomplete() || at.stability == Stability::Divergence;
+            std::vector<StudyValue> row{branch, line.state, at.value, at.spacing, at.pitch,
+                                        std::string(known ? name(at.stability) : "not known")};
             for (const std::complex<double>& value : at.eigenvalues) row.insert(row.end(), {value.real(), frequency(value)});
             row.resize(table.columns.size());
             table.rows.push_back(std::move(row));
@@ -197,6 +202,10 @@ StudyReport hysteresisReport(const HeldSteps& task, const HysteresisResult& resu
     StudyReport report;
     report.findings = hysteresisFindings(task, result);
     report.warnings = result.warnings;
+    if (allFailed(result.steps)) {
+        report.status = StudyStatus::Failed;
+        report.message = result.steps.empty() ? "no value was held" : "no value has a valid end: " + result.steps.front().problem;
+    }
     report.charts.push_back(spacingChart(task, result, text));
     if (!result.lines.empty()) report.charts.push_back(pitchChart(task, result, text));
     report.tables.push_back(stepTable(task, result, text));

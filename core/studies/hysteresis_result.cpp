@@ -53,9 +53,19 @@ std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps)
         const HeldStep &a = steps[i - 1], &b = steps[i];
         if (!a.done || !b.done || a.back != b.back) continue;
         if (a.end.kind == EndKind::Failed || b.end.kind == EndKind::Failed || isDown(a.end) == isDown(b.end)) continue;
-        list.push_back({isDown(b.end), b.back, a.value, b.value});
+        list.push_back({isDown(b.end), b.back, a.value, b.value, a.end.spacing, b.end.spacing});
     }
     return list;
+}
+
+bool stillMoves(const HeldStep& step)
+{
+    return step.done && step.end.kind != EndKind::Failed && step.end.kind != EndKind::Intermittent && !step.atRest();
+}
+
+bool allFailed(const std::vector<HeldStep>& steps)
+{
+    return std::ranges::all_of(steps, [](const HeldStep& step) { return step.done && step.end.kind == EndKind::Failed; });
 }
 
 LoopOf loopOf(const std::vector<HeldStep>& steps)
@@ -68,7 +78,11 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
         const bool known = there.done && back.done && there.end.kind != EndKind::Failed && back.end.kind != EndKind::Failed;
         loop.whole = loop.whole && known;
         differences.push_back(known ? std::abs(there.end.spacing - back.end.spacing) : 0.0);
-        if (known && differ(there.end, back.end)) loop.values.push_back(there.value);
+        if (known) ++loop.known;
+        if (known && differ(there.end, back.end)) {
+            loop.values.push_back(there.value);
+            if (stillMoves(there) || stillMoves(back)) ++loop.moving;
+        }
         if (i > 0 && known) loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
     }
     std::ranges::sort(loop.values);
@@ -88,10 +102,11 @@ std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& line
             if (i == 0 && std::abs(share) < rounding) share = 0.0;
             if (last && std::abs(share - 1.0) < rounding) share = 1.0;
             if (share < 0.0 || share > 1.0 || (share == 1.0 && !last)) continue;
-            list.push_back({std::lerp(a.spacing, b.spacing, share), (share < 0.5 ? a : b).stability, line.outside});
+            const StudiedEquilibrium& nearer = share < 0.5 ? a : b;
+            list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete()});
         }
         if (line.points.size() == 1 && line.points[0].value == value)
-            list.push_back({line.points[0].spacing, line.points[0].stability, line.outside});
+            list.push_back({line.points[0].spacing, line.points[0].stability, line.outside, line.points[0].incomplete()});
     }
     return list;
 }

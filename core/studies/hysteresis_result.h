@@ -23,7 +23,11 @@ struct StudiedEquilibrium {
     double pitch = 0.0;   // [rad]
     Stability stability = Stability::Stable;
     std::vector<std::complex<double>> eigenvalues; // by falling real part [1/s]
-    double growth() const { return eigenvalues.empty() ? 0.0 : eigenvalues.front().real(); }
+    int lost = 0; // oscillations that were not followed
+    /// None where no motion was followed.
+    std::optional<double> growth() const { return eigenvalues.empty() ? std::nullopt : std::optional(eigenvalues.front().real()); }
+    /// Nothing grows of what was followed, but not everything was.
+    bool incomplete() const { return (lost > 0 || eigenvalues.empty()) && stability != Stability::Flutter; }
 };
 
 /// Equilibria of one smooth law, in their order along its branch.
@@ -46,6 +50,7 @@ struct HysteresisResult {
     std::vector<EquilibriumLine> lines;
     std::vector<StudiedMark> marks;
     double resolved = std::numeric_limits<double>::infinity(); // frequency up to which a film's grid knows whether a motion grows [Hz]
+    std::vector<double> unsought; // values at which the search for equilibria did not come to its end
     std::vector<std::string> warnings;
     /// An oscillation grows at a frequency at which the grid does not know.
     bool doubtful(const StudiedEquilibrium& at) const;
@@ -70,13 +75,21 @@ struct Transition {
     bool down = false; // touch-down; else take-off
     bool back = false; // on the way back
     double before = 0.0, after = 0.0; // the values [unit of the parameter]
+    double left = 0.0, reached = 0.0; // mean spacings there [m]
     double middle() const { return 0.5 * (before + after); }
 };
 std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps);
 
+/// Has an end in or out of contact and still moves there.
+bool stillMoves(const HeldStep& step);
+/// Whether there is no step but failed ones.
+bool allFailed(const std::vector<HeldStep>& steps);
+
 /// Values at which the two ways end in different states, and the area between the ways.
 struct LoopOf {
     std::vector<double> values; // [unit of the parameter], rising
+    std::size_t moving = 0;     // of these: still moving on one way or both
+    std::size_t known = 0;      // values that have a valid end on both ways
     double area = 0.0;          // between the mean spacings of both ways [m unit]
     bool whole = true;          // every value has a valid end on both ways
 };
@@ -87,6 +100,7 @@ struct EquilibriumAt {
     double spacing = 0.0; // [m]
     Stability stability = Stability::Stable;
     bool outside = false;
+    bool incomplete = false; // its stability is not known
 };
 std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& lines, double value);
 

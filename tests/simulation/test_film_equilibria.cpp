@@ -53,6 +53,7 @@ private slots:
         QCOMPARE(expected.modes.size(), std::size_t(3));
         QVERIFY(!all.found.front().touching);
         QCOMPARE(all.found.front().eigenvalues.size(), std::size_t(3));
+        QCOMPARE(all.found.front().lost, 0);
         for (const std::complex<double> s : all.found.front().eigenvalues) {
             bool known = false;
             for (const AirBearingMode& mode : expected.modes) {

@@ -40,7 +40,7 @@ HeldSteps task()
 
 StudiedEquilibrium at(double value, double spacing, Stability stability, double growth)
 {
-    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}};
+    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}, 0};
 }
 
 bool says(const std::vector<std::string>& findings, const std::string& part)
@@ -143,7 +143,82 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
-        QVERIFY(says(hysteresisFindings(task(), result), "Self-excited: at values from 2 mN to 3 mN no equilibrium"));
+        result.steps[2].end.kind = result.steps[4].end.kind = EndKind::Intermittent;
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(says(findings, "Self-excited: at values from 2 mN to 3 mN the slider ends in and out of contact"));
+        QVERIFY(!says(findings, "Forced"));
+    }
+
+    /// At 2 mN it comes to rest, at 3 mN nothing is known: neither is a reason to bounce.
+    void aMissingEquilibriumIsNoReasonByItself()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.unsought = {3e-3};
+        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(says(findings, "At 2 mN no equilibrium was found"));
+        QVERIFY(says(findings, "Not known: at 3 mN"));
+        QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
+    }
+
+    void whatWasNotFollowedIsNotCalledStable()
+    {
+        std::vector<FilmEquilibria> found(2);
+        FilmEquilibrium one{.attitude = {}, .spacing = 7e-9, .touching = false, .netContactForce = 0.0, .eigenvalues = {},
+                            .stability = Stability::Stable, .lost = 2};
+        found[0].found = {one};
+        one.eigenvalues = {{-1e4, 6.283185307179586e5}};
+        one.lost = 1;
+        found[1].found = {one};
+        HysteresisResult result;
+        result.steps = loop();
+        addFilmEquilibria({0.0, 3e-3}, found, result);
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(findings.front().starts_with("Not known: at values from 0 mN to 3 mN an oscillation"));
+        QVERIFY(!says(findings, "Forced") && !says(findings, "stable at"));
+        const StudyReport report = hysteresisReport(task(), result);
+        QCOMPARE(std::get<std::string>(report.tables[1].rows[0][5]), std::string("not known"));
+        // The growth of one is known.
+        QCOMPARE(report.charts[0].panels[1].series[0].points.size(), std::size_t(1));
+    }
+
+    void nothingIsSaidOfHysteresisWhereEveryHoldFails()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.traced = true;
+        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+        for (HeldStep& each : result.steps) {
+            each.end.kind = EndKind::Failed;
+            each.problem = "the slider left the film";
+        }
+        QCOMPARE(loopOf(result.steps).known, std::size_t(0));
+        const StudyReport report = hysteresisReport(task(), result);
+        QCOMPARE(report.status, StudyStatus::Failed);
+        QCOMPARE(report.message, std::string("no value has a valid end: the slider left the film"));
+        QVERIFY(!says(report.findings, "ysteresis") && !says(report.findings, "No such cycle"));
+    }
+
+    void aLagIsNotYetHysteresis()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.steps[6].drift = 1e-9; // 1 mN, back
+        QVERIFY(says(hysteresisFindings(task(), result), "Hysteresis or a lag at 1 mN"));
+        QVERIFY(says(hysteresisFindings(task(), result), "at none of these values have both come to rest: a longer hold tells"));
+    }
+
+    /// Between 1 and 2 mN it falls from 7 to 3 nm: a fold at 6 nm is where it was, one at 2 nm where it came to.
+    void endsAtTheFoldOfItsOwnBranch()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.marks = {{EquilibriumMark::Fold, "fold", at(1.2e-3, 2e-9, Stability::Stable, 0.0), false}};
+        QVERIFY(!says(hysteresisFindings(task(), result), "the equilibrium that was left ends"));
+        result.marks.push_back({EquilibriumMark::Fold, "fold", at(1.4e-3, 6e-9, Stability::Stable, 0.0), false});
+        QVERIFY(says(hysteresisFindings(task(), result), "the equilibrium that was left ends at 1.4 mN"));
     }
 
     void aCoarseGridDoesNotKnow()
