@@ -26,11 +26,36 @@ struct Range {
     double hold; // [s]
 };
 
-/// Of a film the disk is slowed to half its speed. Of springs the static height falls from twice its value to a fifth, or as far as a
-/// spring has a spacing: as pressure or speed would lower it, and so that an end takes off again.
+/// What a film in time costs by node of its grid and second of the run, on one core: measured on two sliders, one flying quietly and one
+/// falling into contact. Elastic contact of surfaces comes on top.
+constexpr double leastCost = 0.5, mostCost = 5.0; // [s/s per node]
+constexpr double patience = 600.0;                // for a study by its defaults [s]
+constexpr double settling = 200e-6;               // what the disk drags through a film takes as long to leave it [s]
+
+double nodesOf(const Case& c) { return double(c.film.nodes[0]) * c.film.nodes[1]; }
+
+/// "some 1 to 9 min" for so many runs of a film; "" of springs, which take seconds.
+std::string expectedTime(const Case& c, int runs, double hold)
+{
+    if (c.model != ModelKind::Film) return {};
+    const double work = runs * hold * nodesOf(c);
+    const bool minutes = mostCost * work >= 120.0;
+    const double unit = minutes ? 60.0 : 1.0; // [s]
+    const std::string least = fewDigits(leastCost * work / unit, "", 1), most = fewDigits(mostCost * work / unit, "", 1);
+    return "some " + least + " to " + most + (minutes ? " min" : " s");
+}
+
+/// Of a film the disk is slowed to half its speed, in a few steps and for as long as patience allows. Of springs the static height falls
+/// from twice its value to a fifth, or as far as a spring has a spacing: as pressure or speed would lower it, and so that an end takes
+/// off again.
 Range defaultRange(const Case& c)
 {
-    if (c.model == ModelKind::Film) return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, 8, c.run.duration};
+    if (c.model == ModelKind::Film) {
+        constexpr int steps = 6, runs = 2 * (steps + 1);
+        const double affordable = roundedTo(patience / (runs * mostCost * nodesOf(c)), 2);
+        const double hold = std::min(c.run.duration, std::clamp(affordable, 0.25 * settling, settling));
+        return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, steps, hold};
+    }
     const double height = c.springs.flyingHeight;
     if (!(height > 0.0)) return {"ono_yamane.meniscus_force", 5.0 * c.onoYamane.meniscusForce, 0.0, 40, c.run.duration};
     Range range{"springs.flying_height", roundedTo(2.0 * height, 2), 0.0, 40, c.run.duration};
@@ -62,6 +87,7 @@ public:
     {
         const double begin = wallClock();
         const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
+        stepWarnings_.resize(sweeps);
         // A start has no part in an equilibrium.
         if (plan_.equilibria && task_.start.model == ModelKind::Film) film_.resize(task_.fresh ? 1 : task_.values.size());
         const std::size_t tasks = sweeps + (plan_.equilibria ? std::max<std::size_t>(film_.size(), 1) : 0);
@@ -70,7 +96,7 @@ public:
             if (i >= sweeps && !film_.empty()) traceFilm(i - sweeps, goOn);
             else if (i >= sweeps) trace(goOn);
             else if (task_.fresh) holdFresh(i, goOn);
-            else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_);
+            else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_[i]);
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
         addFilm(whole);
@@ -79,7 +105,7 @@ public:
                                        (task_.start.contact == ContactKind::Elastic
                                             ? ", and without what contact and adhesion of the surfaces remember of the way there"
                                             : ""));
-        result_.warnings.insert(result_.warnings.end(), stepWarnings_.begin(), stepWarnings_.end());
+        addStepWarnings();
         StudyReport report = hysteresisReport(task_, result_);
         if (!whole) {
             report.status = StudyStatus::Cancelled;
@@ -101,14 +127,19 @@ private:
     void holdFresh(std::size_t i, const GoOn& goOn)
     {
         HeldEnd none;
-        std::vector<std::string> warnings;
-        HeldStep step = holdValue(task_, task_.values[i], none, warnings, goOn);
+        HeldStep step = holdValue(task_, task_.values[i], none, stepWarnings_[i], goOn);
         if (!goOn()) return;
         step.done = true;
         take(i, std::move(step));
-        const std::lock_guard lock(mutex_);
-        for (std::string& warning : warnings)
-            if (std::ranges::find(stepWarnings_, warning) == stepWarnings_.end()) stepWarnings_.push_back(std::move(warning));
+    }
+
+    /// In the order of the values, whatever thread came first.
+    void addStepWarnings()
+    {
+        std::vector<std::string>& all = result_.warnings;
+        for (const std::vector<std::string>& list : stepWarnings_)
+            for (const std::string& warning : list)
+                if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
     }
 
     void trace(const GoOn& goOn)
@@ -158,6 +189,8 @@ private:
         progress.share = plan_.equilibria ? 0.5 * (sweep + traced_) : sweep;
         progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
                          std::to_string(result_.steps.size()) + " values";
+        if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold); held_ == 0 && !time.empty())
+            progress.doing += ", " + time + " in all by an estimate";
         std::optional<StudyReport> soFar;
         if (held_ > told_) {
             soFar = hysteresisReport(task_, result_);
@@ -174,7 +207,7 @@ private:
     std::mutex mutex_; // of all below
     HysteresisResult result_;
     std::vector<FilmEquilibria> film_; // each by its own task; not of the mutex
-    std::vector<std::string> stepWarnings_;
+    std::vector<std::vector<std::string>> stepWarnings_; // each by its own task, as film_
     std::size_t held_ = 0, told_ = 0;
     std::atomic<double> traced_ = 0.0;
 };
@@ -264,6 +297,11 @@ std::string hysteresisTemplate(const Case& c)
     const auto line = [&](const std::string& setting, const std::string& comment) {
         text += setting + std::string(setting.size() < 40 ? 40 - setting.size() : 1, ' ') + "# " + comment + "\n";
     };
+    if (const std::string time = expectedTime(c, 2 * (range.steps + 1), range.hold); !time.empty())
+        text += "# " + std::to_string(2 * (range.steps + 1)) + " runs of the film take " + time +
+                " by an estimate; equilibria and contact of surfaces come on top.\n"
+                "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " + fewDigits(settling, "us") +
+                " may end before the film has settled.\n";
     line("parameter = \"" + range.key + "\"", "any number of the case; initial.*: each value begins anew, one way");
     line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"", "the first value begins as the case says");
     line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");

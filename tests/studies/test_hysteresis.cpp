@@ -70,11 +70,18 @@ private slots:
             }
     }
 
+    void sameWithOneThreadOrTwo_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::newRow("there and back") << "parameter = \"ono_yamane.meniscus_force\"\nfrom = \"50 mN\"\nto = \"0 mN\"\nsteps = 6\nhold = \"0.2 ms\"\n";
+        QTest::newRow("each anew") << "parameter = \"initial.flying_height\"\nfrom = \"1 nm\"\nto = \"250 nm\"\nsteps = 6\nhold = \"0.2 ms\"\n";
+    }
     void sameWithOneThreadOrTwo()
     {
-        const std::string text = "parameter = \"ono_yamane.meniscus_force\"\nfrom = \"50 mN\"\nto = \"0 mN\"\nsteps = 6\nhold = \"0.2 ms\"\n";
-        const StudyReport one = performed(Case{}, text, 1), two = performed(Case{}, text, 2);
+        QFETCH(QString, text);
+        const StudyReport one = performed(Case{}, text.toStdString(), 1), two = performed(Case{}, text.toStdString(), 2);
         QCOMPARE(one.findings, two.findings);
+        QCOMPARE(one.warnings, two.warnings);
         for (std::size_t i = 0; i < one.tables.size(); ++i) QVERIFY(one.tables[i].rows == two.tables[i].rows);
     }
 
@@ -161,6 +168,16 @@ private slots:
     {
         const StudyPlan plan = planOf(openCase("contact_hertz").value, "");
         QCOMPARE(plan.problems.size(), std::size_t(1));
+    }
+
+    /// On 193 x 193 nodes 14 runs of at most 5 s per node and second of the run: 200 us take 5 14 200e-6 37249 s = 521 s, which is
+    /// 9 min; and at least a tenth of it.
+    void aFilmsTemplateSaysWhatItCosts()
+    {
+        const std::string text = hysteresisTemplate(openCase("film_plane").value);
+        QVERIFY2(text.starts_with("# 14 runs of the film take some 0.9 to 9 min"), text.c_str());
+        QVERIFY(text.find("hold = \"200 us\"") != std::string::npos);
+        QVERIFY(hysteresisTemplate(Case{}).starts_with("parameter"));
     }
 
     void templatesAreValid_data()
