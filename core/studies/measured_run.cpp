@@ -90,7 +90,9 @@ MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities
 bool sameEnd(const EndState& a, const EndState& b, double distance)
 {
     if (a.kind != b.kind) return false;
-    return a.kind == EndKind::Failed || std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
+    if (a.kind == EndKind::Failed) return true;
+    const double wider = std::max(a.spread, b.spread);
+    return std::abs(a.spread - b.spread) <= std::max(distance, 0.5 * wider) && std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
 }
 
 std::string applySettings(Case& c, const std::vector<CaseSetting>& settings)

@@ -41,7 +41,8 @@ std::string_view spacingOf(const Case& c);
 /// Runs the case and keeps the samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {}, const RunOptions& options = {});
 
-/// Two runs end in the same state: of one kind, and their spacings differ by no more than `distance` [m] or by both their spreads.
+/// Two runs end in the same state: of one kind, their spacings differ by no more than `distance` [m] or both their spreads, and these by no
+/// more than that or half of the wider one.
 bool sameEnd(const EndState& a, const EndState& b, double distance = 0.1e-9);
 
 /// A key of a case and the value that a study gives it, as a person writes it.
