@@ -204,7 +204,7 @@ std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime)
     return c.model == ModelKind::Film ? filmMethods(c, inTime) : std::vector<MethodSpec>{};
 }
 
-std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method)
+std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method, bool addOwn)
 {
     method = {.name = spec.name, .key = spec.key};
     Case base = start;
@@ -231,7 +231,7 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMetho
         found = found || setting.chosen;
         method.settings.push_back(std::move(setting));
     }
-    if (own && !found) insertOwn(*field, {shortLabel(*field, toText(start, *field)), base, true, true}, method.settings);
+    if (addOwn && own && !found) insertOwn(*field, {shortLabel(*field, toText(start, *field)), base, true, true}, method.settings);
     return {};
 }
 

@@ -27,7 +27,7 @@ std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime);
 
 /// A method with a case for each of its values, and for the value of the case itself where the method is its own. Of a list that has a
 /// fixed length, one number stands for all. The problem in a sentence, or "".
-std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method);
+std::string makeMethod(const Case& start, const MethodSpec& spec, PrecisionMethod& method, bool addOwn = true);
 
 /// Finer than any setting of the methods, and of at least two families. Springs: dopri5 at 1e-14, cvode at 1e-13, rk4-events at half
 /// of the finest step, with four to forty million of them. Film: adapted and graded grids with half as many nodes more than the finest,

@@ -56,20 +56,22 @@ std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
     return method.name + (setting.empty() ? "" : ", " + setting) + (row.label.empty() ? "" : " at " + row.label);
 }
 
-const StabilityCell& cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
+const StabilityCell* cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
 {
-    return *std::ranges::find_if(map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
+    const auto found = std::ranges::find_if(map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
+    return found == map.cells.end() ? nullptr : &*found;
 }
 
 ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
 {
     std::vector<double> xs, ys;
     const PrecisionMethod& first = task.rows.front().methods[method];
-    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(first.key.empty() ? double(k + 1) : settingValue(first, first.settings[k]));
+    const bool numbered = std::ranges::any_of(first.settings, [&](const PrecisionSetting& each) { return first.key.empty() || !std::isfinite(settingValue(first, each)); });
+    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(numbered ? double(k + 1) : settingValue(first, first.settings[k]));
     for (const StabilityRow& row : task.rows) ys.push_back(row.value);
 
     ChartPanel panel;
-    panel.x = first.key.empty() ? ChartAxis{.label = first.name, .unit = "", .displayUnit = ""} : axisOf(*findField(first.key), xs);
+    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key, .unit = "", .displayUnit = ""} : axisOf(*findField(first.key), xs);
     panel.x.label = first.name + ": " + panel.x.label;
     panel.y = task.parameter != nullptr && task.parameterIsNumber ? axisOf(*task.parameter, ys)
                                                                   : ChartAxis{.label = task.parameter ? task.parameter->key : "", .unit = "", .displayUnit = ""};
@@ -80,14 +82,19 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
     index.fill(-1);
     for (const std::size_t row : orderOf(ys))
         for (const std::size_t setting : orderOf(xs)) {
-            const StabilityCell& cell = cellAt(map, row, method, setting);
-            int& kind = index[static_cast<std::size_t>(cell.verdict.kind)];
+            const StabilityCell* cell = cellAt(map, row, method, setting);
+            if (cell == nullptr) {
+                chart.cells.push_back(-1);
+                chart.details.emplace_back();
+                continue;
+            }
+            int& kind = index[static_cast<std::size_t>(cell->verdict.kind)];
             if (kind < 0) {
                 kind = static_cast<int>(chart.classes.size());
-                chart.classes.push_back({std::string(name(cell.verdict.kind)), severity(cell.verdict.kind)});
+                chart.classes.push_back({std::string(name(cell->verdict.kind)), severity(cell->verdict.kind)});
             }
             chart.cells.push_back(kind);
-            chart.details.push_back(placeOf(task, cell) + ": " + cell.verdict.sentence);
+            chart.details.push_back(placeOf(task, *cell) + ": " + cell->verdict.sentence);
         }
     return panel;
 }
