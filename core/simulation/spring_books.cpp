@@ -88,7 +88,7 @@ double SpringBooks::imbalance() const
 {
     double range = 0.0;
     for (std::size_t k = 0; k < least_.size(); ++k) range = std::max(range, most_[k] - least_[k]);
-    return range > 0.0 ? missing_ / range : 0.0;
+    return range > 1e-12 * model_.energyBound() ? missing_ / range : 0.0; // what stays at rest moves no energy
 }
 
 } // namespace touchdown

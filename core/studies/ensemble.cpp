@@ -29,7 +29,7 @@ std::string spacingText(double spacing) { return formatQuantity(std::round(spaci
 
 struct Place {
     std::size_t ensemble = 0, start = 0;
-    double spacing = 0.0;
+    double spacing = 0.0, spread = 0.0;
 };
 
 /// Neighbours by spacing, where there is no wider gap between them.
@@ -38,7 +38,7 @@ void splitBySpacing(std::vector<Place>& places, const std::function<void(std::sp
     std::ranges::sort(places, {}, &Place::spacing);
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= places.size(); ++i) {
-        if (i < places.size() && places[i].spacing - places[i - 1].spacing <= sameSpacing) continue;
+        if (i < places.size() && places[i].spacing - places[i - 1].spacing <= std::max(sameSpacing, places[i].spread + places[i - 1].spread)) continue;
         take(std::span(places).subspan(begin, i - begin));
         begin = i;
     }
@@ -95,8 +95,8 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
         result.of.emplace_back(ensembles[e].ends.size());
         for (std::size_t s = 0; s < ensembles[e].ends.size(); ++s) {
             const EnsembleEnd& end = ensembles[e].ends[s];
-            if (end.state.kind == EndKind::Failed) byFailure[end.failure].push_back({e, s, 0.0});
-            else byKind[end.state.kind].push_back({e, s, end.state.spacing});
+            if (end.state.kind == EndKind::Failed) byFailure[end.failure].push_back({e, s, 0.0, 0.0});
+            else byKind[end.state.kind].push_back({e, s, end.state.spacing, end.state.spread});
         }
     }
 

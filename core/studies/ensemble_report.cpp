@@ -111,7 +111,7 @@ private:
     {
         StudyChart chart{"Where " + account_.what + " end",
                          "Each point is one way to run the same starts; bars and the shaded band of the reference: 95 % intervals (Wilson). "
-                         "As the starts are the same, a difference can be certain although the bars overlap: see the table of shares.",
+                         "As the starts are the same, a difference can be certain although the bars overlap: see the table of shares. Each is tested for itself: of twenty, one exceeds its uncertainty by chance.",
                          {}};
         for (std::size_t k = 0; k < std::min(mostPanels, ends_.classes.size()); ++k) chart.panels.push_back(panel(k));
         return chart;
