@@ -86,7 +86,7 @@ int studyCommand(const StudyArguments& arguments)
         return exitNoAnswer;
     }
     if (arguments.apply.empty() || report.found) return exitDone;
-    complain("--apply: the study advises no case that could be written to " + arguments.apply);
+    complain("--apply: nothing is written to " + arguments.apply + ": what the study advises is no case to run, but a state that `touchdown steady` or the study itself tells");
     return exitNoAnswer;
 }
 

@@ -199,6 +199,7 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
     report.charts.push_back(chartOf(task, result));
     report.tables.push_back(tableOf(result));
     if (result.advice) report.found = result.rungs[*result.advice].found;
+    else if (result.status == StudyStatus::Completed) report.found = task.start;
 }
 
 } // namespace touchdown

@@ -71,13 +71,15 @@ private:
         const auto enough = [&](const SpacingSamples& samples) {
             // It may still do what it has not done yet.
             if (result_.growth > mostGrowth || !result_.growthProblem.empty()) return false;
-            if (result_.pilotTime > 0.0 || samples.reached() < next * duration) return result_.pilotTime > 0.0 && !task_.confirm;
-            next = samples.reached() / duration + 0.05;
-            const TailEstimate tail = estimateTail(samples, duration, rates_);
-            const bool known = tail.sameKind && tail.meanUncertainty <= knownTo * allowedMeanOf(tail, task_) &&
-                               tail.spreadUncertainty <= knownTo * allowedSpreadOf(tail, task_);
-            if (known) result_.pilotTime = samples.reached();
-            return known && !task_.confirm;
+            // At the same times however many samples come at once, which hangs on the clock.
+            for (; result_.pilotTime == 0.0 && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
+                const SpacingSamples part = samples.until(next * duration);
+                const TailEstimate tail = estimateTail(part, duration, rates_);
+                const bool known = tail.sameKind && tail.meanUncertainty <= knownTo * allowedMeanOf(tail, task_) &&
+                                   tail.spreadUncertainty <= knownTo * allowedSpreadOf(tail, task_);
+                if (known) result_.pilotTime = part.reached();
+            }
+            return result_.pilotTime > 0.0 && !task_.confirm;
         };
         std::atomic<double> share = 0.0;
         const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) {
