@@ -32,7 +32,8 @@ ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
             least = std::min(least, *error);
             largest = std::max(largest, *error);
         }
-    if (largest == 0.0) least = largest = scale.uncertainty > 0.0 ? scale.uncertainty : task.agreement;
+    constexpr double some = 1e-15; // [unit of the quantity]
+    if (largest == 0.0) least = largest = scale.uncertainty > 0.0 ? scale.uncertainty : std::isfinite(task.agreement) ? task.agreement : some;
     scale.lowest = scale.uncertainty > 0.0 ? lowestShare * scale.uncertainty : least;
     scale.failed = failedBeyond * std::max(largest, scale.uncertainty);
     scale.border = scale.failed / std::sqrt(failedBeyond);

@@ -229,7 +229,7 @@ void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
     }
     if (!wrong.empty()) report.findings.push_back("In another state than the reference ends " + listOf(wrong) + ".");
     if (!failed.empty()) report.findings.push_back("No valid end has " + listOf(failed) + ".");
-    if (!missing.empty()) report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(missing) + ".");
+    if (!missing.empty() && runs.late) report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(missing) + ".");
 }
 
 } // namespace

@@ -231,6 +231,7 @@ private:
             const Ended ended = spent() < until ? runAlone(*order[i], until, run) : Ended::Late;
             if (ended == Ended::Stopped) return false;
             if (ended == Ended::Late) {
+                runs_.late = true;
                 runs_.complete = false;
                 break;
             }

@@ -49,6 +49,7 @@ struct PrecisionRuns {
     ProvenReference reference;
     std::vector<PrecisionPoint> points; // method by method
     bool complete = false;              // all first runs were made
+    bool late = false;                  // the budget was spent before
 };
 
 /// Tells how far it is, 0 to 1, and what it does; false stops. `changed`: there is more to show than at the last call.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/work_precision.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -41,6 +42,13 @@ public:
         } else if (!runs_.reference.problem.empty() && ensembles_.empty()) {
             report.status = StudyStatus::Failed;
             report.message = "there is no reference: " + runs_.reference.problem;
+        } else if (!runs_.reference.problem.empty()) {
+            report.warnings.push_back("There is no reference, so that no run has an error: " + runs_.reference.problem + ".");
+        }
+        const bool none = std::ranges::none_of(runs_.points, &PrecisionPoint::ran);
+        if (report.status == StudyStatus::Completed && none && ensembles_.empty()) {
+            report.status = StudyStatus::Failed;
+            report.message = "the budget was spent on the reference: no run was made; give it more";
         }
         report.wallSeconds = wallClock() - begin;
         return report;
@@ -120,7 +128,7 @@ std::string workPrecisionTemplate(const Case& c)
     text += "error = \"worst\"          # final, l2, worst, mean, deviation, peak-frequency, peak-amplitude\n";
     text += std::string("repeats = ") + (film ? "3" : "5") + "                # of a timed run, after one that warms up\n";
     text += std::string("time_limit = \"") + (film ? "1 s\"   " : "0.1 s\" ") + "    # runs that take longer are timed once\n";
-    text += std::string("budget = \"") + (film ? "120 s\"" : "15 s\" ") + "         # for references and timed runs\n";
+    text += std::string("budget = \"") + (film ? "120 s\"" : "15 s\" ") + "         # what is not run yet when it is spent is left out\n";
     text += "agreement = \"0.1 nm\"     # within which two references must stay together\n";
     text += "\n# Each method sweeps one key, from coarse to fine; without any, these are taken.\n";
     for (const MethodSpec& spec : defaultMethods(c, true)) text += methodText(spec);

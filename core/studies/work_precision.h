@@ -17,7 +17,7 @@
 //   error = "worst"             # in the chart: final, l2, worst, mean, deviation, peak-frequency, peak-amplitude
 //   repeats = 5
 //   time_limit = "0.1 s"        # runs that take longer are timed once
-//   budget = "15 s"             # for references and timed runs; what is left when it is spent is not run
+//   budget = "15 s"             # what is not run yet when it is spent is left out; references run to their end
 //   agreement = "0.1 nm"        # within which the two best references must stay together
 //
 //   [[method]]                  # none: those that suit the model, see precision_methods.h
