@@ -279,6 +279,8 @@ StudyPerformance planHysteresis(StudyReader& reader)
     const bool wanted = reader.boolean("equilibria").value_or(reasonNot.empty());
     if (wanted && !reasonNot.empty()) reader.add("equilibria", reasonNot);
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
+    if (c.model == ModelKind::Film && c.steady.fixedAttitude)
+        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; a hysteresis study takes one that flies");
     if (!ranged) return {};
 
     plan.equilibria = wanted;

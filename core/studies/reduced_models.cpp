@@ -43,7 +43,7 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     outcome.problem = equilibria.problem;
     const FilmEquilibrium* nearest = nullptr;
     for (const FilmEquilibrium& at : equilibria.found) {
-        if (!at.touching || at.stability != Stability::Stable) continue;
+        if (!at.touching || at.stability != Stability::Stable || at.lost > 0) continue;
         if (nearest == nullptr || std::abs(at.spacing - end) < std::abs(nearest->spacing - end)) nearest = &at;
     }
     if (nearest == nullptr) {

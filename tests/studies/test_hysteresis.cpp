@@ -170,6 +170,13 @@ private slots:
         QCOMPARE(plan.problems.size(), std::size_t(1));
     }
 
+    void aSliderThatIsHeldIsNotStudied()
+    {
+        const StudyPlan plan = planOf(openCase("film_plane").value, "");
+        QVERIFY(!plan.valid());
+        QVERIFY(plan.problems.front().message.find("steady.fixed_attitude") != std::string::npos);
+    }
+
     /// On 193 x 193 nodes 14 runs of at most 5 s per node and second of the run: 200 us take 5 14 200e-6 37249 s = 521 s, which is
     /// 9 min; and at least a tenth of it.
     void aFilmsTemplateSaysWhatItCosts()
