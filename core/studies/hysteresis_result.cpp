@@ -18,10 +18,11 @@ constexpr double rounding = 1e-6; // of a span between two points of a line [-]
 bool isDown(const EndState& end) { return end.kind == EndKind::Contact || end.kind == EndKind::Intermittent; }
 
 /// Of two that touch, one may be seen leaving the disk while it still rings.
-bool differ(const EndState& a, EndState b)
+bool differ(EndState a, EndState b)
 {
     if (isDown(a) != isDown(b)) return true;
     b.kind = a.kind;
+    a.spread = b.spread = 0.5 * (a.spread + b.spread); // how it rings there is no matter of the way
     return !sameEnd(a, b);
 }
 

@@ -46,7 +46,7 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     }
     if (lock.owns_lock()) lock.unlock();
     threads.clear();
-    return done == count;
+    return !stopped;
 }
 
 } // namespace touchdown

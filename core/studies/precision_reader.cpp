@@ -73,7 +73,7 @@ void readTimes(StudyReader& reader, PrecisionTask& task)
     task.timeLimit = reader.number("time_limit", "s", "s", 0.0, longestBudget).value_or(film ? 1.0 : 0.1);
     task.budget = reader.number("budget", "s", "s", 0.01, longestBudget).value_or(film ? 120.0 : 15.0);
     const Quantity& q = task.quantity;
-    if (const auto bound = reader.number("agreement", q.unit, q.displayUnit, 1e-18, INFINITY)) task.agreement = *bound;
+    if (const auto bound = reader.number("agreement", q.unit, q.displayUnit, 1e-24, INFINITY)) task.agreement = *bound;
     else if (q.unit != "m") task.agreement = INFINITY; // of what is no length there is no natural one
 }
 

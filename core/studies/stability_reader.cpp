@@ -127,7 +127,7 @@ StabilityTask readStabilityTask(StudyReader& reader)
     task.picture = reader.boolean("picture").value_or(true);
     task.map = reader.boolean("map").value_or(true);
     if (task.start.model == ModelKind::Film) task.rule.agreement = 0.01e-9; // it moves less
-    task.rule.agreement = reader.number("agreement", "m", "nm", 1e-18, endless).value_or(task.rule.agreement);
+    task.rule.agreement = reader.number("agreement", "m", "nm", 1e-24, endless).value_or(task.rule.agreement);
     task.rule.energyDrift = reader.number("energy_drift", "", "", 1e-12, endless).value_or(task.rule.energyDrift);
     if (!task.picture && !task.map) reader.add("map", "is false, and so is picture: nothing is left to do");
     const std::vector<std::string> labels = readParameter(reader, task);
