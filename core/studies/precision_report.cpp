@@ -190,7 +190,9 @@ void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyRe
     if (reference.horizon)
         text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " +
                fewDigits(task.agreement, task.quantity.displayUnit) + " at " + fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance +
-               " later. Errors are those of the time before; after it only the shares of an ensemble have a meaning";
+               " later. Errors are those of the time before; " +
+               (task.start.model == ModelKind::Film ? "what comes later needs finer references or, where it is chaotic, an [ensemble]"
+                                                    : "after it only the shares of an ensemble have a meaning");
     report.findings.push_back(text + ".");
     if (!reference.run.valid())
         report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message + ". Runs that fail alike agree with the reference.");

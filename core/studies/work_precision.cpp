@@ -30,7 +30,9 @@ public:
             if (changed) renew();
             return tell(runsShare * share, doing);
         });
-        const bool ensembles = task_.inTime && (task_.ensembleWanted || runs_.reference.horizon || !runs_.reference.problem.empty());
+        // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked for.
+        const bool undetermined = runs_.reference.horizon || !runs_.reference.problem.empty();
+        const bool ensembles = task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
         if (went && !ensembles_.empty())

@@ -31,7 +31,7 @@
 //   name = "finer"
 //   set = { "run.tolerance" = 1e-13 }
 //
-//   [ensemble]                  # none: only where the trajectory is not determined
+//   [ensemble]                  # none: of springs, where the trajectory is not determined
 //   starts = 300
 //   spread = "0.5 nm"           # around the case's own start, evenly
 //   key = "initial.flying_height"
