@@ -3,7 +3,7 @@
 
 #include "core/simulation/linear_motion.h"
 #include "tests/support/film_flight.h"
-#include "tests/support/small_slider.h"
+#include "tests/support/taper_flat.h"
 
 using namespace touchdown;
 
@@ -20,15 +20,7 @@ namespace {
 
 Case restingSlider(int degreesOfFreedom)
 {
-    Case c = test::smallSlider(33);
-    c.slider = {.mass = 1.6e-6, .pitchInertia = 2.2e-13, .rollInertia = 1.45e-13, .length = 1.25e-3, .width = 1e-3, .thickness = 0.3e-3};
-    c.surface.baseRecess = 3e-6;
-    c.surface.taperLength = 0.15e-3;
-    c.surface.taperAngle = 10e-3;
-    c.surface.rails = {test::rectangle(0.0, 0.0, 1.25e-3, 0.12e-3, 0.0), test::rectangle(0.0, 0.88e-3, 1.25e-3, 1e-3, 0.0)};
-    c.suspension.preload = 2.5e-3 * 9.80665;
-    c.disk.speed = 565.0;
-    c.degreesOfFreedom = degreesOfFreedom;
+    Case c = test::taperFlat(degreesOfFreedom);
     c.initial.state = InitialState::Static;
     c.run.duration = 60e-6;
     c.run.stepError = 1e-14;

@@ -27,7 +27,7 @@ StudyReport endless(const StudyCallback& callback)
     StudyReport report = sampleReport();
     report.charts.resize(1);
     const StudyReport* show = &report;
-    while (callback({0.25, "rk4, 10 ns", std::exchange(show, nullptr)})) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    while (callback({0.25, "rk4, 10 ns", std::exchange(show, nullptr)})) std::this_thread::yield();
     report.status = StudyStatus::Cancelled;
     return report;
 }
