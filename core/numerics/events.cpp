@@ -20,6 +20,32 @@ Coefficients split(Coefficients& left)
 
 bool neverNegative(const Coefficients& c) { return *std::min_element(c.begin(), c.end()) >= 0.0; }
 
+/// One change of sign of the coefficients, here from >= 0 to below zero, is one root (Descartes' rule).
+bool descendsOnce(const Coefficients& c)
+{
+    const auto below = [](double value) { return value < 0.0; };
+    return std::is_partitioned(c.rbegin(), c.rend(), below);
+}
+
+/// That root, by Newton's iteration kept within a bracket, to `resolution` [-].
+double onlyRoot(const Coefficients& c, double resolution)
+{
+    double inner = 0.0, outer = 1.0;
+    double x = c[0] / (c[0] - c[4]);
+    for (int i = 0; i < 200; ++i) {
+        Coefficients b = c;
+        for (std::size_t level = 1; level < 4; ++level)
+            for (std::size_t k = 0; k + level < 5; ++k) b[k] += x * (b[k + 1] - b[k]);
+        const double value = b[0] + x * (b[1] - b[0]);
+        (value < 0.0 ? outer : inner) = x;
+        const double newton = x - 0.25 * value / (b[1] - b[0]);
+        const double next = newton > inner && newton < outer ? newton : 0.5 * (inner + outer);
+        if (std::abs(next - x) <= resolution) return next;
+        x = next;
+    }
+    return x;
+}
+
 } // namespace
 
 std::optional<double> firstDescent(const Coefficients& coefficients)
@@ -41,14 +67,15 @@ std::optional<double> firstDescent(const Coefficients& coefficients)
         Piece piece = stack[--size];
         if (piece.c[0] < 0.0) return piece.begin;
         if (neverNegative(piece.c)) continue;
+        const double width = std::ldexp(1.0, -piece.depth);
+        if (descendsOnce(piece.c)) return piece.begin + width * onlyRoot(piece.c, std::numeric_limits<double>::epsilon() / width);
         if (piece.depth == deepest) {
-            if (piece.c[4] < 0.0) return piece.begin + std::ldexp(1.0, -deepest);
+            if (piece.c[4] < 0.0) return piece.begin + width;
             continue;
         }
-        const int depth = piece.depth + 1;
         const Coefficients right = split(piece.c);
-        stack[size++] = {right, piece.begin + std::ldexp(1.0, -depth), depth};
-        stack[size++] = {piece.c, piece.begin, depth};
+        stack[size++] = {right, piece.begin + 0.5 * width, piece.depth + 1};
+        stack[size++] = {piece.c, piece.begin, piece.depth + 1};
     }
     return std::nullopt;
 }
