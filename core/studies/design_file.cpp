@@ -42,6 +42,11 @@ double withoutNoise(double value)
     return std::round(value * scale) / scale;
 }
 
+bool isSampleCase(const std::string& name)
+{
+    return std::ranges::any_of(sampleCases(), [&](const SampleCase& each) { return each.name == name; });
+}
+
 class DesignReader {
 public:
     DesignReader(DesignDocument& document, const TomlDocument& toml)
@@ -211,6 +216,7 @@ DesignDocument parseDesign(const std::string& text, const std::string& name, con
 {
     DesignDocument document;
     document.name = name;
+    document.text = text;
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty())
         document.problems.push_back({name, toml.problemLine, "", toml.problem});
@@ -231,7 +237,9 @@ DesignDocument readDesign(const std::filesystem::path& file, const std::vector<s
     document.name = file.string();
     std::string message = std::get<FileProblem>(content).message;
     if (!isFile && !document.name.empty() && !file.has_parent_path())
-        message = "is neither a file nor a sample study of this kind" + didYouMean(nearestName(document.name, sampleStudyNames("design")));
+        message = isSampleCase(document.name)
+                      ? "is a case; a design needs the file of a study, which says what may change and what is wanted"
+                      : "is neither a file nor a sample study of this kind" + didYouMean(nearestName(document.name, sampleStudyNames("design")));
     document.problems.push_back({document.name, 0, "", std::move(message)});
     return document;
 }

@@ -10,6 +10,7 @@ namespace touchdown {
 namespace {
 
 constexpr const char* settingsOption = "--set"; // what applySettings calls their file
+constexpr const char* neededCase = "the file of a case, or the name of a sample case, in quotation marks";
 
 /// What was said of settings is said of the study's table.
 void nameTheStudy(const StudyReader& reader, std::vector<InputProblem>& problems)
@@ -32,13 +33,19 @@ bool isOfKind(StudyReader& reader, const std::string& kind)
     return silent || (its && *its == kind);
 }
 
+bool namesCase(StudyReader& reader)
+{
+    if (reader.has("case")) return true;
+    reader.text("case", neededCase); // it may
+    return false;
+}
+
 std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
                                           const std::vector<std::string>& settings)
 {
     reader.allow("", {"set"});
-    const std::string needed = "the file of a case, or the name of a sample case, in quotation marks";
-    if (!reader.has("case")) reader.add("case", "is missing; " + needed + " is needed");
-    const auto name = reader.text("case", needed);
+    if (!namesCase(reader)) reader.add("case", std::string("is missing; ") + neededCase + " is needed");
+    const auto name = reader.text("case", neededCase);
     if (!name) return {};
     std::error_code error;
     const std::filesystem::path beside = folder / *name;

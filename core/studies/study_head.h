@@ -19,6 +19,9 @@ inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
 /// Whether the file is of this kind, or does not say of which; else the reader has the problem.
 bool isOfKind(StudyReader& reader, const std::string& kind);
 
+/// Whether the file names a case.
+bool namesCase(StudyReader& reader);
+
 /// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those of --set. What is
 /// wrong with the case is in the document's problems, each where it was said: in the study, in the case or by --set. Without a
 /// name the reader has the problem, and there is none.

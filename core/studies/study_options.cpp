@@ -19,9 +19,11 @@ std::string_view trimmed(std::string_view text)
     return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-bool isBareKey(std::string_view key)
+/// "steps", "ensemble.starts".
+bool isKey(std::string_view key)
 {
-    return !key.empty() && key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string_view::npos;
+    const bool bare = key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") == std::string_view::npos;
+    return bare && !key.empty() && !key.starts_with('.') && !key.ends_with('.') && key.find("..") == std::string_view::npos;
 }
 
 /// The one entry of "key = value"; text where the value is no TOML.
@@ -32,10 +34,12 @@ TomlDocument readOption(const std::string& key, std::string_view value)
     return toml.problem.empty() && !several ? toml : readToml(key + " = " + tomlString(value));
 }
 
-/// "" or why a key of the file's head cannot be an option.
-std::string reasonAgainst(std::string_view key)
+/// "" or why a key of the file cannot be an option.
+std::string reasonAgainst(const TomlDocument& toml, std::string_view key)
 {
-    if (key == "set") return "is no option; --set KEY=VALUE changes the case";
+    const auto isListOf = [&](const TomlTable& table) { return table.kind == TomlTableKind::Array && key.substr(0, key.find('.')) == table.key; };
+    if (std::ranges::any_of(toml.tables, isListOf)) return "is of a list of tables; it stands in the study's file";
+    if (key == "set" || key.starts_with("set.")) return "is no option; --set KEY=VALUE changes the case";
     if (key == "case" || key == "kind") return "is no option; it stands in the study's file";
     return {};
 }
@@ -60,11 +64,11 @@ std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std
         };
         const auto equals = option.find('=');
         const std::string key(trimmed(std::string_view(option).substr(0, equals)));
-        if (equals == std::string::npos || !isBareKey(key)) {
+        if (equals == std::string::npos || !isKey(key)) {
             refuse("", inQuotes(option) + " is not key=value");
             continue;
         }
-        if (const std::string reason = reasonAgainst(key); !reason.empty()) {
+        if (const std::string reason = reasonAgainst(toml, key); !reason.empty()) {
             refuse(key, reason);
             continue;
         }
@@ -79,6 +83,7 @@ std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std
             toml.entries.push_back(std::move(entry));
         }
         for (TomlTable& table : one.tables) {
+            if (std::ranges::find(toml.tables, table.key, &TomlTable::key) != toml.tables.end()) continue; // it has one key more
             table.line = optionLine;
             toml.tables.push_back(std::move(table));
         }

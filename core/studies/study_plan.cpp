@@ -107,7 +107,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     StudyReader reader(toml, plan.name, plan.start.value, plan.problems);
     const std::string title = reader.text("title").value_or("");
     if (!isOfKind(reader, kind)) return plan;
-    const bool takesGiven = source.given && !reader.has("case");
+    const bool takesGiven = source.given && !namesCase(reader);
     if (takesGiven) {
         plan.start = changedStudyCase(reader, std::move(*source.given), settings);
     } else if (auto start = openStudyCase(reader, source.folder, settings)) {
@@ -118,8 +118,16 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     plan.title = title.empty() ? plan.start.value.title : title;
     appendTo(plan.problems, plan.start.problems);
     if (!plan.start.valid()) return plan; // what the study's keys may be depends on the case
+    const auto before = static_cast<std::ptrdiff_t>(plan.problems.size());
     StudyPerformance perform = study->plan(reader);
+    const auto isOfCase = [](const InputProblem& problem) { return problem.key == "case"; };
+    // What a study misses beside a case that it cannot take follows from that, unless it was written.
+    if (std::any_of(plan.problems.begin() + before, plan.problems.end(), isOfCase)) {
+        const auto follows = [&](const InputProblem& problem) { return !isOfCase(problem) && problem.line == 0 && problem.file == plan.name; };
+        plan.problems.erase(std::remove_if(plan.problems.begin() + before, plan.problems.end(), follows), plan.problems.end());
+    }
     reader.finish();
+    plan.questions = reader.questions();
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
     const bool named = !title.empty();
@@ -133,11 +141,31 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     return plan;
 }
 
-/// Whether a text says what only a study says.
-bool isStudy(const std::string& text)
+/// A text that says what only a study says.
+std::optional<StudySource> studyIn(std::string text)
 {
-    return std::ranges::any_of(readToml(text).entries,
-                               [](const TomlEntry& entry) { return entry.key == "case" || entry.key == "kind"; });
+    const TomlDocument toml = readToml(text);
+    const auto find = [&](const char* key) { return std::ranges::find(toml.entries, key, &TomlEntry::key); };
+    const auto kind = find("kind");
+    if (kind == toml.entries.end() && find("case") == toml.entries.end()) return {};
+    if (kind == toml.entries.end()) return StudySource{"", 0, std::move(text)};
+    const auto* name = std::get_if<std::string>(&kind->value);
+    return StudySource{name == nullptr ? "" : *name, kind->line, std::move(text)};
+}
+
+/// The text of a study in a file.
+std::optional<StudySource> studyInFile(const std::filesystem::path& file)
+{
+    if (isCmlPath(file)) return {};
+    auto content = readTextFile(file, maximumStudyFileSize);
+    auto* text = std::get_if<std::string>(&content);
+    return text == nullptr ? std::nullopt : studyIn(std::move(*text));
+}
+
+bool isFile(const std::string& name)
+{
+    std::error_code error;
+    return std::filesystem::is_regular_file(name, error);
 }
 
 CaseDocument openSample(const std::string& kind, const std::string& name)
@@ -166,20 +194,25 @@ std::span<const StudyKind> studyKinds()
     return kinds;
 }
 
+std::optional<StudySource> findStudySource(const std::string& fileOrName)
+{
+    if (isFile(fileOrName)) return studyInFile(fileOrName);
+    const auto named = [&](const auto& each) { return each.name == fileOrName; };
+    if (std::ranges::any_of(sampleCases(), named)) return {};
+    const auto sample = std::ranges::find_if(sampleStudies(), named);
+    if (sample == sampleStudies().end()) return {};
+    return studyIn(sample->text);
+}
+
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
                     const std::vector<std::string>& options)
 {
-    std::error_code error;
-    const std::filesystem::path file = fileOrName;
-    const bool isFile = std::filesystem::is_regular_file(file, error);
-    if (const SampleStudy* sample = findSampleStudy(kind, fileOrName); sample != nullptr && !isFile)
+    if (isFile(fileOrName)) {
+        const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
+        if (auto study = studyInFile(fileOrName))
+            return planStudy(kind, {std::move(study->text), fileOrName, folder.empty() ? "." : folder, {}}, settings, options);
+    } else if (const SampleStudy* sample = findSampleStudy(kind, fileOrName)) {
         return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options);
-    if (isFile && !isCmlPath(file)) {
-        const auto content = readTextFile(file, maximumStudyFileSize);
-        const auto* text = std::get_if<std::string>(&content);
-        const std::filesystem::path folder = file.parent_path();
-        if (text != nullptr && isStudy(*text))
-            return planStudy(kind, {*text, fileOrName, folder.empty() ? "." : folder, {}}, settings, options);
     }
     return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName)}, settings, options);
 }

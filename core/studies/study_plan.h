@@ -12,12 +12,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/simulation/case_file.h"
 #include "core/studies/study.h"
+#include "core/studies/study_reader.h"
 
 namespace touchdown {
 
@@ -37,8 +39,18 @@ struct StudyPlan {
     CaseDocument start;  // the case that is studied
     std::vector<InputProblem> problems; // all of them, those of the case among them
     StudyPerformance perform;           // set where there is no problem
+    std::vector<StudyQuestion> questions; // the keys that this study asks for of this case
     bool valid() const { return problems.empty(); }
 };
+
+/// What a study's file or a sample study is, by the name that openStudy takes.
+struct StudySource {
+    std::string kind; // that it names; "" where it names none
+    int kindLine = 0;
+    std::string text;
+};
+/// Nothing where the name is that of a case, or of nothing.
+std::optional<StudySource> findStudySource(const std::string& fileOrName);
 
 /// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of this kind or of a
 /// sample case. The settings are those of --set, on the case; the options are those of --option: "key=value" with a key of the

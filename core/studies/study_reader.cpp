@@ -10,6 +10,7 @@
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/quotation.h"
 #include "core/simulation/toml_quantity.h"
+#include "core/studies/key_path.h"
 
 namespace touchdown {
 
@@ -18,8 +19,21 @@ namespace {
 std::string rangeText(double minimum, double maximum, const std::string& displayUnit)
 {
     const std::string least = formatQuantity(minimum, displayUnit), most = formatQuantity(maximum, displayUnit);
-    if (std::isfinite(minimum) && std::isfinite(maximum)) return "must be from " + least + " to " + most;
-    return std::isfinite(minimum) ? "must be at least " + least : "must be at most " + most;
+    if (std::isfinite(minimum) && std::isfinite(maximum)) return "from " + least + " to " + most;
+    if (std::isfinite(minimum)) return "at least " + least;
+    return std::isfinite(maximum) ? "at most " + most : "a number";
+}
+
+std::string wholeRangeText(int minimum, int maximum)
+{
+    return "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+}
+
+std::string choiceText(const std::vector<std::string>& choices)
+{
+    std::string list;
+    for (const std::string& each : choices) list += (list.empty() ? "" : ", ") + each;
+    return (choices.size() > 1 ? "one of " : "") + list;
 }
 
 /// A value as --set takes it; nothing where it is none.
@@ -55,48 +69,6 @@ std::vector<TomlValue> elementsOf(const TomlEntry& entry)
     return values;
 }
 
-/// "run.step" of "set.\"run.step\"" and of "set.run.step".
-std::string settingKey(const std::string& key, const std::string& table)
-{
-    std::string name = key.substr(table.size() + 1);
-    if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-    return name;
-}
-
-/// "method.name" of "method[2].name".
-std::string withoutNumbers(const std::string& key)
-{
-    std::string name;
-    bool inside = false;
-    for (const char c : key) {
-        if (c == '[') inside = true;
-        if (!inside) name += c;
-        if (c == ']') inside = false;
-    }
-    return name;
-}
-
-/// "method[2]" of "method[2].name"; "" of a root key.
-std::string tableOf(const std::string& key)
-{
-    const auto mark = key.find('"'); // a part in quotation marks may hold dots
-    const auto dot = mark == std::string::npos ? key.rfind('.') : mark == 0 ? mark : mark - 1;
-    return dot == std::string::npos ? std::string() : key.substr(0, dot);
-}
-
-/// "name" of "method.name".
-std::string leafOf(const std::string& key)
-{
-    const std::string table = tableOf(key);
-    return table.empty() ? key : key.substr(table.size() + 1);
-}
-
-/// "method" of "method[2]", which itself is that of "method[2].name".
-std::string ownerOf(const std::string& key)
-{
-    return key.ends_with(']') ? key.substr(0, key.rfind('[')) : tableOf(key);
-}
-
 } // namespace
 
 StudyReader::StudyReader(const TomlDocument& toml, std::string name, const Case& start, std::vector<InputProblem>& problems)
@@ -112,9 +84,16 @@ bool StudyReader::has(const std::string& key)
     return entries_.contains(key) || findTable(key) != nullptr;
 }
 
+void StudyReader::ask(const std::string& key, const std::string& answer, const std::string& unit, const std::string& displayUnit)
+{
+    const std::string name = withoutNumbers(key);
+    if (std::ranges::find(questions_, name, &StudyQuestion::key) == questions_.end()) questions_.push_back({name, answer, unit, displayUnit});
+}
+
 std::optional<double> StudyReader::number(const std::string& key, const std::string& unit, const std::string& displayUnit,
                                           double minimum, double maximum)
 {
+    ask(key, rangeText(minimum, maximum, displayUnit), unit, displayUnit);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     return inRange(key, entry->value, unit, displayUnit, minimum, maximum);
@@ -122,16 +101,18 @@ std::optional<double> StudyReader::number(const std::string& key, const std::str
 
 std::optional<int> StudyReader::integer(const std::string& key, int minimum, int maximum)
 {
+    ask(key, wholeRangeText(minimum, maximum));
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     const auto* value = std::get_if<std::int64_t>(&entry->value);
     if (value != nullptr && *value >= minimum && *value <= maximum) return static_cast<int>(*value);
-    add(key, "must be a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum));
+    add(key, "must be " + wholeRangeText(minimum, maximum));
     return {};
 }
 
 std::optional<bool> StudyReader::boolean(const std::string& key)
 {
+    ask(key, "true or false");
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     if (const auto* value = std::get_if<bool>(&entry->value)) return *value;
@@ -141,6 +122,7 @@ std::optional<bool> StudyReader::boolean(const std::string& key)
 
 std::optional<std::string> StudyReader::text(const std::string& key, const std::string& needed)
 {
+    ask(key, needed);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     if (const auto* value = std::get_if<std::string>(&entry->value)) return *value;
@@ -150,17 +132,16 @@ std::optional<std::string> StudyReader::text(const std::string& key, const std::
 
 std::optional<std::string> StudyReader::choice(const std::string& key, const std::vector<std::string>& choices)
 {
+    ask(key, choiceText(choices));
     const auto value = text(key);
     if (!value || std::ranges::find(choices, *value) != choices.end()) return value;
-    std::string list;
-    for (const std::string& each : choices) list += (list.empty() ? "" : ", ") + each;
-    add(key, inQuotes(*value) + " is not known: allowed is " + (choices.size() > 1 ? "one of " : "") + list +
-                 didYouMean(nearestName(*value, choices)));
+    add(key, inQuotes(*value) + " is not known: allowed is " + choiceText(choices) + didYouMean(nearestName(*value, choices)));
     return {};
 }
 
 std::optional<std::vector<std::string>> StudyReader::texts(const std::string& key, const std::string& needed)
 {
+    ask(key, needed);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<std::string> list;
@@ -180,6 +161,7 @@ std::optional<std::vector<std::string>> StudyReader::texts(const std::string& ke
 std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, const std::string& unit,
                                                         const std::string& displayUnit, double minimum, double maximum)
 {
+    ask(key, "a list of numbers, each " + rangeText(minimum, maximum, displayUnit), unit, displayUnit);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<double> list;
@@ -196,10 +178,12 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
 
 std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std::string& table)
 {
+    const std::string needed = "a table such as { \"run.duration\" = \"1 ms\" }";
+    ask(table, needed);
     std::vector<std::pair<std::string, std::string>> list;
     settled_.insert(table);
     if (entries_.contains(table) || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
-        add(table, "must be a table such as { \"run.duration\" = \"1 ms\" }");
+        add(table, "must be " + needed);
     for (const TomlEntry& entry : toml_.entries) {
         if (!entry.key.starts_with(table + '.')) continue;
         if (auto value = settingText(entry.value))
@@ -220,7 +204,7 @@ std::vector<std::string> StudyReader::tables(const std::string& list)
     const TomlTable* table = findTable(list);
     if ((given && (array == nullptr || !array->elements.empty())) ||
         (table != nullptr && table->kind != TomlTableKind::Array)) {
-        add(list, "is one of a list; write [[" + list + "]]");
+        add(list, lineOf(list) == optionLine ? "is of a list of tables; it stands in the study's file" : "is one of a list; write [[" + list + "]]");
         settled_.insert(list);
         return names;
     }
@@ -262,11 +246,11 @@ void StudyReader::finish()
         while (!key.empty() && !done.contains(key)) key = ownerOf(key);
         return !key.empty();
     };
+    const auto begun = [&](const std::string& prefix) {
+        const auto first = asked_.lower_bound(prefix);
+        return first != asked_.end() && first->starts_with(prefix);
+    };
     const auto isKnown = [&](const std::string& table) {
-        const auto begun = [&](const std::string& prefix) {
-            const auto first = asked_.lower_bound(prefix);
-            return first != asked_.end() && first->starts_with(prefix);
-        };
         return asked_.contains(table) || begun(table + '.') || begun(table + '[');
     };
     for (const TomlTable& table : toml_.tables) {
@@ -274,9 +258,11 @@ void StudyReader::finish()
         done.insert(table.key);
         addAt(table.line, table.key, "unknown table" + suggestion(table.key));
     }
-    for (const TomlEntry& entry : toml_.entries)
-        if (!inside(entry.key) && !asked_.contains(entry.key))
-            addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
+    for (const TomlEntry& entry : toml_.entries) {
+        if (inside(entry.key)) continue;
+        if (!asked_.contains(entry.key)) addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
+        else if (begun(entry.key + '.')) addAt(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
+    }
 }
 
 /// A value; where a table stands instead, that is told once.
@@ -304,7 +290,7 @@ std::optional<double> StudyReader::inRange(const std::string& key, const TomlVal
     }
     const double read = std::get<double>(number);
     if (read >= minimum && read <= maximum) return read;
-    add(key, rangeText(minimum, maximum, displayUnit));
+    add(key, "must be " + rangeText(minimum, maximum, displayUnit));
     return {};
 }
 

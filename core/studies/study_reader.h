@@ -20,6 +20,13 @@ namespace touchdown {
 /// The line of an entry that does not stand in the file but was given beside it; its problems name "--option" as their file.
 inline constexpr int optionLine = -1;
 
+/// A key that a study asks for, and what it takes.
+struct StudyQuestion {
+    std::string key;    // "repeats", "method.name"
+    std::string answer; // "from 1 nm to 9 nm", "one of run, static"
+    std::string unit{}, displayUnit{}; // of a number; empty where there is none
+};
+
 class StudyReader {
 public:
     /// All must last. `start` is the case that is studied.
@@ -56,7 +63,11 @@ public:
     /// Says which keys nobody has asked for.
     void finish();
 
+    /// What was asked for until now, in that order; keys of a list of tables once.
+    const std::vector<StudyQuestion>& questions() const { return questions_; }
+
 private:
+    void ask(const std::string& key, const std::string& answer, const std::string& unit = {}, const std::string& displayUnit = {});
     const TomlEntry* find(const std::string& key);
     const TomlTable* findTable(const std::string& key) const;
     std::optional<double> inRange(const std::string& key, const TomlValue& value, const std::string& unit,
@@ -70,6 +81,7 @@ private:
     std::map<std::string, const TomlEntry*> entries_;
     std::map<std::string, const TomlTable*> tables_;
     std::set<std::string> asked_;
+    std::vector<StudyQuestion> questions_;
     std::set<std::string> settled_; // tables whose keys are of no more interest
 };
 

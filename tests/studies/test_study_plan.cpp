@@ -126,6 +126,45 @@ private slots:
         QVERIFY(openStudy(kind, "fig10a", {}, {"steps=3", "parameter=springs.flying_height", "from=10 nm", "to = \"2 nm\""}).valid());
     }
 
+    /// A key of a table is named with it, whether the file has the table or not.
+    void optionsOfTables()
+    {
+        const std::string none = "case = \"fig10a\"\n", some = none + "[ensemble]\nstarts = 1\nspread = \"1 nm\"\n";
+        for (const std::string& text : {none, some}) {
+            const StudyPlan plan = parseStudy("work-precision", text, "a.toml", {}, nullptr, {}, {"ensemble.starts=3"});
+            QVERIFY2(plan.valid(), qPrintable(said(plan)));
+        }
+        QVERIFY(said(parseStudy("work-precision", some, "a.toml", {})).contains("a.toml:3: ensemble.starts: must be "));
+        QCOMPARE(said(parseStudy("work-precision", none + "ensemble = 3\n", "a.toml", {})),
+                 QString("a.toml:2: ensemble: is a table, not a value; write [ensemble]\n"));
+        const std::string list = none + "[[method]]\nname = \"a\"\n";
+        for (const char* option : {"method=3", "method.name=b"})
+            QVERIFY(said(parseStudy("work-precision", list, "a.toml", {}, nullptr, {}, {option})).contains("is of a list of tables; it stands in the study's file"));
+    }
+    /// What a study cannot do is told once.
+    void onlyTheCase()
+    {
+        const StudyPlan plan = openStudy("stability", "contact_hertz");
+        QCOMPARE(plan.problems.size(), std::size_t{1});
+        QCOMPARE(plan.problems.front().key, std::string("case"));
+    }
+    void sources()
+    {
+        const auto sample = findStudySource("hysteresis_take_off");
+        QVERIFY(sample);
+        QCOMPARE(sample->kind, std::string("hysteresis"));
+        QVERIFY(sample->kindLine > 0);
+        QVERIFY(!findStudySource("fig10a"));
+        QVERIFY(!findStudySource("film_fig4_pico")); // a case, too
+        QVERIFY(!findStudySource("no_such"));
+        const QTemporaryDir folder;
+        const std::string file = folder.filePath("a.toml").toStdString();
+        QCOMPARE(writeCaseFile(file, openCase("fig10a").text), std::string());
+        QVERIFY(!findStudySource(file));
+        QCOMPARE(writeCaseFile(file, "case = \"fig10a\"\n"), std::string());
+        QCOMPARE(findStudySource(file)->kind, std::string());
+    }
+
     void problems_data()
     {
         QTest::addColumn<QString>("text");
@@ -175,6 +214,8 @@ private slots:
         QTest::addColumn<QString>("says");
         QTest::newRow("no value") << "steps" << "--option: \"steps\" is not key=value\n";
         QTest::newRow("no key") << "=3" << "--option: \"=3\" is not key=value\n";
+        QTest::newRow("an empty part of a key") << "a..b=3" << "--option: \"a..b=3\" is not key=value\n";
+        QTest::newRow("a setting") << "set.run.step=3" << "--option: set.run.step: is no option; --set KEY=VALUE changes the case\n";
         QTest::newRow("a bad key") << "steps]=3" << "--option: \"steps]=3\" is not key=value\n";
         QTest::newRow("settings") << "set={}" << "--option: set: is no option; --set KEY=VALUE changes the case\n";
         QTest::newRow("a text for a number") << "steps=many" << "--option: steps: must be a whole number from 1 to ";

@@ -64,6 +64,22 @@ private slots:
         a.reader.finish();
         QCOMPARE(text(a.said()), QString());
     }
+    /// What is asked for can be listed, keys of a list of tables once.
+    void questions()
+    {
+        Read a("[[method]]\n[[method]]\n");
+        a.reader.number("x", "m", "nm", 1e-9, 9e-9);
+        a.reader.number("x", "m", "nm", 1e-9, 9e-9);
+        a.reader.choice("way", {"up", "down"});
+        for (const std::string& table : a.reader.tables("method")) a.reader.boolean(table + ".on");
+        const std::vector<StudyQuestion>& all = a.reader.questions();
+        QCOMPARE(all.size(), std::size_t{3});
+        QCOMPARE(all[0].answer, std::string("from 1 nm to 9 nm"));
+        QCOMPARE(all[0].unit, std::string("m"));
+        QCOMPARE(all[1].answer, std::string("one of up, down"));
+        QCOMPARE(all[2].key, std::string("method.on"));
+        QCOMPARE(all[2].answer, std::string("true or false"));
+    }
     void lists()
     {
         Read a("x = [\"1 ns\", 1e-8]\ny = [1e-8, \"1 ns\", 3]\n");

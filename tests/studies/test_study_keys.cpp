@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/study_keys.h"
+
+#include <algorithm>
+
+#include <QtTest>
+
+#include "core/studies/study_plan.h"
+
+using namespace touchdown;
+
+namespace {
+
+StudyKey find(const std::string& kind, const std::string& name)
+{
+    const std::vector<StudyKey> keys = studyKeys(kind);
+    const auto key = std::ranges::find(keys, name, &StudyKey::key);
+    if (key == keys.end()) qFatal("%s has no %s", kind.c_str(), name.c_str());
+    return *key;
+}
+
+} // namespace
+
+class TestStudyKeys : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyKind_data()
+    {
+        QTest::addColumn<QString>("kind");
+        for (const StudyKind& each : studyKinds()) QTest::newRow(each.name.c_str()) << QString::fromStdString(each.name);
+    }
+    /// The keys of the head, and some of its own, each with what it takes.
+    void everyKind()
+    {
+        QFETCH(QString, kind);
+        const std::vector<StudyKey> keys = studyKeys(kind.toStdString());
+        QVERIFY(keys.size() > 6);
+        for (const char* head : {"title", "kind", "case", "set"}) QVERIFY2(std::ranges::count(keys, head, &StudyKey::key) == 1, head);
+        for (const StudyKey& key : keys) QVERIFY2(!key.allowed.empty(), key.key.c_str());
+        QVERIFY(std::ranges::any_of(keys, [](const StudyKey& key) { return !key.help.empty() && !key.standards.empty(); }));
+    }
+    void aNumber()
+    {
+        const StudyKey hold = find("hysteresis", "hold");
+        QCOMPARE(hold.allowed, std::string("from 0.1 us to 1e6 us"));
+        QCOMPARE(hold.unit, std::string("s"));
+        QCOMPARE(hold.displayUnit, std::string("us"));
+        QCOMPARE(hold.standards.front(), (std::pair<std::string, std::string>{"springs", "2000 us"}));
+        QCOMPARE(hold.help, std::string("for so long at each value; the last tenth counts"));
+        QVERIFY(!hold.varies);
+        QVERIFY(find("hysteresis", "from").varies); // it is of the parameter
+    }
+    /// What a template only offers has a default, too.
+    void anOffer()
+    {
+        const StudyKey starts = find("work-precision", "ensemble.starts");
+        QCOMPARE(starts.standards.front().second, std::string("300"));
+        QVERIFY(!starts.inList);
+        QVERIFY(find("work-precision", "method.name").inList);
+    }
+    /// Advice is of films alone.
+    void oneModel()
+    {
+        const StudyKey tolerance = find("advise", "tolerance");
+        QCOMPARE(tolerance.standards.size(), std::size_t{1});
+        QCOMPARE(tolerance.standards.front().first, std::string("film"));
+    }
+    void noSuchKind() { QVERIFY(studyKeys("hysterese").empty()); }
+};
+
+QTEST_GUILESS_MAIN(TestStudyKeys)
+#include "test_study_keys.moc"
