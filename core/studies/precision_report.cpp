@@ -90,20 +90,21 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
         std::ranges::replace(column.name, '-', '_');
         if (measures[i] == ErrorMeasure::PeakFrequency) column.unit = "Hz", column.displayUnit = "kHz";
         if (measures[i] == ErrorMeasure::PeakAmplitude) column.unit = "m", column.displayUnit = "nm";
+        column.secondary = task.inTime && measures[i] != task.measure;
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
-        table.columns.push_back({"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName});
+        table.columns.push_back({"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
     for (const StudyColumn& column : std::vector<StudyColumn>{
              {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Time of the solver, the least"},
-             {.name = "time_median", .unit = "s", .displayUnit = "ms", .longName = "Its median"},
-             {.name = "timed", .longName = "Timed runs"},
+             {.name = "time_median", .unit = "s", .displayUnit = "ms", .longName = "Its median", .secondary = true},
+             {.name = "timed", .longName = "Timed runs", .secondary = true},
              {.name = "work", .longName = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves"},
-             {.name = "steps", .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid"},
+             {.name = "steps", .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid", .secondary = true},
              {.name = "verdict", .longName = "Against the reference"},
              {.name = "end", .longName = "End"},
              {.name = "end_spacing", .unit = "m", .displayUnit = "nm", .longName = "Mean spacing over the last tenth"},
-             {.name = "chosen", .longName = "The case's own"},
+             {.name = "chosen", .longName = "The case's own", .secondary = true},
              {.name = "message", .longName = "Why it ended so"}})
         table.columns.push_back(column);
     for (const PrecisionPoint& point : runs.points) {

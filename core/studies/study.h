@@ -96,6 +96,7 @@ struct StudyColumn {
     std::string unit{};      // SI; empty when dimensionless, and for texts
     std::string displayUnit{};
     std::string longName{};  // "Largest error over the trajectory"
+    bool secondary = false;  // left out where there is little room
 };
 /// Monostate: not known, or it has no meaning.
 using StudyValue = std::variant<std::monostate, double, std::string>;
