@@ -4,6 +4,7 @@
 #include "app/aligned_table.h"
 #include "app/json_text.h"
 #include "core/studies/sample_study.h"
+#include "core/studies/study_plan.h"
 
 namespace touchdown {
 
@@ -13,11 +14,22 @@ void complainOf(const CaseDocument& document)
     for (const InputProblem& problem : document.problems) complain(problem.text());
 }
 
+CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings)
+{
+    CaseDocument document = openCase(name);
+    if (const auto study = document.valid() ? std::nullopt : findStudySource(name)) {
+        const std::string kind = study->kind.empty() ? "KIND" : study->kind;
+        document.problems = {{document.name, 0, "", "is a study, not a case; did you mean `touchdown study " + kind + ' ' + name + "`?"}};
+    } else if (!settings.empty()) {
+        applySettings(document, settings);
+    }
+    complainOf(document);
+    return document;
+}
+
 CaseDocument openCaseOrComplain(const CaseArguments& arguments)
 {
-    CaseDocument document = openCase(arguments.name);
-    if (!arguments.settings.empty()) applySettings(document, arguments.settings);
-    complainOf(document);
+    CaseDocument document = openCaseToKeep(arguments.name, arguments.settings);
     for (const InputProblem& unused : document.unused) complain("warning: " + unused.text());
     return document;
 }
@@ -29,37 +41,6 @@ CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments)
     document.problems.push_back({document.name, 0, "model", "must be \"film\" for a static state on an air film"});
     complain(document.problems.back().text());
     return document;
-}
-
-namespace {
-
-Json jsonList(const std::vector<InputProblem>& problems)
-{
-    Json list = Json::array();
-    for (const InputProblem& problem : problems)
-        list.push_back({{"file", problem.file},
-                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
-                        {"key", problem.key},
-                        {"message", problem.message}});
-    return list;
-}
-
-} // namespace
-
-int validateCommand(const CaseArguments& arguments, bool json)
-{
-    const CaseDocument document = openCaseOrComplain(arguments);
-    if (json) {
-        print(jsonText({{"case", document.name},
-                        {"title", document.value.title},
-                        {"valid", document.valid()},
-                        {"problems", jsonList(document.problems)},
-                        {"warnings", jsonList(document.warnings)},
-                        {"unused", jsonList(document.unused)}}));
-    } else if (document.valid()) {
-        print(document.name + ": valid\n");
-    }
-    return document.valid() ? exitDone : exitWrongInput;
 }
 
 int listCommand(bool json)

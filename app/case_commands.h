@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown validate` and `touchdown list`; what all commands on cases have in common.
+// `touchdown list`; what all commands on cases have in common.
 #pragma once
 
 #include "app/command_line.h"
@@ -11,13 +11,15 @@ namespace touchdown {
 /// Tells standard error what a case says that is not modelled, and each of its problems.
 void complainOf(const CaseDocument& document);
 
-/// The case that the arguments name, with its settings; all of that, and what has no effect, has gone to standard error.
+/// The case of a name, with settings; all that is wrong has gone to standard error.
+CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings = {});
+
+/// The same, and what has no effect has gone there, too.
 CaseDocument openCaseOrComplain(const CaseArguments& arguments);
 
 /// The same of a case that must have an air film.
 CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments);
 
-int validateCommand(const CaseArguments& arguments, bool json);
 int listCommand(bool json);
 
 } // namespace touchdown

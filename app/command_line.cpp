@@ -16,12 +16,12 @@
 #include "app/convert_command.h"
 #include "app/describe_command.h"
 #include "app/design_command.h"
+#include "app/mistaken_words.h"
 #include "app/modes_command.h"
 #include "app/run_command.h"
 #include "app/steady_command.h"
 #include "app/study_command.h"
-#include "core/simulation/nearest_name.h"
-#include "core/simulation/quotation.h"
+#include "app/validate_command.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -60,14 +60,21 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
     command.add_option("--jobs", arguments.jobs, "Solutions at a time; as many as there are cores without it")
         ->check(CLI::Range(1, 64));
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
-    command.add_flag("--template", arguments.asTemplate, "Prints a study of the case with every key, to begin a file with");
+    command.add_flag("--template", arguments.asTemplate, "Prints the study, or one of the case with every key, to begin a file with");
 }
 
-std::string listed(const std::vector<CLI::App*>& commands)
+std::vector<std::string> namesOf(const CLI::App& app)
 {
-    std::string list;
-    for (const CLI::App* each : commands) list += (each == commands.front() ? "" : each == commands.back() ? " or " : ", ") + each->get_name();
-    return list;
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between)
+{
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+    return text;
 }
 
 // `touchdown help run` asks as `touchdown run --help` does.
@@ -81,19 +88,35 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
     return arguments;
 }
 
-// What stands first and is no option must be a command.
-void checkCommand(const CLI::App& app, const std::vector<std::string>& arguments)
+// --tolerance is one of the options.
+void addTolerance(const std::string& tolerance, std::vector<std::string>& options)
 {
-    std::vector<std::string> names;
-    std::string list;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        names.push_back(command->get_name());
-        list += (list.empty() ? "" : ", ") + command->get_name();
-    }
-    if (arguments.empty()) throw CLI::RequiredError("A command (" + list + ")");
-    if (arguments.front().starts_with('-') || std::ranges::find(names, arguments.front()) != names.end()) return;
-    throw CLI::ParseError(inQuotes(arguments.front()) + " is no command" + didYouMean(nearestName(arguments.front(), names)),
-                          CLI::ExitCodes::ExtrasError);
+    for (const std::string& option : options)
+        if (option.starts_with("tolerance") && option.find_first_not_of(' ', std::string_view("tolerance").size()) == option.find('='))
+            throw CLI::ParseError("advise: --tolerance " + tolerance + " and --option " + option + " are one value; give it once",
+                                  CLI::ExitCodes::ExcludesError);
+    options.push_back("tolerance=" + tolerance);
+}
+
+// What stands first and is no option must be a command, and of "study" a kind.
+void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
+{
+    const CommandWords known{namesOf(app), namesOf(*app.get_subcommand("study"))};
+    if (arguments.empty()) throw CLI::RequiredError("A command (" + joined(known.commands, ", ") + ")");
+    if (arguments == std::vector<std::string>{"study"}) throw CLI::RequiredError("study: a kind (" + joined(known.kinds, ", ") + ")");
+    if (const std::string problem = mistakenWord(arguments, known); !problem.empty())
+        throw CLI::ParseError(problem, CLI::ExitCodes::ExtrasError);
+}
+
+// The command that was to take what is left over.
+std::string notTakenBy(const CLI::App& app)
+{
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    return notTaken(command->get_name(), app.remaining(true), options);
 }
 
 // A full disk or a closed pipe behind standard output is found out at the last moment.
@@ -166,6 +189,7 @@ int commandLine(int argc, char** argv)
         ->type_name("KEY=VALUE");
     design.add_option("--out", designArguments.out, "Writes the case with the values that were found")->type_name("FILE.toml");
     design.add_option("--csv", designArguments.csv, "Writes the steps of the search as CSV")->type_name("FILE.csv");
+    design.add_flag("--template", designArguments.asTemplate, "Prints the study, to begin a file with");
     design.add_flag("--progress", designArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(design);
 
@@ -192,29 +216,28 @@ int commandLine(int argc, char** argv)
     convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")->required();
 
     CaseArguments validated;
-    CLI::App& validate = *app.add_subcommand("validate", "Checks a case and lists every problem");
+    CLI::App& validate = *app.add_subcommand("validate", "Checks a case or a study and lists every problem");
     addCase(validate, validated);
     addJson(validate);
 
     CLI::App& list = *app.add_subcommand("list", "Lists the sample cases and sample studies");
     addJson(list);
 
-    std::string key;
-    CLI::App& describe = *app.add_subcommand("describe", "Explains the keys of a case: unit, range, default, source");
-    describe.add_option("KEY", key, "A key such as springs.cutoff, or a group such as springs");
+    std::vector<std::string> key;
+    CLI::App& describe = *app.add_subcommand("describe", "Explains the keys of a case and of studies: unit, range, default, source");
+    describe.add_option("KEY", key, "A key such as springs.cutoff, a group such as springs, or study.KIND")->expected(0, 3);
     addJson(describe);
 
     try {
         std::vector<std::string> arguments = argumentsOf(argc, argv);
-        checkCommand(app, arguments);
+        checkWords(app, arguments);
         std::ranges::reverse(arguments); // as CLI11 wants them
         app.parse(std::move(arguments));
-        if (app.get_subcommands().empty()) checkCommand(app, {});
+        if (app.get_subcommands().empty()) checkWords(app, {});
         if (run.parsed()) findCase(run, runArguments.caseArguments);
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
-        if (study.parsed() && study.get_subcommands().empty())
-            throw CLI::RequiredError("study: " + listed(study.get_subcommands([](const CLI::App*) { return true; })));
+        if (study.parsed() && study.get_subcommands().empty()) checkWords(app, {"study"});
         if (convergence.parsed()) findCase(convergence, convergenceArguments.caseArguments);
         if (design.parsed()) findCase(design, designArguments.study.name, {&designArguments.study.settings}, "FILE");
         kinds.push_back(&advise);
@@ -224,8 +247,11 @@ int commandLine(int argc, char** argv)
             findCase(*kind, studyArguments.study.name, {&studyArguments.study.settings, &studyArguments.options},
                      "FILE, a study or a case, or a sample of `touchdown list`,");
         }
-        if (!tolerance.empty()) studyArguments.options.push_back("tolerance=" + tolerance);
+        if (!tolerance.empty()) addTolerance(tolerance, studyArguments.options);
         if (validate.parsed()) findCase(validate, validated);
+    } catch (const CLI::ExtrasError& error) {
+        app.exit(CLI::ParseError(notTakenBy(app), error.get_exit_code()));
+        return exitWrongInput;
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
@@ -239,7 +265,7 @@ int commandLine(int argc, char** argv)
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));
     if (list.parsed()) return finishOutput(listCommand(json));
-    return finishOutput(describeCommand(key, json));
+    return finishOutput(describeCommand(joined(key, "."), json));
 }
 
 } // namespace touchdown

@@ -40,8 +40,7 @@ std::string writeCml(const CaseDocument& document, const fs::path& to)
 int convertCommand(const std::string& from, const std::string& to)
 {
     // What has no effect now is kept, so that nothing is lost on the way back.
-    const CaseDocument document = openCase(from);
-    complainOf(document);
+    const CaseDocument document = openCaseToKeep(from);
     if (!document.valid()) return exitWrongInput;
     const bool toml = fs::path(to).extension() == ".toml";
     const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/describe_study.h"
 #include "app/json_text.h"
+#include "app/wrapped_text.h"
 #include "core/simulation/fields.h"
 #include "core/simulation/nearest_name.h"
 #include "core/simulation/surface_text.h"
+#include "core/studies/study_plan.h"
 
 namespace touchdown {
 namespace {
@@ -36,7 +39,7 @@ Selection select(const std::string& key)
     return selection;
 }
 
-// The key or group that was meant.
+// The key, group or kind of study that was meant.
 std::string nearest(const std::string& key)
 {
     if (const std::string name = nearestKey(key); !name.empty()) return name;
@@ -44,6 +47,7 @@ std::string nearest(const std::string& key)
     for (const Field& field : fields())
         if (!field.group().empty() && (groups.empty() || groups.back() != field.group()))
             groups.push_back(field.group());
+    for (const StudyKind& kind : studyKinds()) groups.push_back(kind.name);
     return nearestName(key, groups);
 }
 
@@ -69,34 +73,6 @@ std::string unitText(const Field& field)
     const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
     if (field.unit.empty()) return numbers ? "-" : "";
     return field.unit == field.displayUnit ? field.unit : field.displayUnit + " (" + field.unit + ")";
-}
-
-// Lines of at most 100 characters, all indented.
-std::string wrapped(const std::string& text, std::size_t indent)
-{
-    constexpr std::size_t width = 100;
-    std::string result;
-    std::size_t column = width; // so that the first word begins a line
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        const std::size_t length = end - at;
-        if (column + 1 + length > width) {
-            result += (result.empty() ? "" : "\n") + std::string(indent, ' ');
-            column = indent;
-        } else {
-            result += ' ';
-            ++column;
-        }
-        result.append(text, at, length);
-        column += length;
-        at = end + 1;
-    }
-    return result + "\n";
-}
-
-std::string padded(const std::string& text, std::size_t width)
-{
-    return text + std::string(text.size() < width ? width - text.size() : 0, ' ') + "  ";
 }
 
 std::string table(const Selection& selection)
@@ -170,6 +146,7 @@ int describeCommand(const std::string& key, bool asJson)
         return exitDone;
     }
     if (selection.empty()) {
+        if (const auto code = describeStudy(key, asJson)) return *code;
         complain(key + ": unknown key" + didYouMean(nearest(key)));
         return exitWrongInput;
     }

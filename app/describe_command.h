@@ -7,7 +7,7 @@
 
 namespace touchdown {
 
-/// `key` is a key, a group, or "" for all.
+/// `key` is a key, a group, or "" for all keys of a case; or it is of a study.
 int describeCommand(const std::string& key, bool json);
 
 } // namespace touchdown

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "app/case_commands.h"
+#include "app/fitted_table.h"
 #include "app/output_target.h"
 #include "app/stop_signal.h"
 #include "app/study_progress_line.h"
@@ -42,17 +43,33 @@ std::vector<std::string> writeFiles(const StudyArguments& arguments, const Study
 
 int coresOfThis() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
-/// Prints a study of the case that the arguments name, with the defaults.
+void complainOf(const StudyPlan& plan)
+{
+    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
+        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
+    for (const InputProblem& problem : plan.problems) complain(problem.text());
+}
+
+/// Prints the study that the arguments name, or one of their case with the defaults.
 int printTemplate(const StudyArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments.study);
-    if (!document.valid()) return exitWrongInput;
+    const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings);
+    complainOf(plan);
+    const bool isStudy = !plan.text.empty();
+    const char* ignored = !arguments.options.empty() ? "--option" : isStudy && !arguments.study.settings.empty() ? "--set" : "";
+    if (*ignored != 0)
+        complain(ignored + std::string(": has no effect on what --template prints; write it into the file"));
+    if (!plan.valid() || *ignored != 0) return exitWrongInput;
+    if (isStudy) {
+        print(plan.text);
+        return exitDone;
+    }
     std::string head = "case = " + tomlString(arguments.study.name) + "\n";
     for (const std::string& setting : arguments.study.settings) {
         const auto equals = setting.find('=');
         head += "set." + tomlString(setting.substr(0, equals)) + " = " + tomlString(setting.substr(equals + 1)) + "\n";
     }
-    print(head + studyTemplate(arguments.kind, document.value));
+    print(head + studyTemplate(arguments.kind, plan.start.value));
     return exitDone;
 }
 
@@ -62,9 +79,7 @@ int studyCommand(const StudyArguments& arguments)
 {
     if (arguments.asTemplate) return printTemplate(arguments);
     const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings, arguments.options);
-    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
-        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
-    for (const InputProblem& problem : plan.problems) complain(problem.text());
+    complainOf(plan);
     const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}}, arguments.study.name);
     if (!plan.valid() || !good) return exitWrongInput;
 
@@ -80,7 +95,7 @@ int studyCommand(const StudyArguments& arguments)
         report.status = StudyStatus::Failed;
         report.message = problems.front();
     }
-    print(arguments.json ? studyJson(report) : studyText(report));
+    print(arguments.json ? studyJson(report) : studyText(report, outputWidth()));
     if (report.status != StudyStatus::Completed) {
         complain(std::string(name(report.status)) + ": " + report.message);
         return exitNoAnswer;

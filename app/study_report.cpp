@@ -3,17 +3,18 @@
 
 #include <cmath>
 
-#include "app/aligned_table.h"
+#include "app/fitted_table.h"
 #include "app/json_text.h"
 #include "app/progress_line.h"
 #include "app/report_row.h"
+#include "app/wrapped_text.h"
 #include "core/simulation/case_file.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostRows = 60; // of a table on a terminal
+constexpr std::size_t mostRows = 40; // of a table for people
 
 Json valueJson(const StudyValue& value)
 {
@@ -105,21 +106,25 @@ std::string cellText(const StudyColumn& column, const StudyValue& value)
     return shown.substr(0, shown.find(' ')); // the unit stands in the heading
 }
 
-std::string tableText(const StudyTable& table)
+/// `whole` says which option gives all of it.
+std::string tableText(const StudyTable& table, std::size_t width, const std::string& whole)
 {
-    std::vector<std::vector<std::string>> rows(1);
-    std::vector<bool> texts(table.columns.size(), false);
-    for (const StudyColumn& column : table.columns) rows.front().push_back(headingOf(column));
+    std::vector<FittedColumn> columns;
+    for (const StudyColumn& column : table.columns) columns.push_back({headingOf(column), false, column.secondary});
+    std::vector<std::vector<std::string>> rows;
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i)
-            if (std::holds_alternative<std::string>(row[i])) texts[i] = true;
-        if (rows.size() > mostRows) continue;
+            if (std::holds_alternative<std::string>(row[i])) columns[i].text = true;
+        if (rows.size() == mostRows) continue;
         auto& line = rows.emplace_back();
         for (std::size_t i = 0; i < row.size(); ++i) line.push_back(cellText(table.columns[i], row[i]));
     }
-    std::string text = table.name + ":\n" + alignedTable(rows, texts);
-    if (table.rows.size() > mostRows)
-        text += "... and " + std::to_string(table.rows.size() - mostRows) + " more rows; --json and --out give all of them\n";
+    const FittedTable fitted = fittedTable(columns, rows, width);
+    std::string text = table.name + ":\n" + fitted.text;
+    if (rows.size() < table.rows.size()) text += "… " + std::to_string(table.rows.size()) + " rows; all with " + whole + "\n";
+    std::string names;
+    for (const std::string& each : fitted.leftOut) names += (names.empty() ? "" : ", ") + each;
+    if (!names.empty()) text += wrapped("left out: " + names + "; all with " + whole, 0, width);
     return text;
 }
 
@@ -142,7 +147,7 @@ std::string studyJson(const StudyReport& report)
                      {"found", report.found ? Json(formatCase(*report.found)) : Json(nullptr)}});
 }
 
-std::string studyText(const StudyReport& report)
+std::string studyText(const StudyReport& report, std::size_t width)
 {
     std::string text = report.title + "\n";
     text += reportRow("status", std::string(name(report.status)) + (report.message.empty() ? "" : ": " + report.message));
@@ -151,7 +156,8 @@ std::string studyText(const StudyReport& report)
     for (const std::string& finding : report.findings) text += finding + "\n";
     if (!report.warnings.empty()) text += "\n";
     for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
-    for (const StudyTable& table : report.tables) text += "\n" + tableText(table);
+    for (const StudyTable& table : report.tables)
+        text += "\n" + tableText(table, width, &table == &report.tables.front() ? "--csv" : "--json");
     return text;
 }
 

@@ -3,6 +3,7 @@
 // What a study found: as JSON for scripts; as sentences and tables for people.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "core/studies/study.h"
@@ -11,7 +12,7 @@ namespace touchdown {
 
 /// One object; numbers in SI, null where one is not known. It holds the charts, too.
 std::string studyJson(const StudyReport& report);
-/// Findings, warnings, tables.
-std::string studyText(const StudyReport& report);
+/// Findings, warnings, tables of at most `width` characters.
+std::string studyText(const StudyReport& report, std::size_t width);
 
 } // namespace touchdown

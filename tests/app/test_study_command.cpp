@@ -55,6 +55,41 @@ private slots:
         QCOMPARE(plan.start.name, std::string("fig10a"));
         QCOMPARE(plan.start.value.run.duration, 1e-3);
     }
+    /// Of a study it prints the study.
+    void asTemplateOfAStudy()
+    {
+        const Outcome sample = folder_->touchdown({"study", "hysteresis", "hysteresis_take_off", "--template"});
+        QCOMPARE(sample.code, 0);
+        QVERIFY2(sample.out.contains("case = \"fig13a\"\n"), sample.out);
+        folder_->put("a.toml", "case = \"fig10a\" # mine\nsteps = 3\n");
+        const Outcome file = folder_->touchdown({"study", "hysteresis", "a.toml", "--template"});
+        QCOMPARE(file.out, QByteArray("case = \"fig10a\" # mine\nsteps = 3\n"));
+        const Outcome design = folder_->touchdown({"study", "design", "film_fig4_pico", "--template"});
+        QCOMPARE(design.code, 0);
+        QVERIFY2(design.out.contains("kind = \"design\"\n"), design.out);
+    }
+    void optionsOfTables()
+    {
+        const Outcome o = folder_->touchdown({"study", "work-precision", "fig10a", "--option", "ensemble.starts=1"});
+        QCOMPARE(o.code, 2);
+        QCOMPARE(o.err, QByteArray("--option: ensemble.starts: must be a whole number from 2 to 100000\n"));
+    }
+    /// No line is wider than what shows it; rows beyond 40, and columns for which there is no room, are named. 44 runs: there and back
+    /// over 22 values.
+    void tablesFit()
+    {
+        const QStringList arguments{"study", "hysteresis", "fig10a", "--option", "steps=21", "hold=2 us", "equilibria=false"};
+        for (const int width : {40, 72, 200}) {
+            const Outcome o = folder_->touchdown(arguments, {QString("COLUMNS=%1").arg(width)});
+            QCOMPARE(o.code, 0);
+            const QByteArray table = o.out.mid(o.out.indexOf("\nsteps:\n"));
+            QVERIFY2(table.contains("… 44 rows; all with --csv\n"), table);
+            QCOMPARE(table.contains("left out: "), width == 40);
+            for (const QString& line : QString::fromUtf8(table).split('\n'))
+                QVERIFY2(line.size() <= width, qPrintable(line));
+            QCOMPARE(table.contains("spacing_min [nm]"), width != 72); // there its heading takes two lines
+        }
+    }
     /// Ctrl + C: what was found until then is printed and written.
     void stopped()
     {
@@ -78,7 +113,7 @@ private slots:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
         const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << says; };
-        row("no study", {"study"}, "study: convergence, design, work-precision");
+        row("no study", {"study"}, "study: a kind (convergence, design, work-precision");
         row("a study that is not there", {"study", "sweep", "contact_hertz"}, "sweep");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
         row("a file that is not there", {"study", "hysteresis", "b.toml"}, "b.toml: is neither a file, ");
@@ -95,6 +130,20 @@ private slots:
         row("no jobs", {"study", "hysteresis", "fig10a", "--jobs", "0"}, "--jobs");
         row("an option without a value", {"study", "hysteresis", "fig10a", "--option"}, "--option");
         row("a template of nothing", {"study", "hysteresis", "--template", "fig10q"}, "did you mean");
+        row("a template of springs to advise on", {"advise", "fig10a", "--template"}, "fig10a: case: must be of model \"film\"");
+        row("a template with an option", {"study", "hysteresis", "fig10a", "--template", "--option", "steps=3"}, "--option: has no effect");
+        row("a template of a study with a setting", {"study", "hysteresis", "a.toml", "--template", "--set", "run.duration=1 ms"}, "--set: has no effect");
+        row("two tolerances", {"advise", "film_pico", "--tolerance", "1%", "--option", "tolerance=2%"},
+            "advise: --tolerance 1% and --option tolerance=2% are one value; give it once");
+        row("the case before the kind", {"study", "fig10a", "hysteresis"},
+            "\"fig10a\" is no kind of study; did you mean `touchdown study hysteresis fig10a`?");
+        row("a misspelt kind", {"study", "hysteresys", "fig10a"}, "\"hysteresys\" is no kind of study; did you mean hysteresis?");
+        row("a study without its kind", {"study", "a.toml", "--json"}, "did you mean `touchdown study hysteresis a.toml --json`?");
+        row("a misspelt option", {"study", "hysteresis", "fig10a", "--option", "steps=3", "--jsom"}, "hysteresis: --jsom is no option; did you mean --json?");
+        row("two studies", {"study", "hysteresis", "fig10a", "--json", "fig10b"}, "hysteresis: \"fig10b\" was not expected");
+        row("a pad", {"study", "stability", "contact_hertz"}, "contact_hertz: case: ");
+        row("a case to design", {"study", "design", "fig10a"}, "fig10a: is a case; a design needs the file of a study");
+        row("a list of tables as option", {"study", "hysteresis", "fig10a", "--option", "method.name=a"}, "--option: method");
         row("advice on springs", {"advise", "fig10a"}, "fig10a: case: must be of model \"film\"");
         row("advice without a case", {"advise", "--tolerance", "1%"}, "advise: FILE");
         row("a bad tolerance", {"advise", "film_pico", "--tolerance", "few"}, "--option: tolerance: ");
@@ -109,6 +158,7 @@ private slots:
         QCOMPARE(o.out, QByteArray());
         QVERIFY2(o.err.contains(says.toUtf8()), o.err);
         QCOMPARE(folder_->files(), QStringList{"a.toml"});
+        QVERIFY2(o.errorLines().size() == 1 || o.err.endsWith("Run with --help for more information.\n"), o.err);
     }
     void allProblemsAtOnce()
     {

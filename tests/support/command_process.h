@@ -51,9 +51,11 @@ inline QByteArray changedCase(const QByteArray& key, const QByteArray& line, int
 /// A folder in which the program runs.
 class CommandFolder {
 public:
-    Outcome touchdown(const QStringList& arguments) const
+    /// `environment` adds to that of the test: "COLUMNS=80".
+    Outcome touchdown(const QStringList& arguments, const QStringList& environment = {}) const
     {
         QProcess process;
+        process.setEnvironment(QProcess::systemEnvironment() + environment);
         process.setWorkingDirectory(folder_.path());
         process.start(TOUCHDOWN_COMMAND, arguments);
         return outcome(process);

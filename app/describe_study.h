@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `touchdown describe` of a kind of study: the reference of its keys, from its reader and its template.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace touchdown {
+
+/// Tells of "study", of "study.KIND" or "KIND", and of a key below it; the exit code. Nothing where the key is none of a study.
+std::optional<int> describeStudy(const std::string& key, bool json);
+
+} // namespace touchdown

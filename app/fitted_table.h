@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A table for people that is no wider than what shows it: headings of several lines, cut texts and, where that is not enough, fewer
+// columns.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace touchdown {
+
+struct FittedColumn {
+    std::string heading;     // may break behind '_' and at spaces
+    bool text = false;       // begins where its heading begins and may be cut; numbers end with it
+    bool secondary = false;  // left out first
+};
+
+struct FittedTable {
+    std::string text;                 // each row ends with a line break
+    std::vector<std::string> leftOut; // headings
+    bool cut = false;                 // some text ends with an ellipsis
+};
+FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows, std::size_t width);
+
+/// What shows standard output: COLUMNS, the terminal's width, or 100.
+std::size_t outputWidth();
+
+} // namespace touchdown
