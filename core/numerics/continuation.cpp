@@ -20,7 +20,6 @@ using Matrix = Eigen::MatrixXd;
 constexpr int mostIterations = 12;      // of Newton
 constexpr double straightest = 0.995;   // cosine between tangents at the ends of a step
 constexpr int fewIterations = 4;        // after so few the step may grow
-constexpr double locatedTo = 1e-12;     // of a located point, arclength
 constexpr int mostLocations = 80;
 
 class BranchFollower {
@@ -35,6 +34,7 @@ public:
         up[x.size()] = rising ? 1.0 : -1.0;
         std::optional<BranchPoint> first = pointAt(joined(x, p), up);
         if (!first) return branch;
+        setTests(*first);
         branch.points.push_back(*first);
         double step = options_.firstStep;
         while (branch.points.size() < options_.mostPoints) {
@@ -61,7 +61,6 @@ private:
         double s = 0.0; // arclength from the beginning of the step
         BranchPoint at;
         BranchMark mark;
-        bool isEnd = false;
         BranchEnd end = BranchEnd::Bound;
         int guard = -1;
     };
@@ -93,7 +92,6 @@ private:
         point.tangent = q.col(n);
         if (point.tangent.dot(along) < 0.0) point.tangent = -point.tangent;
         if (!point.tangent.allFinite()) return {};
-        if (problem_.tests) point.tests = problem_.tests(point.x, point.p);
         return point;
     }
 
@@ -131,15 +129,18 @@ private:
     /// that a point at the end of a branch lies where the branch holds.
     Change locate(const BranchPoint& from, const BranchPoint& next, double step, const Function& f)
     {
+        const bool positive = f(from) > 0.0;
         double low = 0.0, high = step, fLow = f(from), fHigh = f(next);
         Change change{.s = 0.0, .at = from, .mark = {}};
-        for (int k = 0; k < mostLocations && high - low > locatedTo && fLow != 0.0; ++k) {
+        for (int k = 0; k < mostLocations && high - low > options_.locatedTo && fLow != 0.0; ++k) {
             double s = low + (high - low) * fLow / (fLow - fHigh);
             if (k % 3 == 2 || !(s > low && s < high)) s = 0.5 * (low + high);
+            // Next to one end, a little further in: so the other end comes as near.
+            s = std::clamp(s, low + 0.5 * options_.locatedTo, high - 0.5 * options_.locatedTo);
             const std::optional<BranchPoint> point = stepFrom(from, s);
             if (!point) break;
             const double value = f(*point);
-            if ((value > 0.0) == (f(from) > 0.0) && value != 0.0) {
+            if ((value > 0.0) == positive && value != 0.0) {
                 low = s;
                 fLow = value;
                 fHigh *= k % 3 == 1 ? 0.5 : 1.0;
@@ -159,47 +160,62 @@ private:
         return change;
     }
 
-    /// Adds what is found within a step and its end; true where the branch ends within it.
-    bool addStep(Branch& branch, const BranchPoint& from, const BranchPoint& next, double step)
+    void setTests(BranchPoint& point) const
     {
-        std::vector<Change> changes;
-        const auto watch = [&](const Function& f) -> Change* {
-            const double before = f(from), after = f(next);
-            // A branch may begin on a zero.
-            if (before == 0.0 || (before > 0.0) == (after > 0.0)) return nullptr;
-            return &changes.emplace_back(locate(from, next, step, f));
-        };
-        const auto watchEnd = [&](const Function& f, BranchEnd end, int guard) {
-            const double before = f(from), after = f(next);
-            if (after > 0.0) return;
-            Change& change = before > 0.0 ? changes.emplace_back(locate(from, next, step, f)) : changes.emplace_back(Change{.s = 0.0, .at = from, .mark = {}});
-            change.isEnd = true;
+        if (problem_.tests) point.tests = problem_.tests(point.x, point.p);
+    }
+
+    /// The first end within a step.
+    std::optional<Change> endWithin(const BranchPoint& from, const BranchPoint& next, double step)
+    {
+        std::optional<Change> first;
+        const auto watch = [&](const Function& f, BranchEnd end, int guard) {
+            if (f(next) > 0.0) return;
+            Change change = f(from) > 0.0 ? locate(from, next, step, f) : Change{.s = 0.0, .at = from, .mark = {}};
             change.end = end;
             change.guard = guard;
+            if (!first || change.s < first->s) first = std::move(change);
         };
-        watchEnd([this](const BranchPoint& at) { return options_.upper - at.p; }, BranchEnd::Bound, -1);
-        watchEnd([this](const BranchPoint& at) { return at.p - options_.lower; }, BranchEnd::Bound, -1);
+        watch([this](const BranchPoint& at) { return options_.upper - at.p; }, BranchEnd::Bound, -1);
+        watch([this](const BranchPoint& at) { return at.p - options_.lower; }, BranchEnd::Bound, -1);
         const std::size_t guards = problem_.guards ? problem_.guards(from.x, from.p).size() : 0;
         for (std::size_t k = 0; k < guards; ++k)
-            watchEnd([this, k](const BranchPoint& at) { return problem_.guards(at.x, at.p)[k]; }, BranchEnd::Guard, static_cast<int>(k));
-        watch([](const BranchPoint& at) { return at.tangent[at.x.size()]; });
-        for (std::size_t k = 0; k < from.tests.size(); ++k)
-            if (Change* change = watch([k](const BranchPoint& at) { return at.tests[k]; })) change->mark.test = static_cast<int>(k);
+            watch([this, k](const BranchPoint& at) { return problem_.guards(at.x, at.p)[k]; }, BranchEnd::Guard, static_cast<int>(k));
+        return first;
+    }
 
+    /// Adds what is found within a step, and its end or that of the branch within it, which is told as true.
+    bool addStep(Branch& branch, const BranchPoint& from, BranchPoint next, double step)
+    {
+        const std::optional<Change> end = endWithin(from, next, step);
+        if (end) {
+            branch.guard = end->guard;
+            branch.end = end->end;
+            if (!(end->s > 0.0)) return true;
+            next = end->at;
+            step = end->s;
+        }
+        setTests(next);
+        std::vector<Change> changes;
+        const auto watch = [&](const Function& f, int test) {
+            const double before = f(from), after = f(next);
+            // A branch may begin on a zero.
+            if (before == 0.0 || (before > 0.0) == (after > 0.0)) return;
+            Change& change = changes.emplace_back(locate(from, next, step, f));
+            change.mark.test = test;
+        };
+        watch([](const BranchPoint& at) { return at.tangent[at.x.size()]; }, -1);
+        for (std::size_t k = 0; k < from.tests.size(); ++k)
+            watch([this, k](const BranchPoint& at) { return at.tests.empty() ? problem_.tests(at.x, at.p)[k] : at.tests[k]; },
+                  static_cast<int>(k));
         std::ranges::stable_sort(changes, {}, &Change::s);
         for (Change& change : changes) {
-            if (change.isEnd) {
-                if (change.s > 0.0) branch.points.push_back(std::move(change.at));
-                branch.guard = change.guard;
-                branch.end = change.end;
-                return true;
-            }
             branch.points.push_back(std::move(change.at));
             change.mark.point = branch.points.size() - 1;
             branch.marks.push_back(change.mark);
         }
-        branch.points.push_back(next);
-        return false;
+        branch.points.push_back(std::move(next));
+        return end.has_value();
     }
 
     const ContinuationProblem& problem_;

@@ -29,7 +29,7 @@ struct ContinuationProblem {
 
     /// False where F is not defined.
     std::function<bool(const Eigen::VectorXd& x, double p, Linearised& at)> linearise;
-    Values tests{};  // whose changes of sign are of interest
+    Values tests{};  // whose changes of sign are of interest; asked at points of the branch, and where a change is located
     Values guards{}; // > 0 where the branch holds; it ends where one of them becomes zero
 };
 
@@ -37,6 +37,7 @@ struct ContinuationOptions {
     double lower = 0.0, upper = 1.0; // of p
     double firstStep = 0.01, shortestStep = 1e-7, longestStep = 0.03; // arclength
     double tolerance = 1e-11;        // of Newton's last change of y
+    double locatedTo = 1e-12;        // of marks and ends, arclength
     std::size_t mostPoints = 5000;
 };
 
@@ -44,7 +45,7 @@ struct BranchPoint {
     Eigen::VectorXd x;
     double p = 0.0;
     Eigen::VectorXd tangent; // of (x, p), of length 1, in the direction in which the branch is followed
-    std::vector<double> tests;
+    std::vector<double> tests; // not at marks
 };
 
 struct BranchMark {

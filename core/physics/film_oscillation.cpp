@@ -39,12 +39,13 @@ void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& con
 }
 
 ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,
-                                          const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged)
+                                          const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged,
+                                          std::size_t columns)
 {
     const std::size_t size = film_.pad().size();
     setRate(s);
     ComplexMatrix3 result{};
-    for (std::size_t m = 0; m < 3; ++m) {
+    for (std::size_t m = 0; m < columns; ++m) {
         for (std::size_t at = 0; at < size; ++at) right_[at] = -(columns_[m][at] + s * storage_[m][at]);
         solve(s, response_[m], converged);
         for (std::size_t k = 0; k < 3; ++k) {

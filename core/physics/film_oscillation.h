@@ -29,9 +29,9 @@ public:
     FilmOscillation(const GasFilm& film, std::span<const double> p);
 
     /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces' derivatives.
-    /// `converged` turns false where a linear system was not solved.
+    /// `converged` turns false where a linear system was not solved. Each of the first `columns` takes one, the others stay zero.
     ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
-                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged);
+                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged, std::size_t columns = 3);
     /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
     std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
                                                const std::array<std::vector<double>, 3>& byPressure, bool& converged);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case:
+// Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the static state,
+// where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film and contact
+// (core/simulation/film_balance.h), from the static attitude set down to several separations and from attitudes that are known to be
+// near. One that no start leads to is missed.
 //
-//   film(q) + contact(q) + suspension(q) = 0,   q = (height of the mass centre, pitch, roll)
-//
-// with the film steady at q. Flying: the static state, where it is above d_s. In contact, on the take-off branch: Newton's method with the
-// stiffnesses of film and contact, from the static attitude set down to several separations and from attitudes that are known
-// to be near. One that no start leads to is missed.
-//
-// Small motions about each: the s for which (s^2 M + s C + K + K_contact + Z(s)) q = 0, with the film's Z(s) in full
-// (core/simulation/film_modes.h); of each oscillation one s is told. Where the static stiffness has a negative determinant a motion grows
-// without oscillating.
+// Stability: the oscillations about each (core/simulation/film_oscillations.h); where the static stiffness has a negative determinant
+// a motion grows without oscillating.
 #pragma once
 
 #include <complex>
@@ -20,7 +16,9 @@
 
 #include "core/physics/attitude.h"
 #include "core/simulation/case.h"
+#include "core/simulation/film_oscillations.h"
 #include "core/simulation/spring_equilibria.h"
+#include "core/simulation/steady.h"
 
 namespace touchdown {
 
@@ -47,5 +45,24 @@ struct FilmEquilibria {
 std::string reasonForNoFilmEquilibria(const Case& c);
 
 FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, const std::function<bool()>& goOn);
+
+/// The static state of a case's film, over a flat disk: grid, and where the suspension exerts its load.
+SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn);
+
+struct TouchingPlace {
+    Vector3 q{};
+    ContactRegion region = ContactRegion::Pressed;
+};
+struct TouchingPlaces {
+    std::vector<TouchingPlace> found; // each once
+    int givenUp = 0;                  // as above
+};
+/// Equilibria in contact, from the static attitude set down to several separations and from those of `near`.
+TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
+                              const std::function<bool()>& goOn);
+
+/// What an equilibrium at the balance's last place is, where it is solved; `near`: the rates of one close by.
+FilmEquilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, const FilmOscillations& near,
+                                    const std::function<bool()>& goOn);
 
 } // namespace touchdown

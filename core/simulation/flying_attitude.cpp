@@ -309,15 +309,29 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
 
 Matrix3 FlyingAttitude::stiffness(std::span<const double> p, const std::function<bool()>& goOn)
 {
+    return stiffness(p, 0.0, goOn);
+}
+
+Matrix3 FlyingAttitude::balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn)
+{
+    return stiffness(p, load_.shearArm, goOn);
+}
+
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn)
+{
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count, goOn);
     Matrix3 result{};
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {
-            double film = 0.0;
-            for (std::size_t at = 0; at < responses_[m].size(); ++at) film += forces_.byPressure[k][at] * responses_[m][at];
-            result[k][m] = film - forces_.byAttitude[k][m];
+            const auto answer = [&](std::size_t force) {
+                double film = 0.0;
+                for (std::size_t at = 0; at < responses_[m].size(); ++at) film += forces_.byPressure[force][at] * responses_[m][at];
+                return film - forces_.byAttitude[force][m];
+            };
+            result[k][m] = answer(k);
+            if (k > 0 && shearArm != 0.0) result[k][m] -= shearArm * answer(k + 2);
         }
     return result;
 }

@@ -76,6 +76,8 @@ public:
     /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn` says false the
     /// result means nothing.
     Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
+    /// The same of the torques that the balance has: with those of the shear.
+    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
     struct Adjoint {
@@ -93,6 +95,7 @@ private:
     double linearise(std::span<const double> p, const Attitude& attitude);
     void solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn = {});
     Matrix3 balanceSlopes() const;
+    Matrix3 stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn);
     Vector3 attitudeStep(const Vector3& right, double leading) const;
     double stepShare(const Attitude& attitude, const Vector3& step) const;
     Vector3 imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const;

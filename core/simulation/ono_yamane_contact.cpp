@@ -103,6 +103,15 @@ void OnoYamaneContact::setInterval()
     interval_ = {law_.interval(lastOfLaw(false)).lower, law_.interval(lastOfLaw(true)).upper};
 }
 
+void OnoYamaneContact::setRegion(ContactRegion region)
+{
+    region_ = region;
+    region_ = lastOfLaw(false);
+    stiffness_.reset();
+    begun_ = true;
+    setInterval();
+}
+
 std::string OnoYamaneContact::cross(bool upper)
 {
     const ContactRegion before = lastOfLaw(upper);

@@ -36,6 +36,8 @@ public:
 
     /// Of the law that acts; regions with the same law are not told apart.
     ContactRegion region() const { return region_; }
+    /// This region's law acts from now on, wherever the pad is, until it is crossed. Of regions with the same law the lowest one is taken.
+    void setRegion(ContactRegion region);
 
 private:
     bool sameLaw(ContactRegion a, ContactRegion b) const;

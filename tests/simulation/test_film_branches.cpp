@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/film_branches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <QTest>
+
+#include "tests/support/small_slider.h"
+
+using namespace touchdown;
+
+namespace {
+
+const std::function<bool()> always = [] { return true; };
+
+/// The small slider without roll on a grid that is the same at every attitude.
+Case smallCase()
+{
+    Case c = test::smallSlider(33);
+    c.degreesOfFreedom = 2;
+    c.film.grid = GridKind::Graded;
+    c.steady.stiffness = false;
+    c.contact = ContactKind::OnoYamane;
+    return c;
+}
+
+double staticSpacing(const Case& c) { return staticStateOf(c, always).minimumSpacing; }
+
+const MarkedFilmEquilibrium* markOf(const FilmBranches& all, EquilibriumMark kind)
+{
+    const auto found = std::ranges::find(all.marks, kind, &MarkedFilmEquilibrium::kind);
+    return found == all.marks.end() ? nullptr : &*found;
+}
+
+/// Menisci from 6 nm to 1 nm below the static spacing, without asperities: nothing but them acts in contact.
+Case withMenisci(double spacing, TakeOffShape shape)
+{
+    Case c = smallCase();
+    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 0.0, .initialContactForce = 0.0, .touchDown = spacing - 6e-9,
+                   .takeOff = spacing - 1e-9, .friction = 0.0, .takeOffShape = shape};
+    return c;
+}
+
+/// Where the film holds the slider against a constant force of menisci [m], above d_s; by a search at this force alone.
+std::optional<double> spacingUnder(double force, double spacing, const SteadyResult& rest)
+{
+    Case c = withMenisci(spacing, TakeOffShape::Constant);
+    c.onoYamane.meniscusForce = force;
+    c.onoYamane.takeOff = spacing + 1e-9;
+    FilmBalance balance(c, rest.grid, rest.attitude, always);
+    balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
+    const TouchingPlaces places = touchingPlaces(balance, rest.attitude, {}, always);
+    for (const TouchingPlace& place : places.found)
+        if (balance.spacing(place.q) > c.onoYamane.touchDown) return balance.spacing(place.q);
+    return std::nullopt;
+}
+
+} // namespace
+
+class TestFilmBranches : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The static states at both ends; touch-down where the static spacing is d_s, half-way.
+    void flyingIsTheStaticState()
+    {
+        Case c = smallCase();
+        const double light = 8e-3, heavy = 14e-3; // [N]
+        const auto at = [&](double preload) {
+            Case moved = c;
+            moved.suspension.preload = preload;
+            return moved;
+        };
+        const double upper = staticSpacing(at(light)), lower = staticSpacing(at(heavy));
+        QVERIFY(lower > 1e-9 && upper > lower + 1e-9);
+        c.onoYamane.touchDown = 0.5 * (lower + upper);
+        c.onoYamane.takeOff = c.onoYamane.touchDown; // what is pressed does not reach farther
+        c.onoYamane.meniscusForce = 2e-3;
+        const FilmBranches all = traceFilmBranches(at, light, heavy, 2);
+        QVERIFY(!all.branches.empty());
+        const FilmBranch& flying = all.branches.front();
+        QCOMPARE(flying.region, ContactRegion::Apart);
+        QCOMPARE(flying.points.front().parameter, light);
+        // Loads to 1e-9 of the preload over a stiffness of some 1e5 N/m: 1e-13 m; Newton's last change is 1e-5 of ten nanometres, and
+        // what is left after it smaller by its square.
+        QVERIFY(std::abs(flying.points.front().at.spacing - upper) < 1e-12);
+        const MarkedFilmEquilibrium* mark = markOf(all, EquilibriumMark::Switch);
+        QVERIFY(mark != nullptr);
+        QCOMPARE(mark->name, std::string("touch-down"));
+        const double value = mark->at.parameter, slack = 2.0 * FilmBranches::locatedTo * (heavy - light);
+        QVERIFY(staticSpacing(at(value - slack)) > c.onoYamane.touchDown);
+        QVERIFY(staticSpacing(at(value + slack)) < c.onoYamane.touchDown);
+    }
+
+    /// What holds the slider does not know d_e as long as the menisci reach: the branch ends where d_e is its spacing.
+    void takesOffWhereMenisciReachNoFarther()
+    {
+        const double spacing = staticSpacing(smallCase());
+        const SteadyResult rest = staticStateOf(smallCase(), always);
+        const double held = spacingUnder(1e-3, spacing, rest).value_or(0.0);
+        QVERIFY(held > spacing - 5e-9 && held < spacing - 1e-10);
+        const double from = spacing + 1e-9, to = spacing - 5e-9;
+        const auto caseAt = [&](double takeOff) {
+            Case c = withMenisci(spacing, TakeOffShape::Constant);
+            c.onoYamane.takeOff = takeOff;
+            return c;
+        };
+        const FilmBranches all = traceFilmBranches(caseAt, from, to, 3);
+        const MarkedFilmEquilibrium* mark = nullptr;
+        for (const MarkedFilmEquilibrium& each : all.marks)
+            if (each.name == "take-off") mark = &each;
+        QVERIFY(mark != nullptr);
+        QCOMPARE(mark->kind, EquilibriumMark::Switch);
+        QVERIFY(std::abs(mark->at.parameter - held) < 2.0 * FilmBranches::locatedTo * (from - to));
+        QVERIFY(std::abs(mark->at.at.spacing - held) < 1e-12);
+    }
+
+    /// Menisci whose force falls linearly to zero at d_e, below the static spacing: F = f_m (d_e - d)/(d_e - d_s) at spacing d. Where the
+    /// film bears F at d(F), f_m = F (d_e - d_s)/(d_e - d(F)); it has a least value, below which there is no equilibrium, and two above.
+    void findsTheFoldOfMenisci()
+    {
+        const SteadyResult rest = staticStateOf(smallCase(), always);
+        const double spacing = rest.minimumSpacing, width = 5e-9, takeOff = spacing - 1e-9;
+        const auto needed = [&](double force) {
+            const double pulled = takeOff - spacingUnder(force, spacing, rest).value_or(takeOff);
+            return pulled > 0.0 ? force * width / pulled : std::numeric_limits<double>::infinity();
+        };
+        // Golden section on the force, from three of which the middle one needs least.
+        double middle = 1e-4;
+        while (!std::isfinite(needed(middle))) middle *= 1.5;
+        while (needed(1.5 * middle) < needed(middle)) middle *= 1.5;
+        double low = middle / 1.5, high = 1.5 * middle;
+        constexpr double golden = 0.6180339887498949;
+        double a = high - golden * (high - low), b = low + golden * (high - low), fa = needed(a), fb = needed(b);
+        for (int k = 0; k < 14; ++k) {
+            if (fa < fb) {
+                high = b;
+                b = a;
+                fb = fa;
+                a = high - golden * (high - low);
+                fa = needed(a);
+            } else {
+                low = a;
+                a = b;
+                fa = fb;
+                b = low + golden * (high - low);
+                fb = needed(b);
+            }
+        }
+        const double least = std::min(fa, fb);
+        const auto caseAt = [&](double meniscusForce) {
+            Case c = withMenisci(spacing, TakeOffShape::Linear);
+            c.onoYamane.meniscusForce = meniscusForce;
+            return c;
+        };
+        const FilmBranches all = traceFilmBranches(caseAt, 0.9 * least, 1.4 * least, 3);
+        const MarkedFilmEquilibrium* fold = markOf(all, EquilibriumMark::Fold);
+        QVERIFY(fold != nullptr);
+        // Both are stationary: errors of 1e-3 and 1e-4 count by their squares.
+        QVERIFY2(std::abs(fold->at.parameter - least) < 1e-5 * least, qPrintable(QString::number(fold->at.parameter / least - 1.0)));
+        const auto branch = std::ranges::find(all.branches, ContactRegion::Bridged, &FilmBranch::region);
+        QVERIFY(branch != all.branches.end());
+        // One side grows without oscillating, the other does not.
+        const bool first = branch->points.front().at.stability == Stability::Divergence;
+        const bool last = branch->points.back().at.stability == Stability::Divergence;
+        QVERIFY(first != last);
+    }
+
+    void stopsWhenAsked()
+    {
+        const double spacing = staticSpacing(smallCase());
+        int left = 300;
+        const FilmBranches all = traceFilmBranches(
+            [&](double force) {
+                Case c = withMenisci(spacing, TakeOffShape::Constant);
+                c.onoYamane.meniscusForce = force;
+                return c;
+            },
+            1e-3, 2e-3, 3, [&](double) { return left-- > 0; });
+        QVERIFY(all.stopped);
+        QVERIFY(left > -20); // it is not asked much after it said no
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFilmBranches)
+#include "test_film_branches.moc"
