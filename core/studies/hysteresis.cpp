@@ -18,6 +18,7 @@ namespace touchdown {
 namespace {
 
 constexpr int mostValues = 1000;
+constexpr int filmLooks = 3; // values at which equilibria of a film are sought, from which they are followed
 
 struct Range {
     std::string key;
@@ -88,18 +89,14 @@ public:
         const double begin = wallClock();
         const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
         stepWarnings_.resize(sweeps);
-        // A start has no part in an equilibrium.
-        if (plan_.equilibria && task_.start.model == ModelKind::Film) film_.resize(task_.fresh ? 1 : task_.values.size());
-        const std::size_t tasks = sweeps + (plan_.equilibria ? std::max<std::size_t>(film_.size(), 1) : 0);
-        // There and back is one task, since each value needs the one before; the equilibria are others.
+        const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
+        // There and back is one task, since each value needs the one before; the equilibria are another.
         const auto work = [&](std::size_t i, const GoOn& goOn) {
-            if (i >= sweeps && !film_.empty()) traceFilm(i - sweeps, goOn);
-            else if (i >= sweeps) trace(goOn);
+            if (i >= sweeps) trace(goOn);
             else if (task_.fresh) holdFresh(i, goOn);
             else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_[i]);
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
-        addFilm(whole);
         if (!task_.fresh && task_.start.model == ModelKind::Film)
             result_.warnings.push_back(std::string("each value begins with the air steady at the attitude of the one before") +
                                        (task_.start.contact == ContactKind::Elastic
@@ -149,35 +146,24 @@ private:
             if (!setParameter(c, task_.parameter, value).empty()) return {};
             return c;
         };
-        const int looks = std::clamp(static_cast<int>(task_.values.size()), 9, 65);
-        const SpringEquilibria found = traceSpringEquilibria(caseAt, task_.values.front(), task_.values.back(), looks, [&](double share) {
+        const auto tell = [&](double share) {
             traced_ = share;
             return goOn();
-        });
-        if (found.stopped) return;
-        const std::lock_guard lock(mutex_);
-        addSpringEquilibria(found, result_);
-        traced_ = 1.0;
-    }
-
-    void traceFilm(std::size_t i, const GoOn& goOn)
-    {
-        Case c = task_.start;
-        film_[i].problem = setParameter(c, task_.parameter, task_.values[i]);
-        if (film_[i].problem.empty()) film_[i] = filmEquilibria(c, {}, goOn);
-        const std::lock_guard lock(mutex_);
-        traced_ = traced_ + 1.0 / static_cast<double>(film_.size());
-    }
-
-    void addFilm(bool whole)
-    {
-        if (film_.empty() || !whole) return;
-        std::vector<double> values = task_.values;
-        if (task_.fresh) { // the same at both ends
-            values = {task_.values.front(), task_.values.back()};
-            film_.push_back(film_.front());
+        };
+        const double from = task_.values.front(), to = task_.values.back();
+        if (task_.start.model == ModelKind::Film) {
+            const FilmBranches found = traceFilmBranches(caseAt, from, to, filmLooks, tell);
+            if (found.stopped) return;
+            const std::lock_guard lock(mutex_);
+            addFilmEquilibria(found, result_);
+        } else {
+            const int looks = std::clamp(static_cast<int>(task_.values.size()), 9, 65);
+            const SpringEquilibria found = traceSpringEquilibria(caseAt, from, to, looks, tell);
+            if (found.stopped) return;
+            const std::lock_guard lock(mutex_);
+            addSpringEquilibria(found, result_);
         }
-        addFilmEquilibria(values, film_, result_);
+        traced_ = 1.0;
     }
 
     bool tell()
@@ -206,8 +192,7 @@ private:
     const StudyCallback& callback_;
     std::mutex mutex_; // of all below
     HysteresisResult result_;
-    std::vector<FilmEquilibria> film_; // each by its own task; not of the mutex
-    std::vector<std::vector<std::string>> stepWarnings_; // each by its own task, as film_
+    std::vector<std::vector<std::string>> stepWarnings_; // each by its own task; not of the mutex
     std::size_t held_ = 0, told_ = 0;
     std::atomic<double> traced_ = 0.0;
 };
@@ -267,7 +252,7 @@ StudyPerformance planHysteresis(StudyReader& reader)
     Plan plan;
     plan.steps.start = c;
     if (c.model == ModelKind::Contact) {
-        reader.allow("", {"parameter", "from", "to", "steps", "hold", "equilibria"});
+        reader.allow("", {"parameter", "from", "to", "steps", "hold", "anew", "equilibria"});
         reader.add("case", "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
         return {};
     }
@@ -275,6 +260,7 @@ StudyPerformance planHysteresis(StudyReader& reader)
     const bool ranged = readRange(reader, standard, plan.steps);
     const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
     plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
+    const std::optional<bool> anew = reader.boolean("anew");
     const std::string reasonNot = reasonNotToTrace(c);
     const bool wanted = reader.boolean("equilibria").value_or(reasonNot.empty());
     if (wanted && !reasonNot.empty()) reader.add("equilibria", reasonNot);
@@ -284,7 +270,12 @@ StudyPerformance planHysteresis(StudyReader& reader)
     if (!ranged) return {};
 
     plan.equilibria = wanted;
-    plan.steps.fresh = belongsToStart(plan.steps.parameter.key);
+    const bool ofStart = belongsToStart(plan.steps.parameter.key);
+    plan.steps.fresh = anew.value_or(ofStart);
+    if (ofStart && !plan.steps.fresh) {
+        reader.add("anew", plan.steps.parameter.key + " belongs to the start: each value begins anew, and nothing can be carried over (anew = true)");
+        return {};
+    }
     const double from = plan.steps.values.front(), to = plan.steps.values.back();
     plan.steps.values.clear();
     for (int i = 0; i <= count; ++i) plan.steps.values.push_back(std::lerp(from, to, double(i) / count));
@@ -304,11 +295,12 @@ std::string hysteresisTemplate(const Case& c)
                 " by an estimate; equilibria and contact of surfaces come on top.\n"
                 "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " + fewDigits(settling, "us") +
                 " may end before the film has settled.\n";
-    line("parameter = \"" + range.key + "\"", "any number of the case; initial.*: each value begins anew, one way");
+    line("parameter = \"" + range.key + "\"", "any number of the case");
     line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"", "the first value begins as the case says");
     line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
     line("steps = " + std::to_string(range.steps), "from one end to the other");
     line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");
+    line("anew = false", "true: each value begins as the case says, one way; always so for initial.*");
     if (reasonNotToTrace(c).empty()) line("equilibria = true", "all equilibria and their stability");
     return text;
 }

@@ -3,250 +3,75 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/simulation/units.h"
 #include "core/studies/few_digits.h"
 #include "core/studies/hysteresis_result.h"
+#include "core/studies/value_ranges.h"
 
 namespace touchdown {
 
 namespace {
 
-class FindingsWriter {
+bool ended(const HeldStep& step) { return step.done && step.end.kind != EndKind::Failed; }
+
+std::string counted(std::ptrdiff_t count, const char* one, const char* several)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+/// Self-excited or forced: what the equilibria say.
+class EquilibriumFindings {
 public:
-    FindingsWriter(const HeldSteps& task, const HysteresisResult& result)
-        : task_(task), result_(result), text_(parameterText(task.parameter))
+    EquilibriumFindings(const HeldSteps& task, const HysteresisResult& result, std::vector<std::string>& findings)
+        : task_(task), result_(result), text_(parameterText(task.parameter)), findings_(findings)
     {
     }
 
-    std::vector<std::string> write()
-    {
-        if (result_.traced) addAnswer();
-        if (task_.fresh) addEndStates();
-        else addTransitions();
-        if (!task_.fresh) addLoop();
-        if (result_.traced) {
-            addCoexistence();
-            addAgreement();
-        }
-        addUnsettled();
-        addFailures();
-        return std::move(findings_);
-    }
-
-private:
-    std::string inRange() const { return " from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()); }
-
-    /// Values of a kind, as "1, 2 and 3" or by their ends.
-    std::string valuesText(std::vector<double> values) const
-    {
-        std::ranges::sort(values);
-        values.erase(std::unique(values.begin(), values.end()), values.end());
-        if (values.size() == 1) return text_.of(values.front());
-        return "values from " + text_.of(values.front()) + " to " + text_.of(values.back());
-    }
-
-    std::vector<double> bouncing() const
-    {
-        std::vector<double> values;
-        for (const HeldStep& step : result_.steps)
-            if (step.done && step.end.kind == EndKind::Intermittent) values.push_back(step.value);
-        return values;
-    }
-
-    std::size_t validEnds() const
-    {
-        return static_cast<std::size_t>(std::ranges::count_if(result_.steps, [](const HeldStep& step) {
-            return step.done && step.end.kind != EndKind::Failed;
-        }));
-    }
-
-    /// Values without an equilibrium: sought in vain while the slider bounces, or while it does not, or not sought to the end. True where
-    /// there are any.
-    bool addMissing(const std::vector<double>& bounces)
-    {
-        std::vector<double> excited, quiet, unsought;
-        for (const double value : task_.values) {
-            const auto within = [](const EquilibriumAt& at) { return !at.outside; };
-            if (std::ranges::any_of(equilibriaAt(result_.lines, value), within)) continue;
-            // Starts share their equilibria, so that what is not known of one is not known of any.
-            const bool missed = std::ranges::find(result_.unsought, value) != result_.unsought.end();
-            const bool sought = !(task_.fresh ? !result_.unsought.empty() : missed);
-            const bool bounced = std::ranges::find(bounces, value) != bounces.end();
-            (!sought ? unsought : bounced ? excited : quiet).push_back(value);
-        }
-        if (!excited.empty())
-            findings_.push_back("Self-excited: at " + valuesText(excited) +
-                                " the slider ends in and out of contact, and no equilibrium was found for it to come to rest in.");
-        if (!quiet.empty())
-            findings_.push_back("At " + valuesText(quiet) +
-                                " no equilibrium was found, and no held value ends in and out of contact; one may have been missed.");
-        if (!unsought.empty())
-            findings_.push_back("Not known: at " + valuesText(unsought) + " the search for equilibria did not come to its end.");
-        return !excited.empty() || !quiet.empty() || !unsought.empty();
-    }
-
-    /// Self-excited or forced?
     void addAnswer()
     {
-        std::vector<double> flutter, doubtful, incomplete, divergence, neutral;
-        double slowest = -std::numeric_limits<double>::infinity();
-        for (const EquilibriumLine& line : result_.lines)
-            for (const StudiedEquilibrium& at : line.points) {
-                if (line.outside) continue;
-                slowest = std::max(slowest, at.growth().value_or(slowest));
-                if (at.incomplete()) incomplete.push_back(at.value);
-                if (result_.doubtful(at)) doubtful.push_back(at.value);
-                else if (at.stability == Stability::Flutter) flutter.push_back(at.value);
-                if (at.stability == Stability::Divergence) divergence.push_back(at.value);
-                if (at.stability == Stability::Neutral) neutral.push_back(at.value);
-            }
-        const std::vector<double> bounces = bouncing();
+        const auto where = [&](auto&& isSo) { return rangesAlong(result_.lines, isSo); };
+        const auto is = [&](Stability stability) {
+            return where([=](const StudiedEquilibrium& at) { return at.stability == stability; });
+        };
+        const auto flutter = where([&](const StudiedEquilibrium& at) {
+            return at.stability == Stability::Flutter && !result_.doubtful(at);
+        });
+        const auto doubtful = where([&](const StudiedEquilibrium& at) { return result_.doubtful(at); });
+        const auto incomplete = where([](const StudiedEquilibrium& at) { return at.incomplete(); });
+        const auto divergence = is(Stability::Divergence), neutral = is(Stability::Neutral);
         if (!flutter.empty()) addFlutter(flutter);
         if (!doubtful.empty())
-            findings_.push_back("Not known on this grid: at " + valuesText(doubtful) +
-                                " an equilibrium seems unstable by an oscillation above " + fewDigits(result_.resolved, "kHz") +
-                                ", where the grid gives damping a wrong sign; a finer grid tells.");
+            say("Not known on this grid: " + of(doubtful) + " an equilibrium seems unstable by an oscillation above " +
+                fewDigits(result_.resolved, "kHz") + ", where the grid gives damping a wrong sign; a finer grid tells");
         if (!incomplete.empty())
-            findings_.push_back("Not known: at " + valuesText(incomplete) +
-                                " an oscillation about an equilibrium could not be followed, or is damped so much that there is none.");
-        const bool missing = addMissing(bounces);
-        if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty()) {
-            std::string sentence = "no equilibrium" + inRange() + " loses its stability by an oscillation: there is no Hopf point, and "
-                                 + (divergence.empty() ? "all are stable"
-                                                       : "those that are unstable (" + valuesText(divergence) +
-                                                             ") are left without oscillating")
-                                 + ". Bouncing that lasts must be forced from outside, or be a cycle far from equilibrium.";
-            if (divergence.empty() && slowest < 0.0)
-                sentence += " The slowest disturbance fades within " + fewDigitsOfTime(-1.0 / slowest) + " by a factor of e.";
-            findings_.push_back("Forced, as far as small motions tell: " + std::move(sentence));
-            if (bounces.empty() && validEnds() > 0)
-                findings_.push_back("No such cycle was seen: none of the " + std::to_string(validEnds()) +
-                                    " held values that have a valid end ends in and out of contact.");
-        } else if (!neutral.empty()) {
-            findings_.push_back("At " + valuesText(neutral) +
-                                " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them.");
-        }
-        if (!bounces.empty())
-            findings_.push_back(std::to_string(bounces.size()) + " of " + std::to_string(validEnds()) +
-                                " held values end in and out of contact (" + valuesText(bounces) + ").");
-    }
-
-    void addFlutter(const std::vector<double>& flutter)
-    {
-        std::string sentence = "Self-excited: an equilibrium is unstable by a growing oscillation at " + valuesText(flutter);
-        for (const StudiedMark& mark : result_.marks) {
-            if (mark.kind != EquilibriumMark::Hopf || mark.outside) continue;
-            double frequency = 0.0, least = std::numeric_limits<double>::infinity();
-            for (const std::complex<double>& value : mark.at.eigenvalues) {
-                if (value.imag() == 0.0 || std::abs(value.real()) > least) continue;
-                least = std::abs(value.real());
-                frequency = std::abs(value.imag()) / (2.0 * std::numbers::pi);
-            }
-            sentence += "; Hopf point at " + text_.of(mark.at.value) + ", " + fewDigits(frequency, "kHz", 3);
-        }
-        findings_.push_back(sentence + ".");
-    }
-
-    void addTransitions()
-    {
-        const std::vector<Transition> transitions = transitionsOf(result_.steps);
-        for (const Transition& each : transitions) {
-            const bool rising = each.after > each.before;
-            findings_.push_back(std::string(each.down ? "Touch-down" : "Take-off") + " at " + text_.of(each.middle()) + " +- " +
-                                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) + ", " +
-                                (rising ? "rising" : "falling") + equilibriumEnd(each) + ".");
-        }
-        if (!transitions.empty()) return;
-        const auto first = std::ranges::find_if(result_.steps, [](const HeldStep& step) {
-            return step.done && step.end.kind != EndKind::Failed;
-        });
-        if (first != result_.steps.end())
-            findings_.push_back("Neither touch-down nor take-off" + inRange() + " and back: " +
-                                (first->end.kind == EndKind::Flying ? "the slider flies" : "the slider touches the disk") +
-                                " at each of the values that ended.");
-    }
-
-    /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider swinging.
-    std::string equilibriumEnd(const Transition& each) const
-    {
-        const double low = std::min(each.before, each.after), high = std::max(each.before, each.after);
-        std::string beyond;
-        for (const StudiedMark& mark : result_.marks) {
-            if (mark.kind == EquilibriumMark::Kink || mark.kind == EquilibriumMark::Hopf || mark.outside) continue;
-            if (mark.kind == EquilibriumMark::Switch && mark.name != (each.down ? "touch-down" : "take-off")) continue;
-            // A fold of another branch may lie in the same step: the one that was left folds nearer to the state left.
-            if (mark.kind == EquilibriumMark::Fold &&
-                std::abs(mark.at.spacing - each.left) >= std::abs(mark.at.spacing - each.reached))
-                continue;
-            if (mark.at.value >= low && mark.at.value <= high)
-                return "; the equilibrium that was left ends at " + text_.of(mark.at.value);
-            if (mark.kind == EquilibriumMark::Switch && (mark.at.value - each.after) * (each.after - each.before) > 0.0)
-                beyond = "; the equilibrium that was left ends only at " + text_.of(mark.at.value) +
-                         ": the step set the slider swinging, and smaller steps come closer";
-        }
-        return beyond;
-    }
-
-    void addEndStates()
-    {
-        std::vector<double> flying, contact;
-        for (const HeldStep& step : result_.steps) {
-            if (!step.done || step.end.kind == EndKind::Failed) continue;
-            (step.end.kind == EndKind::Flying ? flying : contact).push_back(step.value);
-        }
-        const auto part = [&](const std::vector<double>& values, const char* what) {
-            return std::to_string(values.size()) + " of " + std::to_string(result_.steps.size()) + " starts end " + what +
-                   (values.empty() ? "" : " (" + valuesText(values) + ")");
-        };
-        findings_.push_back(part(flying, "flying") + ", " + part(contact, "touching the disk") + ".");
-    }
-
-    void addLoop()
-    {
-        const LoopOf loop = loopOf(result_.steps);
-        if (loop.known == 0) return;
-        if (loop.values.empty()) {
-            findings_.push_back("No hysteresis: there and back the end states are the same" +
-                                std::string(loop.whole ? "." : " where both are known."));
-            return;
-        }
-        const bool plain = text_.displayUnit.empty() || text_.displayUnit == "1";
-        const std::string unit = plain ? " nm" : text_.displayUnit == "nm" ? " nm^2" : " nm " + text_.displayUnit;
-        const double factor = plain ? 1.0 : unitFactor(text_.displayUnit);
-        const bool lag = loop.moving == loop.values.size();
-        std::string sentence = std::string(lag ? "Hysteresis or a lag" : "Hysteresis") + " at " + valuesText(loop.values) +
-                               ": the ways there and back end in different states";
-        if (loop.moving > 0)
-            sentence += ", but at " + (lag ? std::string("none") : std::to_string(loop.moving)) + " of these values " +
-                        (lag ? "have both" : "not both have") + " come to rest: a longer hold tells hysteresis from a lag";
-        findings_.push_back(sentence + ". The loop of the mean "
-                            "spacing has an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
-                            (loop.whole ? "." : ", without values at which a run failed."));
+            say("Not known: " + of(incomplete) +
+                " an oscillation about an equilibrium could not be followed, or is damped so much that it is none");
+        const bool missing = addMissing();
+        if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty()) addForced(divergence);
+        else if (!neutral.empty())
+            say(of(neutral, true) + " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them");
+        if (const auto bounces = bouncing(); !bounces.empty())
+            say("In and out of contact to the end: " + counted(std::ptrdiff_t(bounces.size()), "run", "runs") + " of " +
+                std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
     }
 
     void addCoexistence()
     {
-        std::vector<double> several;
-        for (const double value : task_.values) {
-            const auto rests = [](const EquilibriumAt& at) {
-                return !at.outside && !at.incomplete && (at.stability == Stability::Stable || at.stability == Stability::Neutral);
-            };
-            if (std::ranges::count_if(equilibriaAt(result_.lines, value), rests) > 1) several.push_back(value);
-        }
+        const std::vector<ValueRange> several = coexistence(result_.lines);
         if (!several.empty())
-            findings_.push_back("More than one equilibrium is stable at " + valuesText(several) +
-                                ": which one is reached depends on the way there.");
+            say("More than one equilibrium is stable " + of(several) + ": which one the slider comes to rest in depends on the way there");
     }
 
     /// The held states against the equilibria, two ways to the same.
     void addAgreement()
     {
+        constexpr double told = 1e-12; // [m]
+        std::ptrdiff_t compared = 0;
         double farthest = 0.0;
-        std::size_t compared = 0;
         for (const HeldStep& step : result_.steps) {
-            if (!step.done || (step.end.kind != EndKind::Flying && step.end.kind != EndKind::Contact)) continue;
-            if (!step.atRest()) continue;
+            if (!step.done || (step.end.kind != EndKind::Flying && step.end.kind != EndKind::Contact) || !step.atRest()) continue;
             double nearest = std::numeric_limits<double>::infinity();
             for (const EquilibriumAt& at : equilibriaAt(result_.lines, step.value))
                 nearest = std::min(nearest, std::abs(at.spacing - step.end.spacing));
@@ -255,16 +80,167 @@ private:
             farthest = std::max(farthest, nearest);
         }
         if (compared > 0)
-            findings_.push_back("The " + std::to_string(compared) + " held values that came to rest did so within " +
-                                fewDigits(farthest, "nm") + " of an equilibrium.");
+            say("What came to rest, " + counted(compared, "run", "runs") + ", did so within " +
+                fewDigits(std::max(farthest, told), "nm") + " of an equilibrium");
+    }
+
+private:
+    void say(const std::string& sentence) { findings_.push_back(sentence + "."); }
+    std::string of(const std::vector<ValueRange>& ranges, bool begins = false) const
+    {
+        std::string where = text(ranges, text_);
+        if (begins) where[0] = where[0] == 'a' ? 'A' : where[0] == 'i' ? 'I' : 'F';
+        return where;
+    }
+    std::string inRange() const { return "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()); }
+
+    std::vector<double> bouncing() const
+    {
+        std::vector<double> values;
+        for (const HeldStep& step : result_.steps)
+            if (step.done && step.end.kind == EndKind::Intermittent) values.push_back(step.value);
+        return values;
+    }
+    std::ptrdiff_t validEnds() const { return std::ranges::count_if(result_.steps, ended); }
+
+    /// Values without an equilibrium: sought in vain while the slider bounces, or while it does not, or not sought to the end. True where
+    /// there are any.
+    bool addMissing()
+    {
+        const std::vector<double> bounces = bouncing();
+        std::vector<double> excited, quiet, unsought;
+        for (const double value : task_.values) {
+            const auto within = [](const EquilibriumAt& at) { return !at.outside; };
+            if (std::ranges::any_of(equilibriaAt(result_.lines, value), within)) continue;
+            const bool bounced = std::ranges::find(bounces, value) != bounces.end();
+            (result_.unsought ? unsought : bounced ? excited : quiet).push_back(value);
+        }
+        const auto where = [&](const std::vector<double>& values, bool begins = false) {
+            return of(rangesAmong(task_.values, values), begins);
+        };
+        if (!excited.empty())
+            say("Self-excited: " + where(excited) +
+                " the slider ends in and out of contact, and no equilibrium was found for it to come to rest in");
+        if (!quiet.empty())
+            say(where(quiet, true) + " no equilibrium was found, and no run ends in and out of contact; one may have been missed");
+        if (!unsought.empty()) say("Not known: " + where(unsought) + " the search for equilibria did not come to its end");
+        return !excited.empty() || !quiet.empty() || !unsought.empty();
+    }
+
+    void addForced(const std::vector<ValueRange>& divergence)
+    {
+        std::string sentence = "Forced, as far as small motions tell: ";
+        sentence += divergence.empty() ? "all equilibria " + inRange() + " are stable, and there is no Hopf point"
+                                       : "no equilibrium " + inRange() + " loses its stability by an oscillation, and those that are unstable (" +
+                                             of(divergence) + ") are left without oscillating";
+        sentence += ". Bouncing that lasts must be forced from outside, or be a cycle far from any equilibrium";
+        double slowest = -std::numeric_limits<double>::infinity();
+        for (const EquilibriumLine& line : result_.lines)
+            for (const StudiedEquilibrium& at : line.points)
+                if (!line.outside) slowest = std::max(slowest, at.growth().value_or(slowest));
+        if (divergence.empty() && slowest < 0.0)
+            sentence += ". The slowest disturbance fades by a factor of e within " + fewDigitsOfTime(-1.0 / slowest);
+        say(sentence);
+        if (bouncing().empty() && validEnds() > 0)
+            say(validEnds() == 1 ? "No such cycle was seen: the run does not end in and out of contact"
+                                 : "No such cycle was seen: none of the " + std::to_string(validEnds()) + " runs ends in and out of contact");
+    }
+
+    void addFlutter(const std::vector<ValueRange>& flutter)
+    {
+        std::string sentence = "Self-excited: an equilibrium is unstable by an oscillation that grows, " + of(flutter), points;
+        for (const StudiedMark& mark : result_.marks) {
+            if (mark.kind != EquilibriumMark::Hopf || mark.outside) continue;
+            double frequency = 0.0, least = std::numeric_limits<double>::infinity();
+            for (const std::complex<double>& value : mark.at.eigenvalues) {
+                if (value.imag() == 0.0 || std::abs(value.real()) > least) continue;
+                least = std::abs(value.real());
+                frequency = std::abs(value.imag()) / (2.0 * std::numbers::pi);
+            }
+            points += (points.empty() ? "" : ", ") + text_.of(mark.at.value) + " (" + fewDigits(mark.at.spacing, "nm", 3) + " spacing, " +
+                      fewDigits(frequency, "kHz", 3) + ")";
+        }
+        if (!points.empty()) sentence += ". It begins or ends to grow at Hopf points: " + points;
+        say(sentence);
+    }
+
+    const HeldSteps& task_;
+    const HysteresisResult& result_;
+    ParameterText text_;
+    std::vector<std::string>& findings_;
+};
+
+/// Touch-down, take-off and the loop: what the runs show.
+class RunFindings {
+public:
+    RunFindings(const HeldSteps& task, const HysteresisResult& result, std::vector<std::string>& findings)
+        : task_(task), result_(result), text_(parameterText(task.parameter)), findings_(findings)
+    {
+    }
+
+    void addTransitions()
+    {
+        const std::vector<Transition> transitions = transitionsOf(result_.steps);
+        for (const Transition& each : transitions)
+            say(std::string(each.down ? "Touch-down" : "Take-off") + " at " + text_.of(each.middle()) + " +- " +
+                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) + ", " +
+                (each.after > each.before ? "rising" : "falling") + equilibriumEnd(each));
+        const auto first = std::ranges::find_if(result_.steps, ended);
+        if (first == result_.steps.end()) return;
+        const auto last = std::ranges::find_if(result_.steps.rbegin(), result_.steps.rend(), ended);
+        const bool flies = last->end.kind == EndKind::Flying;
+        const std::string ways = "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()) + " and back";
+        if (transitions.empty())
+            say(flies ? "The slider flies at every value " + ways + ": no touch-down was seen"
+                      : "The slider is in contact at every value " + ways + ", which it came into from its start at the first one; "
+                        "no take-off was seen");
+        else if (transitions.size() == 1)
+            say(std::string("From there on the slider ") + (flies ? "flies" : "stays in contact") + ": on the way back, to " +
+                text_.of(task_.values.front()) + ", " + (flies ? "it does not touch down again" : "it does not take off again"));
+    }
+
+    void addEndStates()
+    {
+        std::vector<double> flying, contact;
+        for (const HeldStep& step : result_.steps)
+            if (ended(step)) (step.end.kind == EndKind::Flying ? flying : contact).push_back(step.value);
+        const auto part = [&](const std::vector<double>& values) {
+            return " in " + std::to_string(values.size()) + " of " + counted(std::ssize(result_.steps), "run", "runs") +
+                   (values.empty() ? "" : " (" + text(rangesAmong(task_.values, values), text_) + ")");
+        };
+        say("Begun anew at each value the slider ends flying" + part(flying) + ", touching the disk" + part(contact));
+    }
+
+    void addLoop()
+    {
+        const LoopOf loop = loopOf(result_.steps);
+        if (loop.known == 0) return;
+        if (loop.values.empty()) {
+            say("No hysteresis: there and back the slider ends in the same states" + std::string(loop.whole ? "" : ", where both are known"));
+            return;
+        }
+        const bool plain = text_.displayUnit.empty() || text_.displayUnit == "1";
+        const std::string unit = plain ? " nm" : text_.displayUnit == "nm" ? " nm^2" : " nm " + text_.displayUnit;
+        const double factor = plain ? 1.0 : unitFactor(text_.displayUnit);
+        const bool lag = loop.moving == loop.values.size();
+        std::string sentence = std::string(lag ? "Hysteresis or a lag " : "Hysteresis ") + text(rangesAmong(task_.values, loop.values), text_) +
+                               ": there and back the slider ends in different states";
+        if (loop.moving > 0)
+            sentence += ", but " +
+                        (lag ? std::string("at none of these values have both come to rest")
+                             : "at " + std::to_string(loop.moving) + " of these " + std::to_string(loop.values.size()) +
+                                   " values not both have come to rest") +
+                        ": a longer hold tells hysteresis from a lag";
+        say(sentence + ". The mean spacing runs round an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
+            (loop.whole ? "" : ", without the values at which a run failed"));
     }
 
     void addUnsettled()
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            findings_.push_back(std::to_string(count) + (count == 1 ? " held value has" : " held values have") +
-                                " not come to rest to 0.1 nm after " + fewDigitsOfTime(task_.hold, 3) + "; a longer hold tells more.");
+            say(counted(count, "run still moves", "runs still move") + " by more than 0.1 nm at the end of " + fewDigitsOfTime(task_.hold, 3) +
+                "; a longer hold tells more");
     }
 
     void addFailures()
@@ -276,21 +252,73 @@ private:
             values.push_back(step.value);
             if (problem.empty()) problem = step.problem;
         }
-        if (!values.empty())
-            findings_.push_back("Without a valid end at " + valuesText(values) + ", after which runs begin anew: " + problem + ".");
+        if (values.empty()) return;
+        say("Without a valid end: " + text(rangesAmong(task_.values, values), text_) +
+            (task_.fresh ? "" : "; the run after each begins anew") + ". The first one tells why: " + problem);
+    }
+
+private:
+    void say(const std::string& sentence) { findings_.push_back(sentence + "."); }
+
+    /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider swinging.
+    std::string equilibriumEnd(const Transition& each) const
+    {
+        const double slack = 1e-6 * std::abs(each.after - each.before); // rounding of the held values
+        const double low = std::min(each.before, each.after) - slack, high = std::max(each.before, each.after) + slack;
+        const std::string left = each.down ? "; the flying equilibrium" : "; the equilibrium in contact";
+        std::string beyond;
+        for (const StudiedMark& mark : result_.marks) {
+            if (mark.kind == EquilibriumMark::Kink || mark.kind == EquilibriumMark::Hopf || mark.outside) continue;
+            if (mark.kind == EquilibriumMark::Switch && mark.name != (each.down ? "touch-down" : "take-off")) continue;
+            // A fold of another branch may lie in the same step: the one that was left folds nearer to the state left.
+            if (mark.kind == EquilibriumMark::Fold &&
+                std::abs(mark.at.spacing - each.left) >= std::abs(mark.at.spacing - each.reached))
+                continue;
+            if (mark.at.value >= low && mark.at.value <= high) return left + " ends at " + text_.of(mark.at.value);
+            if (mark.kind == EquilibriumMark::Switch && (mark.at.value - each.after) * (each.after - each.before) > 0.0)
+                beyond = left + " ends only at " + text_.of(mark.at.value) + ": " + reasonToLeaveEarly(each, mark.at.value);
+        }
+        return beyond;
+    }
+
+    /// A branch may have lost its stability before it ends.
+    std::string reasonToLeaveEarly(const Transition& each, double end) const
+    {
+        for (const EquilibriumLine& line : result_.lines)
+            for (const StudiedEquilibrium& at : line.points) {
+                const bool between = (at.value - each.before) * (end - at.value) >= 0.0;
+                if (line.outside || (line.state == "flying") != each.down || !between) continue;
+                if (at.stability == Stability::Flutter && !result_.doubtful(at)) return "on the way there it is unstable";
+            }
+        return "the step set the slider swinging, and smaller steps come closer";
     }
 
     const HeldSteps& task_;
     const HysteresisResult& result_;
     ParameterText text_;
-    std::vector<std::string> findings_;
+    std::vector<std::string>& findings_;
 };
 
 } // namespace
 
 std::vector<std::string> hysteresisFindings(const HeldSteps& task, const HysteresisResult& result)
 {
-    return FindingsWriter(task, result).write();
+    std::vector<std::string> findings;
+    EquilibriumFindings equilibria(task, result, findings);
+    RunFindings runs(task, result, findings);
+    if (result.traced) equilibria.addAnswer();
+    if (task.fresh) runs.addEndStates();
+    else {
+        runs.addTransitions();
+        runs.addLoop();
+    }
+    if (result.traced) {
+        equilibria.addCoexistence();
+        equilibria.addAgreement();
+    }
+    runs.addUnsettled();
+    runs.addFailures();
+    return findings;
 }
 
 } // namespace touchdown

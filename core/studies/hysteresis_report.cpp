@@ -135,7 +135,7 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
         if (!step.done) continue;
         std::string remark = step.problem;
         if (step.anew && step.back) remark = "begun anew" + (remark.empty() ? "" : "; " + remark);
-        std::vector<StudyValue> row{std::string(task.fresh ? "fresh" : rising != step.back ? "rising" : "falling"), step.value,
+        std::vector<StudyValue> row{std::string(task.fresh ? "anew" : rising != step.back ? "rising" : "falling"), step.value,
                                     std::string(name(step.end.kind))};
         if (step.end.kind == EndKind::Failed) row.insert(row.end(), 4, StudyValue{});
         else row.insert(row.end(), {step.end.spacing, step.spacing.min, step.spacing.max, step.pitch});

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/film_equilibria.h"
+#include "core/simulation/film_branches.h"
 #include "core/simulation/spring_equilibria.h"
 #include "core/studies/held_steps.h"
 #include "core/studies/study.h"
@@ -50,7 +50,7 @@ struct HysteresisResult {
     std::vector<EquilibriumLine> lines;
     std::vector<StudiedMark> marks;
     double resolved = std::numeric_limits<double>::infinity(); // frequency up to which a film's grid knows whether a motion grows [Hz]
-    std::vector<double> unsought; // values at which the search for equilibria did not come to its end
+    bool unsought = false; // somewhere the search for equilibria did not come to its end
     std::vector<std::string> warnings;
     /// An oscillation grows at a frequency at which the grid does not know.
     bool doubtful(const StudiedEquilibrium& at) const;
@@ -58,8 +58,8 @@ struct HysteresisResult {
 
 /// Lines and marks of the spring model.
 void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result);
-/// Of the film, found at each of some values: those that are near each other at neighbouring values make a line.
-void addFilmEquilibria(const std::vector<double>& values, const std::vector<FilmEquilibria>& found, HysteresisResult& result);
+/// Those of the film.
+void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result);
 
 /// The parameter as charts and sentences name it.
 struct ParameterText {
