@@ -26,6 +26,8 @@ struct AdvisorTask {
     double spreadTolerance = 0.1;  // of the spread, or of that much of the mean spacing times `tolerance` where it is less [-]
     double pilot = 0.3;            // least part of the run that the full model is given [-]
     bool confirm = false;          // take full model and advice to the end
+    bool all = false;              // measure models, too, that take too long to be the advice
+    double budget = 3600.0;        // wall time after which the study ends with what it knows [s]
     std::vector<std::string> models; // to be tried: "static", ...; empty: all
 };
 

@@ -8,10 +8,6 @@
 
 namespace touchdown {
 
-/// Whether what was claimed of one error came true: within a factor of two, or both below what the pilot could tell or a tenth of what is
-/// allowed.
-bool confirms(double claimed, double found, double resolution, double allowed);
-
 /// Findings, warnings, charts, tables and the case that is advised.
 void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report);
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/linear_motion.h"
 #include "core/studies/parallel.h"
 #include "core/studies/pilot_run.h"
@@ -15,71 +17,101 @@ namespace touchdown {
 
 namespace {
 
-constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
+constexpr double knownTo = 0.25;     // of what is allowed, for the pilot to end
 constexpr double mostGrowth = 0.3;   // e-folds of a mode over the run, beyond which a part does not foretell its end
-constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
+constexpr double worthwhile = 1.2;   // a model must be so many times faster to be advised
 
-/// Twice what one step may displace the slider by: what the full model itself leaves open [m].
-double ownError(const AdvisorTask& task) { return 2.0 * (task.start.run.steps == StepControl::Adaptive ? task.start.run.stepError : 1e-12); }
+bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind == RungKind::Sum; }
 
-double allowedMeanOf(const TailEstimate& full, const AdvisorTask& task)
+/// A surface that passes by and comes without an order: what it does next no part of a run tells.
+bool roughPasses(const DiskSurface& surface)
 {
-    return std::max(task.tolerance * std::max(std::abs(full.mean), full.spread), ownError(task));
-}
-double allowedSpreadOf(const TailEstimate& full, const AdvisorTask& task)
-{
-    return std::max(task.spreadTolerance * std::max(full.spread, task.tolerance * std::abs(full.mean)), ownError(task));
+    const bool order = surface.kind == DiskSurfaceKind::Flat || surface.kind == DiskSurfaceKind::Waves;
+    return !order && surface.motion == SurfaceMotion::Moving;
 }
 
 class Advisor {
 public:
-    Advisor(const AdvisorTask& task, int jobs, const std::function<bool(double, const std::string&)>& tell)
-        : task_(task), jobs_(jobs), tell_(tell)
-    {
-    }
+    Advisor(const AdvisorTask& task, int jobs, const AdvisorTell& tell) : task_(task), jobs_(jobs), tell_(tell), begin_(wallClock()) {}
 
     AdvisorResult advise()
     {
-        if (runFull() && climb()) return std::move(result_);
-        if (result_.status == StudyStatus::Completed) stop();
+        result_.roughPasses = roughPasses(task_.start.diskSurface);
+        const bool went = runFast() && runFull() && climb();
+        if (went || result_.status == StudyStatus::Failed) return std::move(result_);
+        if (result_.late && result_.full.answers() && result_.pilotTime > 0.0) return std::move(result_); // an answer, with what is missing
+        result_.status = result_.late ? StudyStatus::Failed : StudyStatus::Cancelled;
+        result_.message = result_.late ? "the budget was spent before the full model's end was known; give it more" : "stopped before all models were tried";
         return std::move(result_);
     }
 
 private:
-    /// False: stopped.
-    bool climb()
+    bool tell(double share, const std::string& doing, const AdvisorResult* sofar = nullptr)
     {
-        if (!runRungs(ladderOf(task_, rest_.roll), 0.5, 0.85)) return false;
-        std::vector<LadderPart> parts;
-        for (const RungOutcome& rung : result_.rungs)
-            if (rung.rung.kind == RungKind::Part && rung.within && rung.seconds < result_.full.seconds) parts.push_back(rung.rung.parts[0]);
-        if (!runRungs(sumsOf(task_, parts), 0.85, 1.0)) return false;
-        choose();
-        return !task_.confirm || confirm();
+        result_.late = result_.late || wallClock() - begin_ > task_.budget;
+        return tell_(share, doing, sofar) && !result_.late;
     }
 
-    void stop()
+    /// Where the scene rests and rings, and the models that hang on nothing else. False: stopped.
+    bool runFast()
     {
-        result_.status = StudyStatus::Cancelled;
-        result_.message = "stopped before all models were tried";
+        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { findRates(goOn); },
+                                      [&](std::size_t) { return tell(0.0, "small motions"); });
+        if (!went) return false;
+        std::vector<Rung> fast;
+        for (Rung& rung : ladderOf(task_, rest_.roll))
+            (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
+        return runRungs(fast, 0.05, 0.15);
+    }
+
+    bool climb()
+    {
+        bool went = runRungs(rests_, 0.6, 0.65);
+        went = runRungs(parts_, 0.65, 0.85, went);
+        std::vector<LadderPart> within;
+        for (const RungOutcome& rung : result_.rungs)
+            if (rung.rung.kind == RungKind::Part && rung.within() && rung.seconds < result_.full.seconds) within.push_back(rung.rung.parts[0]);
+        if (went) went = runRungs(sumsOf(task_, within), 0.85, 1.0);
+        choose();
+        return went && (!task_.confirm || confirm());
+    }
+
+    /// The cheapest of the models so far that may be within is, and its errors are known to a factor of two.
+    bool settles(const TailEstimate& full) const
+    {
+        const Allowance allowed = allowanceOf(full, task_);
+        double least = std::numeric_limits<double>::infinity();
+        bool settled = false;
+        for (const RungOutcome& rung : result_.rungs) {
+            if (!rung.answers() || rung.seconds >= least) continue;
+            const RungErrors errors = errorsOf(rung.tail, full, task_);
+            const Verdict verdict = verdictOn(errors, allowed);
+            if (verdict != Verdict::Within && verdict != Verdict::NotKnown) continue;
+            least = rung.seconds;
+            settled = verdict == Verdict::Within && isPrecise(errors.claimedMean(), errors.resolution, allowed.mean) &&
+                      isPrecise(errors.claimedSpread(), errors.resolution, allowed.spread);
+        }
+        return settled;
     }
 
     bool runFull()
     {
         const double duration = task_.start.run.duration;
         double next = task_.pilot;
+        bool known = false;
         const auto enough = [&](const SpacingSamples& samples) {
             // It may still do what it has not done yet.
-            if (result_.growth > mostGrowth || !result_.growthProblem.empty()) return false;
+            if (result_.growth > mostGrowth || !result_.growthProblem.empty() || result_.roughPasses) return false;
             // At the same times however many samples come at once, which hangs on the clock.
-            for (; result_.pilotTime == 0.0 && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
+            for (; !known && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
                 const SpacingSamples part = samples.until(next * duration);
                 const TailEstimate tail = estimateTail(part, duration, rates_);
-                const bool known = tail.sameKind && tail.meanUncertainty <= knownTo * allowedMeanOf(tail, task_) &&
-                                   tail.spreadUncertainty <= knownTo * allowedSpreadOf(tail, task_);
+                const Allowance allowed = allowanceOf(tail, task_);
+                known = tail.sameKind && tail.meanUncertainty <= knownTo * allowed.mean &&
+                        tail.spreadUncertainty <= knownTo * allowed.spread && settles(tail);
                 if (known) result_.pilotTime = part.reached();
             }
-            return result_.pilotTime > 0.0 && !task_.confirm;
+            return known && !task_.confirm;
         };
         std::atomic<double> share = 0.0;
         const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) {
@@ -87,52 +119,50 @@ private:
                 share = samples.reached() / duration;
                 return enough(samples);
             };
-            findRates(goOn);
             full_ = pilotRun(task_.start, asked, goOn);
-            if (full_.valid()) describeFull();
-        }, [&](std::size_t) { return tell_(0.5 * share, "the full model"); });
-        if (!went || full_.stopped) return false;
-        if (!full_.valid()) {
-            result_.status = StudyStatus::Failed;
-            result_.message = "the full model gives no answer to compare with: " + full_.problem;
-            return false;
+            if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
+        }, [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
+        if (!went || full_.stopped) {
+            result_.full.problem = "it was not run far enough";
+            return leaveTheRest();
         }
-        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) {
-            result_.status = StudyStatus::Failed;
-            result_.message = "the full model gives no answer to compare with: its samples do not tell its end";
-            return false;
-        }
-        return true;
+        if (!full_.valid()) return fail(full_.problem);
+        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) return fail("its samples do not tell its end");
+        for (RungOutcome& rung : result_.rungs) judge(rung);
+        choose();
+        return tell(0.6, "the ladder", &result_) || leaveTheRest();
+    }
+
+    bool leaveTheRest()
+    {
+        for (const auto* rungs : {&rests_, &parts_})
+            for (const Rung& rung : *rungs) result_.missing.push_back(rung.name);
+        return false;
+    }
+
+    bool fail(const std::string& why)
+    {
+        result_.status = StudyStatus::Failed;
+        result_.message = "the full model gives no answer to compare with: " + why;
+        return false;
     }
 
     void describeFull()
     {
         const double duration = task_.start.run.duration;
         if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
+        result_.pilotWhole = result_.pilotTime >= duration - 0.5 * full_.samples.interval;
         RungOutcome& full = result_.full;
         full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
-        full.samples = full_.samples.until(result_.pilotTime);
-        foretell(full);
+        full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, rates_);
         full.seconds = full_.secondsTo(duration);
-        full.within = true;
-        full.errors.meanResolution = std::max(full.tail.meanUncertainty, ownError(task_));
-        full.errors.spreadResolution = std::max(full.tail.spreadUncertainty, ownError(task_));
-        result_.pilotSeconds = full_.secondsTo(result_.pilotTime);
+        full.verdict = Verdict::Within;
+        full.errors = errorsOf(full.tail, full.tail, task_);
+        full.found = task_.start;
+        full.command = "run";
+        result_.allowed = allowanceOf(full.tail, task_);
         result_.studySeconds += full_.course.empty() ? 0.0 : full_.course.back().second;
         result_.contactActed = full_.contactActs;
-    }
-
-    bool pilotIsWhole() const { return result_.pilotTime >= task_.start.run.duration - 0.5 * full_.samples.interval; }
-
-    /// The end of a model in time, by its samples up to the pilot's time and to less of it.
-    void foretell(RungOutcome& rung) const
-    {
-        const double duration = task_.start.run.duration;
-        rung.tail = estimateTail(rung.samples, duration, rates_);
-        if (pilotIsWhole()) return;
-        constexpr std::array shares{0.9, 0.8};
-        for (std::size_t k = 0; k < shares.size(); ++k)
-            rung.earlier[k] = estimateTail(rung.samples.until(shares[k] * result_.pilotTime), duration, rates_);
     }
 
     /// The static state, and the rates at which the scene rings about it; without them ends are foretold otherwise.
@@ -154,95 +184,88 @@ private:
         for (const MotionTerm& wave : motion.waves) rates_.push_back({wave.rate, true});
     }
 
-    bool runRungs(const std::vector<Rung>& rungs, double from, double to)
+    /// What ended counts, also where it was stopped. Where it is not to `go` they are missing.
+    bool runRungs(const std::vector<Rung>& rungs, double from, double to, bool go = true)
     {
         std::vector<RungOutcome> outcomes(rungs.size());
+        std::vector<char> ended(rungs.size(), 0);
         std::vector<double> seconds(rungs.size(), 0.0);
-        const bool went = runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
-            outcomes[k] = solve(rungs[k], goOn, seconds[k]);
+        const double most = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
+        const bool went = go && runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
+            outcomes[k] = solve(rungs[k], most, goOn, seconds[k]);
+            ended[k] = goOn();
         }, [&](std::size_t done) {
-            return tell_(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
-                         done < rungs.size() ? rungs[done].name : "the ladder");
+            return tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
+                        done < rungs.size() ? rungs[done].name : "the ladder");
         });
-        if (!went) return false;
         for (std::size_t k = 0; k < rungs.size(); ++k) {
             result_.studySeconds += seconds[k];
-            judge(outcomes[k]);
-            result_.rungs.push_back(std::move(outcomes[k]));
+            if (ended[k] != 0) result_.rungs.push_back(std::move(outcomes[k]));
+            else result_.missing.push_back(rungs[k].name);
         }
-        return true;
+        if (!went) return false;
+        choose();
+        return tell(to, "the ladder", result_.pilotTime > 0.0 ? &result_ : nullptr);
     }
 
-    RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
+    /// That a model may take to be the advice.
+    double mostSeconds() const
     {
-        if (rung.kind != RungKind::Part && rung.kind != RungKind::Sum) {
-            RungOutcome outcome = solveReduced(rung, result_.full.tail.mean, goOn);
+        double most = result_.full.seconds;
+        for (const RungOutcome& rung : result_.rungs)
+            if (rung.within()) most = std::min(most, rung.seconds);
+        return most;
+    }
+
+    RungOutcome solve(const Rung& rung, double most, const GoOn& goOn, double& seconds) const
+    {
+        RungOutcome outcome;
+        if (!inTime(rung)) {
+            outcome = solveReduced(rung, result_.full.tail.mean, goOn);
             seconds = outcome.seconds;
+            judge(outcome);
             return outcome;
         }
-        RungOutcome outcome{.rung = rung, .problem = {}, .remark = {}, .tail = {}, .earlier = {}, .samples = {}, .errors = {}, .found = rung.c};
+        outcome.rung = rung;
+        outcome.found = rung.c;
+        outcome.command = "run";
         // Contact that never acts changes nothing: no run can tell more.
         const bool same = rung.parts.size() == 1 && (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") && !full_.contactActs;
         if (same) {
             outcome.tail = result_.full.tail;
-            outcome.earlier = result_.full.earlier;
-            outcome.samples = result_.full.samples;
             outcome.seconds = result_.full.seconds;
             outcome.remark = "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
+            judge(outcome);
             return outcome;
         }
-        const double wanted = result_.pilotTime;
-        PilotRun run = pilotRun(rung.c, [wanted](const SpacingSamples& samples) { return samples.reached() >= wanted; }, goOn);
-        seconds = run.course.empty() ? 0.0 : run.course.back().second;
+        const double begin = threadSeconds();
+        const PilotRun run = pilotRun(rung.c, [&](const SpacingSamples&) {
+            outcome.givenUp = threadSeconds() - begin > most;
+            return outcome.givenUp;
+        }, goOn);
+        seconds = threadSeconds() - begin;
         outcome.problem = run.problem;
-        outcome.samples = run.samples.until(wanted);
-        foretell(outcome);
-        if (outcome.valid() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
         outcome.seconds = run.secondsTo(task_.start.run.duration);
+        outcome.tail = estimateTail(run.samples, task_.start.run.duration);
+        if (outcome.answers() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+        judge(outcome);
         return outcome;
     }
 
     void judge(RungOutcome& rung) const
     {
-        if (!rung.valid()) return;
-        const TailEstimate& full = result_.full.tail;
-        RungErrors& errors = rung.errors;
-        errors = compare(rung.tail, full);
-        errors.meanResolution = full.meanUncertainty;
-        errors.spreadResolution = full.spreadUncertainty;
-        if (!rung.samples.spacing.empty() && !pilotIsWhole()) {
-            // Both by the same estimate of as much: how it moves by itself does not count.
-            errors.meanResolution = errors.spreadResolution = 0.0;
-            for (std::size_t k = 0; k < rung.earlier.size(); ++k) {
-                const RungErrors before = compare(rung.earlier[k], result_.full.earlier[k]);
-                errors.meanResolution = std::max(errors.meanResolution, std::abs(before.mean - errors.mean));
-                errors.spreadResolution = std::max(errors.spreadResolution, std::abs(before.spread - errors.spread));
-            }
-        }
-        errors.meanResolution = std::max(errors.meanResolution, ownError(task_));
-        errors.spreadResolution = std::max(errors.spreadResolution, ownError(task_));
-        rung.within = errors.sameEnd && errors.samePeak && errors.claimedMean() <= allowedMeanOf(full, task_) &&
-                      errors.claimedSpread() <= allowedSpreadOf(full, task_);
-    }
-
-    RungErrors compare(const TailEstimate& rung, const TailEstimate& full) const
-    {
-        RungErrors errors;
-        errors.mean = std::abs(rung.mean - full.mean);
-        errors.spread = std::abs(rung.spread - full.spread);
-        errors.sameEnd = rung.kind == full.kind;
-        if (full.spread > task_.tolerance * std::abs(full.mean) && full.peakFrequency > 0.0)
-            errors.samePeak = std::abs(rung.peakFrequency - full.peakFrequency) <=
-                              std::max({rung.resolution, full.resolution, task_.spreadTolerance * full.peakFrequency});
-        return errors;
+        if (!rung.answers() || !result_.full.answers() || result_.pilotTime == 0.0) return;
+        rung.errors = errorsOf(rung.tail, result_.full.tail, task_);
+        rung.verdict = verdictOn(rung.errors, result_.allowed);
     }
 
     void choose()
     {
         double best = result_.full.seconds / worthwhile;
+        result_.advice.reset();
         for (std::size_t k = 0; k < result_.rungs.size(); ++k) {
             const RungOutcome& rung = result_.rungs[k];
-            if (!rung.valid() || !rung.within || rung.seconds >= best) continue;
+            if (!rung.within() || rung.seconds >= best) continue;
             best = rung.seconds;
             result_.advice = k;
         }
@@ -257,37 +280,33 @@ private:
         const RungOutcome& advice = result_.rungs[*result_.advice];
         TailEstimate end = advice.tail;
         result_.adviceSeconds = advice.seconds;
-        if (advice.rung.kind == RungKind::Part || advice.rung.kind == RungKind::Sum) {
+        if (inTime(advice.rung)) {
             PilotRun run;
             const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
-                                          [&](std::size_t) { return tell_(1.0, "confirming the advice"); });
+                                          [&](std::size_t) { return tell(1.0, "confirming the advice"); });
             if (!went) return false;
             end = estimateTail(run.samples, duration);
             if (!run.valid()) end.kind = EndKind::Failed;
             result_.adviceSeconds = run.secondsTo(duration);
             result_.studySeconds += result_.adviceSeconds;
         }
-        result_.found = compare(end, *result_.fullEnd);
+        result_.found = errorsOf(end, *result_.fullEnd, task_);
         return true;
     }
 
     const AdvisorTask& task_;
     int jobs_;
-    const std::function<bool(double, const std::string&)>& tell_;
+    const AdvisorTell& tell_;
+    double begin_;
     std::vector<RingingRate> rates_;
     Attitude rest_; // the static state, where there is one
+    std::vector<Rung> rests_, parts_; // of the ladder
     PilotRun full_;
     AdvisorResult result_;
 };
 
 } // namespace
 
-double AdvisorResult::allowedMean(const AdvisorTask& task) const { return allowedMeanOf(full.tail, task); }
-double AdvisorResult::allowedSpread(const AdvisorTask& task) const { return allowedSpreadOf(full.tail, task); }
-
-AdvisorResult advise(const AdvisorTask& task, int jobs, const std::function<bool(double, const std::string&)>& tell)
-{
-    return Advisor(task, jobs, tell).advise();
-}
+AdvisorResult advise(const AdvisorTask& task, int jobs, const AdvisorTell& tell) { return Advisor(task, jobs, tell).advise(); }
 
 } // namespace touchdown

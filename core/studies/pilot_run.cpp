@@ -54,7 +54,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     pilot.samples.interval = quiet.run.sampleInterval;
     pilot.lowest = std::numeric_limits<double>::infinity();
     bool known = false;
-    const double begin = threadSeconds();
+    double begin = threadSeconds();
     const Summary summary = run(quiet, [&](const RunUpdate& update) {
         const SampleBatch& batch = update.samples;
         const auto acts = [&](int column, std::size_t k) { return column >= 0 && batch.columns[static_cast<std::size_t>(column)][k] != 0.0; };
@@ -71,7 +71,10 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
             pilot.stopped = true;
             return false;
         }
+        // What looking at it takes is not the run's.
+        const double looked = threadSeconds();
         known = known || (enough && batch.size() > 0 && enough(pilot.samples));
+        begin += threadSeconds() - looked;
         return !known;
     });
     if (!known && !pilot.stopped && summary.status != RunStatus::Completed) pilot.problem = summary.message;

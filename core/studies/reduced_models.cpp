@@ -15,6 +15,9 @@ namespace touchdown {
 
 namespace {
 
+constexpr double restShare = 0.1;    // of a run, to see that it rests
+constexpr double restSamples = 100.0; // at least
+
 std::string percent(double share) { return fewDigits(100.0 * share, "", 2) + " %"; }
 
 /// The end of a motion at rest.
@@ -31,8 +34,27 @@ void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     Case still = c;
     still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria = false;
     const SteadyResult rest = steady(still, [&](const SteadyProgress&) { return !goOn || goOn(); });
-    if (rest.status == SteadyStatus::Converged) outcome.tail = atRest(rest.minimumSpacing);
-    else outcome.problem = rest.message.empty() ? "no static state was found" : rest.message;
+    if (rest.status != SteadyStatus::Converged) {
+        outcome.problem = rest.message.empty() ? "no static state was found" : rest.message;
+        return;
+    }
+    outcome.tail = atRest(rest.minimumSpacing);
+    outcome.found = c;
+    outcome.found->steady.fixedAttitude = false;
+    outcome.command = "steady";
+}
+
+/// A run that begins where the slider rests in contact, and stays there.
+Case startedAtRest(Case c, const Attitude& attitude)
+{
+    InitialCase& start = c.initial = InitialCase{};
+    start.nominalTrailingEdgeHeight = attitude.height;
+    start.pitch = attitude.pitch;
+    start.roll = attitude.roll;
+    start.branch = ContactBranch::TakeOff;
+    c.run.duration *= restShare;
+    c.run.sampleInterval = std::min(c.run.sampleInterval, c.run.duration / restSamples);
+    return c;
 }
 
 void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& outcome)
@@ -52,6 +74,8 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     }
     outcome.tail = atRest(nearest->spacing);
     outcome.tail.kind = EndKind::Contact;
+    outcome.found = startedAtRest(std::move(flat), nearest->attitude);
+    outcome.command = "run";
 }
 
 void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
@@ -90,6 +114,7 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     outcome.problem = run.problem;
     outcome.tail = estimateTail(run.samples, c.run.duration);
     outcome.found = std::move(fit.springs);
+    outcome.command = "run";
 }
 
 } // namespace

@@ -19,13 +19,19 @@ constexpr double tailShare = 0.1;   // of the run
 constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
 constexpr double leak = 3e-3;         // of the spread, that a block's mean takes of a motion [-]
 constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]
-constexpr double ledOn = 0.5;         // of the way from the last block's mean to the one foretold [-]
 constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
-constexpr double diesOut = 0.5;       // of the present spread, below which a bounce may come to an end [-]
-constexpr std::size_t fewestSamples = 48;
+constexpr std::array lessShares{0.9, 0.8};  // of the part, that foretell the same
+constexpr std::array seenShares{0.65, 0.5}; // of the part, that foretell what was seen of it
+constexpr double fewestSamples = 48.0; // that tell anything
 
 struct Moments {
     double mean = 0.0, variance = 0.0;
+};
+
+/// Between two times of a run [s].
+struct Window {
+    double from = 0.0, to = 0.0;
+    double middle() const { return 0.5 * (from + to); }
 };
 
 template <typename Weight>
@@ -83,7 +89,7 @@ double foretoldVariance(double v1, double v2, double v3, double from, double to)
     return rest + (v3 - rest) * meanPower(ratio, from, to);
 }
 
-Moments foretoldByBlocks(std::span<const double> spacing, double interval, double duration)
+Moments foretoldByBlocks(std::span<const double> spacing, double interval, Window window)
 {
     const std::size_t block = spacing.size() / 4, first = spacing.size() - 2 * block;
     std::array<Moments, 3> at;
@@ -93,7 +99,7 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, doubl
     // The tail, in blocks' distances from the third one's middle.
     const double distance = 0.5 * static_cast<double>(block) * interval;
     const double middle = interval * (static_cast<double>(spacing.size()) - 0.5 * static_cast<double>(block));
-    const double from = ((1.0 - tailShare) * duration - middle) / distance, to = (duration - middle) / distance;
+    const double from = (window.from - middle) / distance, to = (window.to - middle) / distance;
     const bool stays = std::max(std::abs(v2 - v1), std::abs(v3 - v2)) <= sameVariance * average;
     const double variance = stays ? -1.0 : foretoldVariance(v1, v2, v3, from, to);
     Moments tail{averageMean, variance >= 0.0 ? variance : average};
@@ -107,7 +113,7 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, doubl
 }
 
 /// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.
-std::optional<Moments> rungOn(std::span<const double> spacing, double interval, double duration, const std::vector<RingingRate>& rates)
+std::optional<Moments> rungOn(std::span<const double> spacing, double interval, Window window, const std::vector<RingingRate>& rates)
 {
     const std::span<const double> half = spacing.subspan(spacing.size() / 2);
     const std::optional<RingingFit> fit = fitRinging(half, interval, rates);
@@ -115,8 +121,8 @@ std::optional<Moments> rungOn(std::span<const double> spacing, double interval, 
     for (const std::complex<double>& rate : fit->rates)
         if (rate.real() > 0.0) return {};
     const double begin = interval * static_cast<double>(spacing.size() / 2);
-    const auto first = static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / interval - 1e-6)),
-               end = static_cast<std::size_t>(duration / interval * (1.0 + 1e-9)) + 1;
+    const auto first = static_cast<std::size_t>(std::ceil(window.from / interval - 1e-6)),
+               end = static_cast<std::size_t>(window.to / interval * (1.0 + 1e-9)) + 1;
     std::vector<double> tail;
     for (std::size_t k = first; k < end; ++k) tail.push_back(fit->at(static_cast<double>(k) * interval - begin));
     return plain(tail);
@@ -134,11 +140,11 @@ void forgetAll(TailEstimate& estimate)
     estimate.sameKind = false;
 }
 
-Moments foretold(std::span<const double> spacing, double interval, double duration, const std::vector<RingingRate>& rates)
+Moments foretold(std::span<const double> spacing, double interval, Window window, const std::vector<RingingRate>& rates)
 {
     if (!rates.empty())
-        if (const std::optional<Moments> ringing = rungOn(spacing, interval, duration, rates)) return *ringing;
-    return foretoldByBlocks(spacing, interval, duration);
+        if (const std::optional<Moments> ringing = rungOn(spacing, interval, window, rates)) return *ringing;
+    return foretoldByBlocks(spacing, interval, window);
 }
 
 } // namespace
@@ -156,7 +162,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     const std::span<const double> all = samples.spacing;
     const std::span<const char> touching = samples.touching;
     const std::size_t count = all.size();
-    if (count < fewestSamples) {
+    if (static_cast<double>(count) < fewestSamples) {
         forgetAll(estimate);
         return estimate;
     }
@@ -175,24 +181,33 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
         estimate.kind = kindOf(touching.subspan(first));
         return estimate;
     }
-    const Moments tail = foretold(all, samples.interval, duration, rates);
+    if (static_cast<double>(count) * seenShares.back() < fewestSamples) {
+        forgetAll(estimate);
+        return estimate;
+    }
+    const double reached = samples.reached();
+    const Window last{(1.0 - tailShare) * duration, duration};
+    const Moments tail = foretold(all, samples.interval, last, rates);
     estimate.mean = tail.mean;
     estimate.spread = std::sqrt(tail.variance);
     estimate.kind = kindOf(touching.subspan(count - count / 4));
-    // A mean that is led on beyond what was seen is known to half of that way.
-    const std::span<const double> quarter = all.subspan(count - count / 4);
-    estimate.meanUncertainty = ledOn * std::abs(tail.mean - windowed(quarter).mean);
-    if (estimate.kind == EndKind::Intermittent && estimate.spread < diesOut * std::sqrt(plain(quarter).variance)) estimate.sameKind = false;
-    for (const double share : {0.9, 0.8}) {
+    // What hits is thrown back otherwise by the least difference: how long a bounce lasts no part of it tells.
+    estimate.sameKind = estimate.kind != EndKind::Intermittent;
+    const auto deviates = [&](const Moments& by, const Moments& from, double factor) {
+        estimate.meanUncertainty = std::max(estimate.meanUncertainty, factor * std::abs(by.mean - from.mean));
+        estimate.spreadUncertainty = std::max(estimate.spreadUncertainty, factor * std::abs(std::sqrt(by.variance) - std::sqrt(from.variance)));
+    };
+    for (const double share : lessShares) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
-        if (part < fewestSamples) {
-            forgetAll(estimate);
-            break;
-        }
-        const Moments shorter = foretold(all.first(part), samples.interval, duration, rates);
-        estimate.meanUncertainty = std::max(estimate.meanUncertainty, std::abs(shorter.mean - tail.mean));
-        estimate.spreadUncertainty = std::max(estimate.spreadUncertainty, std::abs(std::sqrt(shorter.variance) - estimate.spread));
+        deviates(foretold(all.first(part), samples.interval, last, rates), tail, 1.0);
         estimate.sameKind = estimate.sameKind && kindOf(touching.subspan(part - part / 4, part / 4)) == estimate.kind;
+    }
+    for (const double share : seenShares) {
+        const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
+        const Window seen{std::max(share * reached, reached - tailShare * duration), reached};
+        const auto first = static_cast<std::size_t>(std::ceil(seen.from / samples.interval - 1e-6));
+        const double further = (last.middle() - reached) / (seen.middle() - share * reached);
+        deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first)), std::max(1.0, further));
     }
     return estimate;
 }

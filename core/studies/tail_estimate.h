@@ -9,10 +9,14 @@
 //   v = v_3 + (v_3 - v_2) r/(1 - r),  r = (v_3 - v_2)/(v_2 - v_1)          (Aitken 1926)
 //
 // or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its square, or tends to a
-// limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ. By how much the
-// outcome moves when the last tenth, or fifth, of the part is left out, and half of the way by which a mean is led on, is its uncertainty.
-// Where there are too few samples for that, nothing is known. The kind is that of the part's last quarter: a bounce that dies out will end
-// otherwise, so that its kind is not known.
+// limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ.
+//
+// None of this knows what it leaves out: motion that is not small, a rough disk, a rate that changes. So a forecast is believed as far as
+// the same forecast, made earlier, has come true: from 0.65 and from half of the part the last of it, of the tail's length, is foretold
+// and compared with what was seen there. What that missed is taken to grow in proportion to the time between what was known and what is
+// foretold, as an unknown drift does. By how much the outcome moves when the last tenth, or fifth, of the part is left out is another
+// measure; the largest of all is the uncertainty. Where there are too few samples for that, nothing is known. The kind is that of the
+// part's last quarter; of a slider that goes in and out of contact it is not known how long it will.
 #pragma once
 
 #include <vector>
@@ -39,7 +43,7 @@ struct TailEstimate {
     double peakFrequency = 0.0;        // of the largest peak of the spectrum of the second half; zero: there is none [Hz]
     double peakAmplitude = 0.0;        // [m]
     double resolution = 0.0;           // of that spectrum [Hz]
-    bool sameKind = true;              // also without the last fifth, and not a bounce that dies out; false: the kind is not known
+    bool sameKind = true;              // also without the last fifth, and it does not bounce; false: the kind is not known
 };
 
 /// Of a run of this duration [s], or of its first part; with the rates at which it may ring.
