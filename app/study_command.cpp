@@ -101,7 +101,7 @@ int studyCommand(const StudyArguments& arguments)
         return exitNoAnswer;
     }
     if (arguments.apply.empty() || report.found) return exitDone;
-    complain("--apply: nothing is written to " + arguments.apply + ": what the study advises is no case to run, but a state that `touchdown steady` or the study itself tells");
+    complain("--apply: nothing is written to " + arguments.apply + ": no case has this answer; the findings say what to run instead");
     return exitNoAnswer;
 }
 

@@ -18,6 +18,9 @@ std::string lessOrMore(double ratio) { return ratio >= 1.0 ? times(ratio) + " le
 std::string saving(double ratio) { return ratio >= 1.0 ? "saves " + times(ratio) : "costs " + lessOrMore(ratio); }
 std::string readableTime(double seconds) { return fewDigitsOfTime(seconds); }
 
+/// The full model's end is known, and so how far the others are from it.
+bool isJudged(const AdvisorResult& result) { return result.pilotTime > 0.0 && result.full.answers(); }
+
 std::string wordFor(const RungOutcome& rung)
 {
     if (!rung.problem.empty()) return "no answer";
@@ -64,6 +67,11 @@ std::string applyText(const RungOutcome& advice)
 void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
 {
     const bool all = result.missing.empty();
+    if (result.pilotTime == 0.0) {
+        report.findings.push_back("There is no advice: the full model " +
+                                  (result.full.answers() ? "was not run." : "gives no answer: " + result.full.problem + "."));
+        return;
+    }
     if (!result.full.answers()) {
         report.findings.push_back("There is no advice: the full model was run for " + readableTime(result.pilotTime) + " of " +
                                   readableTime(task.start.run.duration) + ". From that its end would be: " + endText(result.full.tail) + ".");
@@ -152,14 +160,14 @@ std::string listOf(const std::vector<std::string>& names)
 void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
 {
     const Allowance& allowed = result.allowed;
-    if (result.full.answers() && allowed.widened())
+    if (isJudged(result) && allowed.widened())
         report.findings.push_back("Allowed are " + nm(allowed.mean) + " of the mean and " + nm(allowed.spread) + " of the spread, where the tolerances alone "
                                   "would be " + nm(allowed.wantedMean) + " and " + nm(allowed.wantedSpread) + ", as one step may displace the slider by " +
                                   nm(0.5 * allowed.step) + " (run.step_error).");
     if (result.gridError > 0.0)
         report.findings.push_back("The full model's own grid errs by about " + nm(result.gridError) +
                                   " in the static spacing; errors above are against that model.");
-    if (result.gridError > allowed.mean)
+    if (isJudged(result) && result.gridError > allowed.mean)
         report.warnings.push_back("the full model's own grid errs by more than is allowed of a smaller model: about " + nm(result.gridError));
     if (!result.growthProblem.empty())
         report.warnings.push_back("whether small motions about a static state grow is not known (" + result.growthProblem +
@@ -178,7 +186,7 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
     if (!result.missing.empty())
         report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent before these were tried: "
                                                : "it was stopped before these were tried: ") + listOf(result.missing));
-    else if (result.late && result.full.answers())
+    else if (result.late && isJudged(result))
         report.warnings.push_back("the budget of " + readableTime(task.budget) + " was spent before the advice was confirmed");
     report.findings.push_back("The study took " + readableTime(result.studySeconds) + " of a processor" +
                               (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) + " what the full model takes." : "."));
@@ -237,12 +245,18 @@ StudyTable tableOf(const AdvisorResult& result)
     const auto number = [](const Claim& claim, bool bound) {
         return claim.bound == bound && std::isfinite(claim.value) ? StudyValue(claim.value) : StudyValue();
     };
+    const bool judged = isJudged(result);
     const auto row = [&](const RungOutcome& rung, const std::string& verdict) {
         std::vector<StudyValue>& cells = table.rows.emplace_back();
         if (!rung.answers()) {
             cells = {rung.rung.name, verdict, {}, {}, {}, known(rung.seconds), {}, rung.rung.leavesOut};
             cells.resize(table.columns.size() - 1);
             cells.emplace_back(rung.problem);
+            return;
+        }
+        if (!judged) {
+            cells = {rung.rung.name, verdict, std::string(name(rung.tail.kind)), {}, {}, known(rung.seconds), {}, rung.rung.leavesOut, {}, {}, {}, {},
+                     rung.tail.mean, rung.tail.spread, known(rung.tail.peakFrequency), known(rung.tail.peakAmplitude), rung.remark};
             return;
         }
         const Claim mean = rung.errors.claimedMean(), spread = rung.errors.claimedSpread();
@@ -253,7 +267,7 @@ StudyTable tableOf(const AdvisorResult& result)
     };
     for (std::size_t k = 0; k < result.rungs.size(); ++k)
         row(result.rungs[k], result.advice == k ? "advised" : wordFor(result.rungs[k]));
-    row(result.full, result.advice || !result.full.answers() ? "reference" : "advised");
+    if (judged) row(result.full, result.advice ? "reference" : "advised");
     return table;
 }
 
@@ -263,16 +277,17 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
 {
     report.status = result.status;
     report.message = result.message;
-    if (!(result.pilotTime > 0.0)) return;
+    const bool judged = isJudged(result);
+    if (!judged && result.rungs.empty() && result.pilotTime == 0.0) return;
     tellAdvice(task, result, report);
-    if (result.full.answers()) {
+    if (judged) {
         tellConfirmed(result, report);
         tellRungs(task, result, report);
     }
     tellLimits(task, result, report);
-    if (!result.full.answers()) return;
-    report.charts.push_back(chartOf(result));
-    report.tables.push_back(tableOf(result));
+    if (judged) report.charts.push_back(chartOf(result));
+    if (!result.rungs.empty() || judged) report.tables.push_back(tableOf(result));
+    if (!judged) return;
     if (result.advice) report.found = result.rungs[*result.advice].found;
     else if (result.missing.empty()) report.found = task.start;
 }

@@ -144,6 +144,7 @@ private:
     {
         result_.status = StudyStatus::Failed;
         result_.message = "the full model gives no answer to compare with: " + why;
+        result_.full.problem = why;
         return false;
     }
 

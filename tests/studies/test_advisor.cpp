@@ -32,6 +32,7 @@ private slots:
     void saysWhatWasMissed();
     void aRoughDiskIsRunToTheEnd();
     void whatIsKnownIsTold();
+    void whatIsKnownWithoutTheFullModelIsTold();
     void aBudgetEndsIt();
     void whatTheBudgetLeftOutIsTold();
 };
@@ -346,6 +347,18 @@ void TestAdvisor::whatIsKnownIsTold()
     QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("advised"));
     QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.starts_with("it was stopped before these were tried: film, "); }));
+}
+
+// Its static state was found before.
+void TestAdvisor::whatIsKnownWithoutTheFullModelIsTold()
+{
+    const StudyReport report = perform(taperFlat(), "models = [\"static\"]", [&](const StudyProgress& progress) { return progress.doing != "the full model"; });
+    QCOMPARE(report.status, StudyStatus::Cancelled);
+    QVERIFY2(report.findings.at(0).starts_with("There is no advice: the full model "), report.findings.at(0).c_str());
+    QCOMPARE(verdict(report, "static state"), std::string("not known"));
+    QVERIFY(ofModel(report, "static state", "mean") > 0.0);
+    QVERIFY(std::isnan(ofModel(report, "static state", "mean_error_below")));
+    QVERIFY(report.charts.empty() && !report.found);
 }
 
 // Of a film of 33 x 33 lines alone 0.3 ms take longer than 10 ms.
