@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/numerics/wall_clock.h"
-#include "core/simulation/linear_motion.h"
 #include "core/studies/parallel.h"
 #include "core/studies/pilot_run.h"
 #include "core/studies/reduced_models.h"
@@ -59,7 +58,7 @@ private:
                                       [&](std::size_t) { return tell(0.0, "small motions"); });
         if (!went) return false;
         std::vector<Rung> fast;
-        for (Rung& rung : ladderOf(task_, rest_.roll))
+        for (Rung& rung : ladderOf(task_, motion_.steady.attitude.roll))
             (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
         return runRungs(fast, 0.05, 0.15);
     }
@@ -170,10 +169,10 @@ private:
     void findRates(const GoOn& goOn)
     {
         const double begin = threadSeconds();
-        const LinearMotion motion = linearMotion(task_.start, [&](const SteadyProgress&) { return goOn(); });
-        result_.studySeconds += threadSeconds() - begin;
+        const LinearMotion& motion = motion_ = linearMotion(task_.start, [&](const SteadyProgress&) { return goOn(); });
+        motionSeconds_ = threadSeconds() - begin;
+        result_.studySeconds += motionSeconds_;
         if (motion.modes.empty()) result_.growthProblem = motion.message.empty() ? "no static state was found" : motion.message;
-        rest_ = motion.steady.attitude;
         if (motion.steady.status == SteadyStatus::Converged) result_.gridError = motion.steady.discretisationError.minimumSpacing;
         for (const MotionTerm& mode : motion.modes) {
             rates_.push_back({mode.rate, false});
@@ -222,8 +221,9 @@ private:
     {
         RungOutcome outcome;
         if (!inTime(rung)) {
-            outcome = solveReduced(rung, result_.full.tail.mean, goOn);
-            seconds = outcome.seconds;
+            const bool known = rung.kind == RungKind::SmallMotion && rung.c.film.nodes == task_.start.film.nodes;
+            outcome = known ? describeSmallMotion(rung, motion_, motionSeconds_) : solveReduced(rung, result_.full.tail.mean, goOn);
+            seconds = outcome.seconds - (known ? motionSeconds_ : 0.0);
             judge(outcome);
             return outcome;
         }
@@ -300,7 +300,8 @@ private:
     const AdvisorTell& tell_;
     double begin_;
     std::vector<RingingRate> rates_;
-    Attitude rest_; // the static state, where there is one
+    LinearMotion motion_;
+    double motionSeconds_ = 0.0; // that it took
     std::vector<Rung> rests_, parts_; // of the ladder
     PilotRun full_;
     AdvisorResult result_;

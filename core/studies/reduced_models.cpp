@@ -78,9 +78,8 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     outcome.command = "run";
 }
 
-void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
+void tellMotion(const Case& c, const LinearMotion& motion, RungOutcome& outcome)
 {
-    const LinearMotion motion = linearMotion(c, [&](const SteadyProgress&) { return !goOn || goOn(); }, parts);
     if (motion.status != SteadyStatus::Converged) {
         outcome.problem = motion.message.empty() ? "no static state was found" : motion.message;
         return;
@@ -100,6 +99,11 @@ void solveSmallMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOu
                                               : "the motion does not stay above the disk, so that it is not small";
 }
 
+void solveMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
+{
+    tellMotion(c, linearMotion(c, [&](const SteadyProgress&) { return !goOn || goOn(); }, parts), outcome);
+}
+
 void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
 {
     SpringFit fit = fitSprings(c, goOn);
@@ -117,6 +121,11 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     outcome.command = "run";
 }
 
+void checkEnd(RungOutcome& outcome)
+{
+    if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+}
+
 } // namespace
 
 RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn)
@@ -126,11 +135,22 @@ RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn)
     const double begin = threadSeconds();
     if (rung.kind == RungKind::Static) solveStatic(rung.c, goOn, outcome);
     if (rung.kind == RungKind::ContactRest) solveContactRest(rung.c, end, goOn, outcome);
-    if (rung.kind == RungKind::WaveAnswer) solveSmallMotion(rung.c, MotionParts::Waves, goOn, outcome);
-    if (rung.kind == RungKind::SmallMotion) solveSmallMotion(rung.c, MotionParts::All, goOn, outcome);
+    if (rung.kind == RungKind::WaveAnswer) solveMotion(rung.c, MotionParts::Waves, goOn, outcome);
+    if (rung.kind == RungKind::SmallMotion) solveMotion(rung.c, MotionParts::All, goOn, outcome);
     if (rung.kind == RungKind::Springs) solveSprings(rung.c, goOn, outcome);
-    if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+    checkEnd(outcome);
     outcome.seconds = threadSeconds() - begin;
+    return outcome;
+}
+
+RungOutcome describeSmallMotion(const Rung& rung, const LinearMotion& motion, double seconds)
+{
+    RungOutcome outcome;
+    outcome.rung = rung;
+    const double begin = threadSeconds();
+    tellMotion(rung.c, motion, outcome);
+    checkEnd(outcome);
+    outcome.seconds = seconds + threadSeconds() - begin;
     return outcome;
 }
 

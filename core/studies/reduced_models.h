@@ -3,6 +3,7 @@
 // The rungs of the ladder that have no film in time: what each says of the end of a run, at what cost.
 #pragma once
 
+#include "core/simulation/linear_motion.h"
 #include "core/studies/advisor_study.h"
 #include "core/studies/parallel.h"
 
@@ -11,5 +12,8 @@ namespace touchdown {
 /// Of a rung that is not of kind Full, Part or Sum. Of several places to rest in contact it is the one nearest to `end`, the full model's
 /// spacing [m].
 RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn);
+
+/// The same of small motions that are known, and took `seconds` of a processor.
+RungOutcome describeSmallMotion(const Rung& rung, const LinearMotion& motion, double seconds);
 
 } // namespace touchdown
