@@ -7,7 +7,9 @@
 
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/film_books.h"
+#include "core/simulation/film_cost.h"
 #include "core/simulation/film_scene.h"
+#include "core/simulation/law_switch.h"
 #include "core/simulation/step_length.h"
 #include "core/simulation/units.h"
 
@@ -26,8 +28,6 @@ constexpr double typicalScale = 10e-9;  // over which a film's force changes by 
 constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
 constexpr int mostTries = 12;           // for one switch
-constexpr int mostSwitches = 64;        // within chatterTime
-constexpr double chatterTime = 1e-7;    // [s]
 constexpr double farthest = 1e-4;       // from which no slider comes back [m]
 constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
 
@@ -80,22 +80,10 @@ public:
 private:
     void addCost(Summary& summary) const
     {
-        const CoupledCost& cost = stepper_->cost();
+        addFigures(stepper_->cost(), summary);
         const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
             summary.figures.push_back({{name, unit, unit, longName}, value});
         };
-        add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
-        add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
-        add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
-        add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
-        add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
-        add("film_solves", "1", "Attitudes at which the film was solved", static_cast<double>(cost.filmSolves));
-        add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
-        add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
-        add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
-        const double perContact = cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
-        add("contact_saved", "s", "Wall time that skipped contacts would have taken", perContact * static_cast<double>(cost.contactSkipped));
-        add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation", static_cast<double>(cost.jacobiansKept));
         add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load", worstBalance_);
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
         add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient", worstFilm_);
@@ -178,7 +166,7 @@ private:
                 if (dt < shortestStep) return giveUp(result);
                 continue;
             }
-            if (const std::optional<double> way = wayToSwitch(dt)) return goToSwitch(*way);
+            if (const std::optional<double> way = wayToSwitchOf(dt)) return goToSwitch(*way);
             length_.accepted(dt, result.timeError);
             return takeStep(dt);
         }
@@ -215,49 +203,22 @@ private:
         return true;
     }
 
-    /// How much of the tried step there is to the first switch of the contact's law [s]; none: it holds to the end.
-    std::optional<double> wayToSwitch(double dt) const
+    std::optional<double> wayToSwitchOf(double dt) const
     {
         if (!contact_) return std::nullopt;
-        const Interval holds = contact_->interval();
-        if (!std::isfinite(holds.lower) && !std::isfinite(holds.upper)) return std::nullopt;
         FilmPoint end = point_;
         end.time += dt;
+        end.dt = dt;
         end.motion = stepper_->tried();
-        const auto beyond = [&](double share) {
-            const double d = contact_->separation(body_->attitude(between(point_, end, share).q));
-            return std::max(d - holds.upper, holds.lower - d);
-        };
-        // Further from a switch than the way bends from a straight line there is none.
-        const double bend = std::max(body_->displacement(point_.motion.a), body_->displacement(end.motion.a));
-        if (std::max(beyond(0.0), beyond(1.0)) < -bend * dt * dt) return std::nullopt;
-        constexpr int looks = 8; // within a step, so that a short visit is not missed
-        double inside = 0.0;
-        for (int k = 1; k <= looks; ++k) {
-            double outside = double(k) / looks;
-            if (!(beyond(outside) > 0.0)) {
-                inside = outside;
-                continue;
-            }
-            // Just crossed: what is left of it by rounding is no way back.
-            if (k == looks && beyond(outside) <= switchWidth()) return dt;
-            const double past = std::min(beyond(outside), 0.5 * switchWidth());
-            for (int n = 0; n < 60; ++n) {
-                const double middle = 0.5 * (inside + outside);
-                (beyond(middle) >= past ? outside : inside) = middle;
-            }
-            return std::min(dt, std::max(outside * dt, shortestStep));
-        }
-        return std::nullopt;
+        return wayToSwitch(*contact_, *body_, point_, end, switchWidth(), shortestStep);
     }
 
     /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond. It ends beyond the switch by
     /// no more than its width, so that the next step begins where its law holds.
     bool goToSwitch(double length)
     {
-        const Interval holds = contact_->interval();
         double dt = length;
-        bool upper = false, reached = false;
+        SwitchAim aim;
         for (int k = 0;; ++k) {
             const CoupledStepResult result = tryStep(dt);
             if (recorder_->stopped()) return stop();
@@ -265,25 +226,16 @@ private:
                 ++rejected_;
                 return length_.halved(dt) < shortestStep ? giveUp(result) : true;
             }
-            const SliderMotion& motion = stepper_->tried();
-            const double d = contact_->separation(body_->attitude(motion.q));
-            const double before = contact_->separation(body_->attitude(point_.motion.q));
-            upper = std::abs(d - holds.upper) < std::abs(d - holds.lower);
-            const double miss = d - (upper ? holds.upper + 0.5 * switchWidth() : holds.lower - 0.5 * switchWidth());
-            reached = upper ? d >= holds.upper : d <= holds.lower;
-            // The rate, along the way from the step's beginning where it has no other sense.
-            const double ahead = contact_->separation(body_->attitude(moved(motion, 1e-3 * dt)));
-            double rate = (ahead - d) / (1e-3 * dt);
-            if (!(rate * (upper ? 1.0 : -1.0) > 0.0)) rate = (d - before) / dt;
-            if (std::abs(miss) <= 0.5 * switchWidth() || k == mostTries || rate == 0.0) break;
-            const double next = dt - miss / rate;
+            aim = aimAtSwitch(*contact_, *body_, point_.motion, stepper_->tried(), dt, switchWidth());
+            if (std::abs(aim.miss) <= 0.5 * switchWidth() || k == mostTries || aim.rate == 0.0) break;
+            const double next = dt - aim.miss / aim.rate;
             if (!(next > 0.1 * dt) || next > 2.0 * length) break;
             dt = next;
         }
         if (!takeStep(dt)) return false;
         // The way that was looked at is not quite that of the shorter step.
-        if (!reached) return true;
-        recorder_->addEvent(point_.time, contact_->cross(upper));
+        if (!aim.reached) return true;
+        recorder_->addEvent(point_.time, contact_->cross(aim.upper));
         stepper_->restartAcceleration();
         switched_ = true;
         const double storedBefore = point_.contact.storedEnergy;
@@ -291,21 +243,10 @@ private:
         // What the law that now holds has stored comes with it.
         point_.gained += point_.contact.storedEnergy - storedBefore;
         recorder_->jump(point_);
-        switchTimes_.push_back(point_.time);
-        if (switchTimes_.size() > mostSwitches) {
-            const double since = switchTimes_[switchTimes_.size() - 1 - mostSwitches];
-            if (point_.time - since < chatterTime)
-                return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(mostSwitches) +
-                                                   " switches of the contact's law within " + formatQuantity(chatterTime, "us"));
-        }
+        if (switches_.add(point_.time))
+            return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(SwitchWatch::most) +
+                                               " switches of the contact's law within " + formatQuantity(SwitchWatch::span, "us"));
         return true;
-    }
-
-    Vector3 moved(const SliderMotion& motion, double dt) const
-    {
-        Vector3 q = motion.q;
-        for (std::size_t k = 0; k < 3; ++k) q[k] += dt * (motion.v[k] + 0.5 * dt * motion.a[k]);
-        return q;
     }
 
     FilmPoint pointNow(double dt) const
@@ -389,7 +330,7 @@ private:
     CoupledStepResult tried_;
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;      // taken
-    std::vector<double> switchTimes_;
+    SwitchWatch switches_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     RunStatus status_ = RunStatus::Completed;
     RunFailure failure_ = RunFailure::None;
