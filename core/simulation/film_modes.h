@@ -33,6 +33,9 @@ public:
     FilmModes(const Case& c, const SteadyResult& state);
     FilmModes(const FilmModes&) = delete;
 
+    /// Asks within the solution of a linear system, too, whether to go on; where it says false what comes of it has no meaning.
+    void ask(std::function<bool()> goOn) { oscillation_->ask(std::move(goOn)); }
+
     struct Film {
         Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); // K_f [N/m ...]
         Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();   // C_f [N s/m ...]

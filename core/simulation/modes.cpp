@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/film_modes.h"
 #include "core/simulation/steady.h"
 
@@ -60,7 +61,12 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     if (result.status != SteadyStatus::Converged) return result;
 
     FilmModes solver(c, result.steady);
-    const auto tell = [&](const std::string& stage) {
+    std::string stage;
+    double told = 0.0;
+    const auto tell = [&](const std::string& doing) {
+        if (result.status == SteadyStatus::Cancelled) return false;
+        stage = doing;
+        told = wallClock();
         const bool goOn = !callback || callback({.stage = stage, .iteration = 0, .residual = result.steady.residual,
                                                  .loadError = result.steady.loadError, .attitude = result.steady.attitude});
         if (!goOn) {
@@ -69,6 +75,8 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         }
         return goOn;
     };
+    constexpr double longestSilence = 0.03; // [s]
+    solver.ask([&] { return (result.status != SteadyStatus::Cancelled && wallClock() - told < longestSilence) || tell(stage); });
     const std::vector<FilmModes::Mode> found = solver.find([&](std::size_t known) { return tell("mode " + std::to_string(known + 1)); });
     if (result.status == SteadyStatus::Cancelled) return result;
     for (const FilmModes::Mode& mode : found) result.modes.push_back(describe(c, mode.rate, mode.shape));
@@ -78,6 +86,7 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         const double frequency = 1e4 * std::pow(10.0, 0.25 * k); // 10 kHz to 1 MHz
         if (!tell("dynamic stiffness")) return result;
         const FilmModes::Film film = solver.film({0.0, 2.0 * std::numbers::pi * frequency});
+        if (result.status == SteadyStatus::Cancelled) return result;
         filmSolved = filmSolved && solver.converged();
         DynamicStiffness entry{.frequency = frequency};
         for (int row = 0; row < 3; ++row)
