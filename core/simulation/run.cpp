@@ -59,7 +59,8 @@ SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringM
         if (since < 0.0 || since > 0.9 * duration) continue;
         const auto& [t, y, mode] = recorder.last();
         const bool pressed = mode.contact == ContactRegion::Pressed || mode.contact == ContactRegion::Lifting;
-        return {RunStatus::Failed, RunFailure::SpringLost, std::string("the ") + (guard == SpringModel::Rear ? "rear" : "front") + " air spring is lost for good since " + time(since)
+        const RunFailure failure = guard == SpringModel::Rear ? RunFailure::RearSpringLost : RunFailure::FrontSpringLost;
+        return {RunStatus::Failed, failure, std::string(name(failure)) + " since " + time(since)
                                        + (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") + spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", "
                                        + angle(y[1]) + ": outside the model"};
     }
@@ -169,6 +170,23 @@ std::string_view name(RunStatus status)
     case RunStatus::Cancelled: return "cancelled";
     case RunStatus::Diverged: return "diverged";
     case RunStatus::Failed: return "failed";
+    }
+    return {};
+}
+
+std::string_view name(RunFailure failure)
+{
+    switch (failure) {
+    case RunFailure::None: return "";
+    case RunFailure::Diverged: return "the motion diverged";
+    case RunFailure::NegativeEnergy: return "the total energy became negative";
+    case RunFailure::Chattering: return "chattering";
+    case RunFailure::FrontSpringLost: return "the front air spring is lost for good";
+    case RunFailure::RearSpringLost: return "the rear air spring is lost for good";
+    case RunFailure::Tunnelled: return "a step tunnelled through an air spring";
+    case RunFailure::NoStep: return "no step was short enough";
+    case RunFailure::NotConverged: return "the solution did not converge";
+    case RunFailure::Other: return "it could not go on";
     }
     return {};
 }

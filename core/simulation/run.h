@@ -25,12 +25,15 @@ enum class RunFailure : std::uint8_t {
     Diverged,       // beyond all bounds
     NegativeEnergy, // where springs.potential is "as-printed"
     Chattering,     // switches without end
-    SpringLost,     // an air spring, for good: outside the model
+    FrontSpringLost, // for good: outside the model
+    RearSpringLost,
     Tunnelled,      // through the wall of an air spring
     NoStep,         // is short enough for what is asked
     NotConverged,   // an implicit step, or film and slider
     Other
 };
+/// Without where, when and what to do about it: "the rear air spring is lost for good"; "" of None.
+std::string_view name(RunFailure failure);
 
 /// A switch: a spring lost or caught, the pad touching down or taking off.
 struct RunEvent {

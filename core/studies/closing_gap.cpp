@@ -115,10 +115,10 @@ void addClosingGap(const Case& c, LinearPicture& picture)
         const double wide = pressureAt(points, 1e-9), middle = pressureAt(points, 1e-10), narrow = pressureAt(points, 1e-11), growth = narrow / middle;
         table.rows.push_back({slip, wide, middle, narrow, growth});
         if (model != c.air.slip.model) continue;
-        const std::string figures = fewDigits(wide / ambient, "") + ", " + fewDigits(middle / ambient, "") + " and " + fewDigits(narrow / ambient, "") + " times ambient at 1, 0.1 and 0.01 nm";
-        picture.findings.push_back(growth > bounded ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: " + figures +
-                                                          " in a wedge at its disk's speed; the models with a second-order term do not in this one."
-                                                    : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: " + figures + " in a wedge at its disk's speed.");
+        const std::string figures = fewDigits(wide / ambient, "") + ", " + fewDigits(middle / ambient, "") + " and " + fewDigits(narrow / ambient, "") + " times ambient at gaps of 1, 0.1 and 0.01 nm";
+        picture.findings.push_back(growth > bounded ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: to " + figures +
+                                                          ", in a wedge at its disk's speed. The models with a second-order term keep it bounded there."
+                                                    : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: at " + figures + ", in a wedge at its disk's speed.");
     }
     if (c.air.slip.model == SlipModel::Combination && c.air.slip.blendWidth == 0.0)
         picture.warnings.push_back("The hard switch of slip at " + fewDigits(c.air.slip.switchGap, "nm") + " makes the flow factor jump, by a factor of " + fewDigits(jumpOfQ(c, 1.0), "") +

@@ -8,24 +8,19 @@
 #include <span>
 
 #include "core/simulation/fields.h"
-#include "core/simulation/units.h"
-#include "core/studies/run_failure.h"
+#include "core/studies/few_digits.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double sameSpacing = 0.1e-9; // between neighbours of one class [m]
-
 EnsembleEnd runStart(const Case& c, const Field& key, double value, const GoOn& goOn)
 {
     Case started = c;
-    if (const auto problem = setFromNumber(started, key, value)) return {.state = {}, .failure = key.key + ": " + *problem};
+    if (setFromNumber(started, key, value)) return {.state = {}, .failure = RunFailure::Other};
     const MeasuredRun run = measureRun(started, {}, goOn);
-    return {run.end, failureOf(run.summary), workOf(c, run.summary)};
+    return {run.end, run.summary.failure, workOf(c, run.summary)};
 }
-
-std::string spacingText(double spacing) { return formatQuantity(std::round(spacing * 1e11) / 1e11, "nm"); }
 
 struct Place {
     std::size_t ensemble = 0, start = 0;
@@ -90,7 +85,7 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
 {
     EndClasses result;
     std::map<EndKind, std::vector<Place>> byKind;
-    std::map<std::string, std::vector<Place>> byFailure;
+    std::map<RunFailure, std::vector<Place>> byFailure;
     for (std::size_t e = 0; e < ensembles.size(); ++e) {
         result.of.emplace_back(ensembles[e].ends.size());
         for (std::size_t s = 0; s < ensembles[e].ends.size(); ++s) {
@@ -110,10 +105,10 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
         // A pad that goes in and out has no spacing of its own.
         if (kind == EndKind::Intermittent) add({std::string(name(kind)), kind}, places);
         else splitBySpacing(places, [&](std::span<const Place> some) {
-            add({(kind == EndKind::Flying ? "flying at " : "in contact at ") + spacingText(meanSpacing(some)), kind}, some);
+            add({(kind == EndKind::Flying ? "flying at " : "in contact at ") + fewDigits(std::round(meanSpacing(some) * 1e11) / 1e11, "nm", 6), kind}, some);
         });
     }
-    for (const auto& [failure, places] : byFailure) add({"failed: " + failure, EndKind::Failed}, places);
+    for (const auto& [failure, places] : byFailure) add({"failed: " + std::string(name(failure)), EndKind::Failed}, places);
 
     std::vector<std::size_t> order(found.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -33,7 +33,7 @@ struct EnsembleTask {
 /// Where one start led.
 struct EnsembleEnd {
     EndState state;
-    std::string failure;    // "" of a valid run
+    RunFailure failure = RunFailure::None;
     double work = 0.0;      // right-hand sides, or film solves
 };
 
@@ -54,7 +54,7 @@ std::vector<double> startsOf(const Case& c, const EnsembleTask& task);
 /// are done, and stops all by returning false. Returns whether all ended.
 bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs, const std::function<bool(std::size_t)>& poll);
 
-/// An end that several starts share: of one kind, the spacings of neighbours no more than 0.1 nm apart; failures that read the same.
+/// An end that several starts share: of one kind, the spacings of neighbours no more than 0.1 nm apart; or the same failure.
 struct EndClass {
     std::string name; // "flying at 7 nm"
     EndKind kind = EndKind::Failed;

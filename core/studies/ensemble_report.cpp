@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/moments.h"
 #include "core/simulation/fields.h"
-#include "core/simulation/units.h"
 #include "core/studies/few_digits.h"
+#include "core/studies/swept_method.h"
 
 namespace touchdown {
 
@@ -15,10 +16,7 @@ namespace {
 constexpr std::size_t mostPanels = 3;
 constexpr std::size_t mostEndsTold = 4;
 
-std::string nameOf(const Ensemble& ensemble)
-{
-    return ensemble.setting.empty() ? ensemble.method : ensemble.method + ", " + ensemble.setting;
-}
+std::string nameOf(const Ensemble& ensemble) { return touchdown::nameOf(ensemble.method, ensemble.setting); }
 
 double meanWork(const Ensemble& ensemble)
 {
@@ -32,27 +30,17 @@ std::string percent(double share) { return fewDigits(std::round(1000.0 * share) 
 /// "31.3 % (26.3 % to 36.8 %)"
 std::string shareText(const Share& share) { return percent(share.share) + " (" + percent(share.lower) + " to " + percent(share.upper) + ")"; }
 
-/// Mean and standard deviation over starts.
-struct Spread {
-    std::size_t count = 0;
-    double mean = 0.0, deviation = 0.0;
-};
+/// What `take` tells of the starts.
 template <class Take>
-Spread spreadOf(const Ensemble& ensemble, Take take)
+std::vector<double> valuesOf(const Ensemble& ensemble, Take take)
 {
-    Spread result;
-    double sum = 0.0, squares = 0.0, first = 0.0;
-    for (std::size_t s = 0; s < ensemble.ends.size(); ++s) {
-        const std::optional<double> value = take(s);
-        if (!value) continue;
-        if (result.count++ == 0) first = *value;
-        sum += *value - first;
-        squares += (*value - first) * (*value - first);
-    }
-    if (result.count == 0) return result;
-    const double n = static_cast<double>(result.count), mean = sum / n;
-    return {result.count, first + mean, std::sqrt(std::max(0.0, squares / n - mean * mean))};
+    std::vector<double> values;
+    for (std::size_t s = 0; s < ensemble.ends.size(); ++s)
+        if (const std::optional<double> value = take(s)) values.push_back(*value);
+    return values;
 }
+StudyValue meanOf(const std::vector<double>& values) { return values.empty() ? StudyValue() : StudyValue(momentsOf(values).mean); }
+StudyValue deviationOf(const std::vector<double>& values) { return values.empty() ? StudyValue() : StudyValue(momentsOf(values).deviation); }
 
 class Teller {
 public:
@@ -156,16 +144,15 @@ private:
         const Share share = shareIn(e, k);
         const ShareDifference difference = differenceIn(e, k);
         const auto among = [&](double EndState::* member) {
-            return spreadOf(all_[e], [&, member](std::size_t s) {
+            return valuesOf(all_[e], [&, member](std::size_t s) {
                 const EndState& state = all_[e].ends[s].state;
                 return ends_.of[e][s] == k && state.kind != EndKind::Failed ? std::optional(state.*member) : std::nullopt;
             });
         };
-        const Spread spacing = among(&EndState::spacing), spread = among(&EndState::spread);
-        const auto number = [&](double value) { return spacing.count > 0 ? StudyValue(value) : StudyValue(); };
+        const std::vector<double> spacing = among(&EndState::spacing);
         return {all_[e].method, all_[e].setting, ends_.classes[k].name, static_cast<double>(share.count), share.share, share.lower, share.upper,
                 difference.difference, difference.error, std::string(e > 0 && difference.significant ? "yes" : ""),
-                number(spacing.mean), number(spacing.deviation), number(spread.mean)};
+                meanOf(spacing), deviationOf(spacing), meanOf(among(&EndState::spread))};
     }
 
     StudyTable ensembles() const
@@ -179,14 +166,13 @@ private:
                           {.name = "work", .longName = account_.workTitle + " per run"}},
                          {}};
         for (std::size_t e = 0; e < all_.size(); ++e) {
-            const Spread spacing = spreadOf(all_[e], [&](std::size_t s) {
+            const std::vector<double> spacing = valuesOf(all_[e], [&](std::size_t s) {
                 const EndState& state = all_[e].ends[s].state;
                 return state.kind != EndKind::Failed ? std::optional(state.spacing) : std::nullopt;
             });
-            const auto number = [&](double value) { return spacing.count > 0 ? StudyValue(value) : StudyValue(); };
             table.rows.push_back({all_[e].method, all_[e].setting, static_cast<double>(starts()),
-                                  static_cast<double>(otherwise(ends_.of[e], ends_.of[0])), static_cast<double>(starts() - spacing.count),
-                                  number(spacing.mean), number(spacing.deviation), meanWork(all_[e])});
+                                  static_cast<double>(otherwise(ends_.of[e], ends_.of[0])), static_cast<double>(starts() - spacing.size()),
+                                  meanOf(spacing), deviationOf(spacing), meanWork(all_[e])});
         }
         return table;
     }
@@ -201,7 +187,7 @@ private:
 std::string describeStarts(const Case& c, const EnsembleTask& task)
 {
     const Field& field = *findField(task.key);
-    return std::to_string(task.starts) + " starts with " + field.label + " within " + formatQuantity(task.spread, field.displayUnit) + " of " +
+    return std::to_string(task.starts) + " starts with " + field.label + " within " + fewDigits(task.spread, field.displayUnit, 6) + " of " +
            toText(c, field);
 }
 

@@ -87,8 +87,6 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
     c.run.duration = steps.hold;
     c.run.sampleInterval = std::min(c.run.sampleInterval, steps.hold / fewestSamples);
     c.run.step = std::min(c.run.step, steps.hold);
-    c.run.stepCheck = false;
-    c.run.fieldSnapshots = 0;
     c.spectrum.start = 0.0;
     step.problem = setParameter(c, steps.parameter, value);
     if (!step.problem.empty()) {

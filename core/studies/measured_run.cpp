@@ -4,35 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/moments.h"
 #include "core/simulation/case_file.h"
 #include "core/simulation/fields.h"
+#include "core/studies/few_digits.h"
 
 namespace touchdown {
 
-namespace {
-
-/// The last part of a run, by which its end is told [-].
-constexpr double tail = 0.1;
-
-/// How the pad stands at one sample. Ono & Yamane's menisci hold it where its asperities do not touch any more; adhesion of
-/// surfaces reaches beyond contact.
-class TouchColumns {
-public:
-    TouchColumns(const Case& c, const std::vector<Quantity>& quantities)
-        : contact_(findQuantity(quantities, "contact_force")),
-          adhesion_(c.contact == ContactKind::OnoYamane ? findQuantity(quantities, "adhesion_force") : -1)
-    {}
-    bool touches(const SampleBatch& batch, std::size_t i) const
-    {
-        const auto acts = [&](int column) { return column >= 0 && batch.columns[static_cast<std::size_t>(column)][i] != 0.0; };
-        return acts(contact_) || acts(adhesion_);
-    }
-
-private:
-    int contact_, adhesion_;
-};
-
-} // namespace
+TouchColumns::TouchColumns(const Case& c) : menisci_(c.contact == ContactKind::OnoYamane)
+{
+    const std::vector<Quantity> quantities = recordedQuantities(c);
+    contact_ = findQuantity(quantities, "contact_force");
+    adhesion_ = findQuantity(quantities, "adhesion_force");
+}
 
 std::string_view name(EndKind kind)
 {
@@ -47,19 +31,22 @@ std::string_view name(EndKind kind)
 
 std::string_view spacingOf(const Case& c) { return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing"; }
 
-MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn, const RunOptions& options)
+MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn, const RunOptions& options)
 {
+    Case c = given;
+    c.run.stepCheck = false;
+    c.run.fieldSnapshots = 0;
     const std::vector<Quantity> all = recordedQuantities(c);
     std::vector<int> columns;
     for (const std::string& quantity : quantities) columns.push_back(findQuantity(all, quantity));
-    const TouchColumns touch(c, all);
+    const TouchColumns touch(c);
     const int spacing = findQuantity(all, spacingOf(c));
-    const double tailBegin = (1.0 - tail) * c.run.duration;
+    const double tailBegin = (1.0 - tailShare) * c.run.duration;
 
     MeasuredRun run;
     run.columns.resize(quantities.size());
-    std::size_t touching = 0, apart = 0;
-    double sum = 0.0, squares = 0.0, first = 0.0;
+    std::size_t touching = 0;
+    std::vector<double> tail; // of the spacing
     run.summary = touchdown::run(c, [&](const RunUpdate& update) {
         const SampleBatch& batch = update.samples;
         run.time.insert(run.time.end(), batch.time.begin(), batch.time.end());
@@ -70,20 +57,16 @@ MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities
         }
         for (std::size_t i = 0; i < batch.size(); ++i) {
             if (batch.time[i] < tailBegin || spacing < 0) continue;
-            const double value = batch.columns[static_cast<std::size_t>(spacing)][i];
-            if (touching + apart == 0) first = value;
-            sum += value - first;
-            squares += (value - first) * (value - first);
-            ++(touch.touches(batch, i) ? touching : apart);
+            tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
+            touching += touch.touches(batch, i);
         }
         return !goOn || goOn();
     }, options);
-    const double count = static_cast<double>(touching + apart);
-    if (!run.valid() || count == 0.0) return run;
-    const double mean = sum / count;
-    run.end.kind = touching == 0 ? EndKind::Flying : apart == 0 ? EndKind::Contact : EndKind::Intermittent;
-    run.end.spacing = first + mean;
-    run.end.spread = std::sqrt(std::max(0.0, squares / count - mean * mean));
+    if (!run.valid() || tail.empty()) return run;
+    const Moments moments = momentsOf(tail);
+    run.end.kind = touching == 0 ? EndKind::Flying : touching == tail.size() ? EndKind::Contact : EndKind::Intermittent;
+    run.end.spacing = moments.mean;
+    run.end.spread = moments.deviation;
     return run;
 }
 
@@ -93,6 +76,26 @@ bool sameEnd(const EndState& a, const EndState& b, double distance)
     if (a.kind == EndKind::Failed) return true;
     const double wider = std::max(a.spread, b.spread);
     return std::abs(a.spread - b.spread) <= std::max(distance, 0.5 * wider) && std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
+}
+
+bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance)
+{
+    if (a.valid() != b.valid()) return false;
+    return a.valid() ? sameEnd(a.end, b.end, distance) : a.summary.failure == b.summary.failure;
+}
+
+std::string outcomeText(const MeasuredRun& run)
+{
+    if (!run.valid()) return "fails: " + run.summary.message;
+    constexpr double rest = 0.1 * sameSpacing;
+    const std::string at = fewDigits(run.end.spacing, "nm", 3) + (run.end.spread > rest ? " +- " + fewDigits(run.end.spread, "nm") : "");
+    switch (run.end.kind) {
+    case EndKind::Flying: return "flies at " + at;
+    case EndKind::Contact: return "ends in contact at " + at;
+    case EndKind::Intermittent: return "goes in and out of contact about " + at;
+    case EndKind::Failed: break;
+    }
+    return "has no end";
 }
 
 std::string applySettings(Case& c, const std::vector<CaseSetting>& settings)

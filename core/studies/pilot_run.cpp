@@ -45,9 +45,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     quiet.run.sampleInterval = pilotInterval(c);
     const std::vector<Quantity> quantities = recordedQuantities(quiet);
     const auto spacing = static_cast<std::size_t>(findQuantity(quantities, spacingOf(quiet)));
-    const int contact = findQuantity(quantities, "contact_force"), adhesion = findQuantity(quantities, "adhesion_force");
-    // Adhesion of surfaces reaches beyond contact; menisci hold the pad.
-    const bool menisci = c.contact == ContactKind::OnoYamane;
+    const TouchColumns touch(quiet);
 
     PilotRun pilot;
     pilot.duration = c.run.duration;
@@ -57,14 +55,12 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     double begin = threadSeconds();
     const Summary summary = run(quiet, [&](const RunUpdate& update) {
         const SampleBatch& batch = update.samples;
-        const auto acts = [&](int column, std::size_t k) { return column >= 0 && batch.columns[static_cast<std::size_t>(column)][k] != 0.0; };
         for (std::size_t k = 0; k < batch.size(); ++k) {
             const double value = batch.columns[spacing][k];
-            const bool touches = acts(contact, k), adheres = acts(adhesion, k);
             pilot.samples.spacing.push_back(value);
-            pilot.samples.touching.push_back(touches || (menisci && adheres));
+            pilot.samples.touching.push_back(touch.touches(batch, k));
             pilot.lowest = std::min(pilot.lowest, value);
-            pilot.contactActs = pilot.contactActs || touches || adheres;
+            pilot.contactActs = pilot.contactActs || touch.acts(batch, k);
         }
         if (batch.size() > 0) pilot.course.emplace_back(update.time, threadSeconds() - begin);
         if (goOn && !goOn()) {

@@ -62,16 +62,16 @@ template <class Height>
 ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y, Height height)
 {
     ChartPanel panel{errorAxis(task), std::move(y), {}, {}, {}, false};
-    for (const PrecisionMethod& method : task.methods) panel.series.push_back({method.name, {}, ChartLine::Solid, true, false});
-    bool failed = false;
+    for (const SweptMethod& method : task.methods) panel.series.push_back({method.name, {}, ChartLine::Solid, true, false});
+    bool failed = false, elsewhere = false;
     for (const PrecisionPoint& point : runs.points) {
         const std::optional<double> error = errorOf(task, point);
-        const bool lost = point.kind == PointKind::Failed;
-        if (!point.ran || !(height(point) > 0.0) || (!error && !lost)) continue;
-        const PrecisionSetting& setting = task.methods[point.method].settings[point.setting];
-        const double x = lost ? scale.failed : std::max(*error, scale.lowest);
+        if (!point.ran || !(height(point) > 0.0) || (!error && point.kind == PointKind::Good)) continue;
+        const MethodSetting& setting = task.methods[point.method].settings[point.setting];
+        const double x = error ? std::max(*error, scale.lowest) : scale.failed;
         panel.series[point.method].points.push_back({x, height(point), setting.label, point.kind, setting.chosen});
-        failed = failed || lost;
+        failed = failed || point.kind == PointKind::Failed;
+        elsewhere = elsewhere || (!error && point.kind == PointKind::WrongState);
     }
     std::erase_if(panel.series, [](const ChartSeries& series) { return series.points.empty(); });
     ChartSeries front{"best of all", {}, ChartLine::Steps, false, true};
@@ -79,28 +79,28 @@ ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const E
         front.points.push_back({std::max(*worthOf(task, runs, *point), scale.lowest), height(*point)});
     if (!front.points.empty()) panel.series.push_back(std::move(front));
     if (scale.uncertainty > 0.0) panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
-    if (failed) panel.bands.push_back({true, scale.border, INFINITY, "no valid end"});
+    if (failed || elsewhere) panel.bands.push_back({true, scale.border, INFINITY, elsewhere ? "without an error" : "no valid end"});
     return panel;
 }
 
 std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale)
 {
     const ProvenReference& reference = runs.reference;
-    std::string caption = "To the left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
-                          " repeats after a warm-up; of runs longer than " + fewDigitsOfTime(task.timeLimit) +
-                          " a single one. Ringed: the case's own setting. Grey: the best of all, where a run is worth no more than finer "
-                          "settings of its method.";
+    std::string caption = "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
+                          " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
+                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there a setting's error counts as no smaller than those of "
+                          "finer settings of its method, as it is luck where it is.";
     if (scale.uncertainty > 0.0)
-        caption += " Shaded at the left: by " + fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
-                   " the reference itself differs from its proof; a run there is as good as the reference can tell.";
+        caption += " Shaded at the left: the reference and the run that proves it differ by " + fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
+                   "; smaller errors cannot be told apart.";
     const auto isAny = [&](PointKind kind) {
         return std::ranges::any_of(runs.points, [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
     };
-    if (isAny(PointKind::WrongState)) caption += " Hollow: ends in another state than the reference.";
-    if (isAny(PointKind::Failed)) caption += " Crosses at the right edge: no valid end, at the time after which they failed.";
+    if (isAny(PointKind::WrongState)) caption += " Hollow: ends in another state than the reference; at the right edge where that leaves it without an error.";
+    if (isAny(PointKind::Failed)) caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
     if (reference.horizon)
         caption += " From " + fewDigitsOfTime(*reference.horizon, 3) +
-                   " of simulated time on the trajectory is not determined: errors are those of the time before.";
+                   " of simulated time on the trajectory is not determined; errors are those of the time before.";
     return caption;
 }
 

@@ -12,55 +12,20 @@ namespace touchdown {
 
 namespace {
 
+constexpr std::size_t mostTold = 5; // in a sentence
+
 std::string unitOf(const PrecisionTask& task)
 {
     if (task.measure == ErrorMeasure::PeakFrequency) return "kHz";
     return task.measure == ErrorMeasure::PeakAmplitude ? "nm" : task.quantity.displayUnit;
 }
 
-/// The fastest run that reached the reference's end with an error of no more than `error`; null: none did.
-const PrecisionPoint* fastestWithin(const PrecisionTask& task, const PrecisionRuns& runs, double error)
-{
-    const PrecisionPoint* best = nullptr;
-    for (const PrecisionPoint& point : runs.points) {
-        const std::optional<double> its = worthOf(task, runs, point);
-        if (point.kind != PointKind::Good || !its || *its > error) continue;
-        if (best == nullptr || point.fastest() < best->fastest()) best = &point;
-    }
-    return best;
-}
-
-/// An error and the fastest run within it.
-struct Within {
-    double error = 0.0; // [unit]
-    const PrecisionPoint* point = nullptr;
-};
-
-/// For the powers of ten, in the display unit, from the largest error of a run down to what the reference knows.
-std::vector<Within> fastestRuns(const PrecisionTask& task, const PrecisionRuns& runs)
-{
-    double least = INFINITY, largest = 0.0;
-    for (const PrecisionPoint& point : runs.points)
-        if (const auto error = worthOf(task, runs, point); error && point.kind == PointKind::Good) {
-            least = std::min(least, *error);
-            largest = std::max(largest, *error);
-        }
-    std::vector<Within> all;
-    if (largest == 0.0) return all;
-    const double factor = unitFactor(unitOf(task));
-    least = std::max(least, 1e-12 * largest);
-    const int first = static_cast<int>(std::ceil(std::log10(largest / factor)));
-    for (int exponent = first; factor * std::pow(10.0, exponent) >= least; --exponent) {
-        const double error = factor * std::pow(10.0, exponent);
-        if (const PrecisionPoint* point = fastestWithin(task, runs, error)) all.push_back({error, point});
-    }
-    return all;
-}
+double timeOf(const PrecisionPoint& point) { return point.fastest(); }
 
 std::string endText(const PrecisionPoint& point)
 {
     if (!point.ran) return "not run";
-    return std::string(name(point.summary.status == RunStatus::Completed ? point.end.kind : EndKind::Failed));
+    return std::string(point.summary.status == RunStatus::Completed ? name(point.end.kind) : name(point.summary.failure));
 }
 
 std::string verdictText(const PrecisionPoint& point)
@@ -88,9 +53,9 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
     for (std::size_t i = 0; i < shown; ++i) {
         StudyColumn column{"error_" + std::string(name(measures[i])), q.unit, q.displayUnit, std::string(title(measures[i]))};
         std::ranges::replace(column.name, '-', '_');
+        column.secondary = task.inTime && measures[i] != task.measure;
         if (measures[i] == ErrorMeasure::PeakFrequency) column.unit = "Hz", column.displayUnit = "kHz";
         if (measures[i] == ErrorMeasure::PeakAmplitude) column.unit = "m", column.displayUnit = "nm";
-        column.secondary = task.inTime && measures[i] != task.measure;
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
@@ -108,7 +73,7 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
              {.name = "message", .longName = "Why it ended so"}})
         table.columns.push_back(column);
     for (const PrecisionPoint& point : runs.points) {
-        const PrecisionSetting& setting = task.methods[point.method].settings[point.setting];
+        const MethodSetting& setting = task.methods[point.method].settings[point.setting];
         std::vector<StudyValue> row{task.methods[point.method].name, setting.label};
         for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, measures[i]));
         for (std::size_t i = 0; i < task.also.size(); ++i) row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
@@ -122,22 +87,21 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
     return table;
 }
 
-StudyTable fastestTable(const PrecisionTask& task, const PrecisionRuns& runs)
+StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    const bool frequency = task.measure == ErrorMeasure::PeakFrequency;
-    StudyTable table{"fastest",
-                     {{"within", frequency ? "Hz" : task.quantity.unit, unitOf(task), std::string(title(task.measure)) + " of no more than"},
-                      {.name = "method", .longName = "Fastest method"},
-                      {.name = "setting", .longName = "Setting"},
+    StudyTable table{"front",
+                     {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"},
+                      {"worth", task.measure == ErrorMeasure::PeakFrequency ? "Hz" : task.quantity.unit, unitOf(task), std::string(title(task.measure)) + ", no less than those of finer settings"},
                       {"time", "s", "ms", "Time of the solver"}},
                      {}};
-    for (const Within& within : fastestRuns(task, runs))
-        table.rows.push_back({within.error, task.methods[within.point->method].name,
-                              task.methods[within.point->method].settings[within.point->setting].label, within.point->fastest()});
+    for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
+        const SweptMethod& method = task.methods[point->method];
+        table.rows.push_back({method.name, method.settings[point->setting].label, *worthOf(task, runs, *point), point->fastest()});
+    }
     return table;
 }
 
-const PrecisionPoint* findPoint(const PrecisionTask& task, const PrecisionRuns& runs, const std::function<bool(const PrecisionSetting&)>& is)
+const PrecisionPoint* findPoint(const PrecisionTask& task, const PrecisionRuns& runs, const std::function<bool(const MethodSetting&)>& is)
 {
     for (const PrecisionPoint& point : runs.points)
         if (point.ran && is(task.methods[point.method].settings[point.setting])) return &point;
@@ -149,100 +113,117 @@ std::string timesAs(double ratio, const std::string& more, const std::string& le
     return ratio >= 1.0 ? fewDigits(ratio, "") + " times " + more : fewDigits(1.0 / ratio, "") + " times " + less;
 }
 
-std::string costOf(const PrecisionTask& task, const PrecisionPoint& point, const std::string& remark = {})
+/// "largest error is 8.2 nm"
+std::string errorText(const PrecisionTask& task, double error)
+{
+    std::string what(title(task.measure));
+    what.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(what.front())));
+    return what + " is " + fewDigits(error, unitOf(task));
+}
+
+std::string costOf(const PrecisionTask& task, const PrecisionPoint& point)
 {
     const std::optional<double> error = errorOf(task, point);
-    return nameOf(task, point) + remark + " takes " + fewDigitsOfTime(point.fastest()) +
-           (point.kind == PointKind::Failed ? std::string(" and has no valid end")
-                                            : " and errs by " + fewDigits(error.value_or(0.0), unitOf(task))) +
-           (point.kind == PointKind::WrongState ? ", in another end state than the reference" : "");
+    std::string text = nameOf(task, point) + ", takes " + fewDigitsOfTime(point.fastest());
+    if (point.kind == PointKind::Failed) text += " and has no valid end";
+    else if (error) text += "; its " + errorText(task, *error);
+    if (point.kind == PointKind::WrongState) text += ", and ends in another state than the reference";
+    return text + ".";
 }
 
 /// The case's own setting beside the paper's method, and among all.
 void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
-    const PrecisionPoint* chosen = findPoint(task, runs, [](const PrecisionSetting& setting) { return setting.chosen; });
-    if (chosen == nullptr || !errorOf(task, *chosen)) return;
-    const PrecisionPoint* paper = task.start.model != ModelKind::Springs ? nullptr : findPoint(task, runs, [](const PrecisionSetting& setting) {
+    const PrecisionPoint* chosen = findPoint(task, runs, [](const MethodSetting& setting) { return setting.chosen; });
+    if (chosen == nullptr) return;
+    const PrecisionPoint* paper = task.start.model != ModelKind::Springs ? nullptr : findPoint(task, runs, [](const MethodSetting& setting) {
         return setting.c.run.integrator == IntegratorKind::Rk4 && std::abs(setting.c.run.step - 10e-9) < 1e-15;
     });
-    const double uncertainty = uncertaintyOf(task, runs), error = std::max(*errorOf(task, *chosen), uncertainty);
-    const double worth = *worthOf(task, runs, *chosen);
+    const double uncertainty = uncertaintyOf(task, runs);
+    const std::optional<double> error = errorOf(task, *chosen);
+    std::string text = "The case's own setting, " + costOf(task, *chosen);
     if (paper != nullptr && paper != chosen) {
-        std::string text = costOf(task, *chosen) + "; " + costOf(task, *paper, ", the paper's method,");
-        if (const auto its = errorOf(task, *paper); its && error > 0.0 && *its > 0.0)
-            text += ": the case's own setting is " + timesAs(paper->fastest() / chosen->fastest(), "faster", "slower") + " and " +
-                    timesAs(std::max(*its, uncertainty) / error, "more accurate", "less accurate");
-        report.findings.push_back(text + ".");
+        text += " The paper's method, " + costOf(task, *paper);
+        if (const auto its = errorOf(task, *paper); its && error && *error > 0.0 && *its > 0.0)
+            text += " So the case's own setting is " + timesAs(paper->fastest() / chosen->fastest(), "faster", "slower") + " and " +
+                    timesAs(std::max(*its, uncertainty) / std::max(*error, uncertainty), "more accurate", "less accurate") + ".";
     }
-    const PrecisionPoint* best = fastestWithin(task, runs, worth);
-    if (best == nullptr) return;
-    const bool isBest = best == chosen || best->fastest() >= chosen->fastest();
-    report.findings.push_back("Of the runs that err by no more than the case's own setting, " + nameOf(task, *chosen) +
-                              (isBest ? ", it is the fastest." : ", " + nameOf(task, *best) + " is the fastest: " +
-                                                                     fewDigitsOfTime(best->fastest()) + " against " + fewDigitsOfTime(chosen->fastest()) + "."));
+    report.findings.push_back(text);
+}
+
+/// A few of a front of many, its ends among them.
+void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
+{
+    std::vector<const PrecisionPoint*> front = paretoFront(task, runs, timeOf);
+    if (front.empty()) return;
+    std::ranges::reverse(front); // from the fastest on
+    const std::size_t all = front.size(), told = std::min(all, mostTold);
+    std::string text;
+    for (std::size_t i = 0; i < told; ++i) {
+        const PrecisionPoint* point = front[told == 1 ? 0 : i * (all - 1) / (told - 1)];
+        text += (i == 0 ? "" : "; ") + nameOf(task, *point) + ", " + fewDigits(*worthOf(task, runs, *point), unitOf(task)) + " in " + fewDigitsOfTime(point->fastest());
+    }
+    const bool own = std::ranges::any_of(front, [&](const PrecisionPoint* point) { return task.methods[point->method].settings[point->setting].chosen; });
+    report.findings.push_back("Nothing is both faster and more accurate than " + (all == 1 ? std::string("this") : all == told ? std::string("these") : "these " + std::to_string(all) + ", of which " + std::to_string(told) + " are listed") +
+                              ": " + text + ". The case's own setting is " + (own ? "" : "not ") + "among them.");
 }
 
 void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
     const ProvenReference& reference = runs.reference;
     const std::string distance = fewDigits(reference.apart, task.quantity.displayUnit);
-    std::string text = "The reference is " + reference.label + "; " + reference.other + " lies within " + distance + " of it";
-    if (reference.horizon)
-        text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " +
-               fewDigits(task.agreement, task.quantity.displayUnit) + " at " + fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance +
-               " later. Errors are those of the time before; " +
-               (task.start.model == ModelKind::Film ? "what comes later needs finer references or, where it is chaotic, an [ensemble]"
-                                                    : "after it only the shares of an ensemble have a meaning");
-    report.findings.push_back(text + ".");
-    if (!reference.run.valid())
-        report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message + ". Runs that fail alike agree with the reference.");
-}
-
-void tellFastest(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
-{
-    std::string text;
-    const std::vector<Within> all = fastestRuns(task, runs);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        // One clause for several powers of ten with the same answer: the smallest of them.
-        if (i + 1 < all.size() && all[i + 1].point == all[i].point) continue;
-        text += (text.empty() ? "The fastest within " : ", within ") + fewDigits(all[i].error, unitOf(task)) + ": " + nameOf(task, *all[i].point) + " (" +
-                fewDigitsOfTime(all[i].point->fastest()) + ")";
+    std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other + " confirms to " + distance + ".";
+    if (reference.horizon) {
+        text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " + fewDigits(task.agreement, task.quantity.displayUnit) +
+               " at " + fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance + " later. Errors are those of the time before. ";
+        if (reference.endKnown) text += "The end is determined: it " + outcomeText(reference.run) + ", by both.";
+        else text += "Nor is the end: " + std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end otherwise" : "the two end otherwise") +
+                     ", and only the shares of an ensemble of starts have a meaning.";
     }
-    if (!text.empty()) report.findings.push_back(text + ".");
+    report.findings.push_back(text);
+    if (!reference.run.valid())
+        report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message + ". Runs that fail in the same way agree with the reference.");
+    if (reference.horizon && task.measure >= ErrorMeasure::Mean)
+        report.warnings.push_back("Where the trajectory is not determined no run has an error of the kind \"" + std::string(name(task.measure)) + "\", which needs all of it: take error = \"worst\".");
+    if (runs.referencesLate) report.warnings.push_back("Some of the runs that may prove the reference were cut off: they took more than their share of the budget of " + fewDigitsOfTime(task.budget) + ".");
 }
 
-/// All of a few, some of many.
-std::string listOf(const std::vector<std::string>& names)
+/// "rk4 (2 us, 1 us); newmark (2 us)", a few of many.
+std::string listOf(const PrecisionTask& task, const std::vector<const PrecisionPoint*>& points)
 {
-    constexpr std::size_t most = 12;
     std::string list;
-    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : "; ") + names[i];
-    return names.size() > most ? list + "; and " + std::to_string(names.size() - most) + " more" : list;
+    std::size_t methods = 0, settings = 0, left = 0, last = task.methods.size();
+    for (const PrecisionPoint* point : points) {
+        const SweptMethod& method = task.methods[point->method];
+        const std::string& label = method.settings[point->setting].label;
+        const bool another = point->method != last;
+        if (another) ++methods, settings = 0;
+        last = point->method;
+        if (methods > mostTold || ++settings > mostTold) {
+            ++left;
+            continue;
+        }
+        if (another) list += (list.empty() ? "" : "; ") + nameOf(method.name, label);
+        else list.insert(list.size() - 1, ", " + label);
+    }
+    return left > 0 ? list + "; and " + std::to_string(left) + " more" : list;
 }
 
 void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
-    std::vector<std::string> wrong, failed, missing;
+    std::vector<const PrecisionPoint*> wrong, failed, missing;
     for (const PrecisionPoint& point : runs.points) {
-        const std::string its = nameOf(task, point);
-        if (!point.ran) missing.push_back(its);
-        else if (point.kind == PointKind::WrongState) wrong.push_back(its);
-        else if (point.kind == PointKind::Failed) failed.push_back(its);
+        if (!point.ran) missing.push_back(&point);
+        else if (point.kind == PointKind::WrongState) wrong.push_back(&point);
+        else if (point.kind == PointKind::Failed) failed.push_back(&point);
     }
-    if (!wrong.empty()) report.findings.push_back("In another state than the reference ends " + listOf(wrong) + ".");
-    if (!failed.empty()) report.findings.push_back("No valid end has " + listOf(failed) + ".");
-    if (!missing.empty() && runs.late) report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(missing) + ".");
+    if (!wrong.empty()) report.findings.push_back("These end in another state than the reference: " + listOf(task, wrong) + ".");
+    if (!failed.empty()) report.findings.push_back("These have no valid end: " + listOf(task, failed) + ".");
+    if (!missing.empty() && runs.late)
+        report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(task, missing) + ".");
 }
 
 } // namespace
-
-std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point)
-{
-    const PrecisionMethod& method = task.methods[point.method];
-    const std::string& label = method.settings[point.setting].label;
-    return label.empty() ? method.name : method.name + ", " + label;
-}
 
 std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point)
 {
@@ -252,7 +233,7 @@ std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& p
 
 double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    return runs.reference.uncertainty.empty() ? 0.0 : runs.reference.uncertainty[0].at(task.measure).value_or(0.0);
+    return runs.uncertainty.empty() ? 0.0 : runs.uncertainty[0].at(task.measure).value_or(0.0);
 }
 
 std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point)
@@ -282,7 +263,7 @@ std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const 
 
 std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    return {runsTable(task, runs), fastestTable(task, runs)};
+    return {runsTable(task, runs), frontTable(task, runs)};
 }
 
 void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
@@ -290,8 +271,8 @@ void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyRe
     // That errors mean little comes before them.
     if (runs.reference.horizon) tellReference(task, runs, report);
     tellChosen(task, runs, report);
+    tellFront(task, runs, report);
     if (!runs.reference.horizon) tellReference(task, runs, report);
-    tellFastest(task, runs, report);
     tellOthers(task, runs, report);
 }
 

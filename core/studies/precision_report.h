@@ -8,8 +8,6 @@
 
 namespace touchdown {
 
-/// "rk4, 10 ns".
-std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point);
 /// The error that the chart shows; none of a run that failed or was not made.
 std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point);
 
@@ -24,7 +22,7 @@ std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const 
                                                const std::function<double(const PrecisionPoint&)>& cost);
 
 StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs);
-/// "runs": one row for each setting. "fastest": the fastest run within each power of ten of the error.
+/// "runs": one row for each setting. "front": what is on the Pareto front of error and time.
 std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs);
 /// Adds to findings and warnings.
 void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report);

@@ -7,7 +7,7 @@
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/steady.h"
 #include "core/simulation/steady_quantities.h"
-#include "core/studies/run_failure.h"
+#include "core/studies/few_digits.h"
 
 namespace touchdown {
 
@@ -15,6 +15,7 @@ namespace {
 
 constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
 constexpr double budgetOfFirstRuns = 0.7; // what is left is for repeats
+constexpr double budgetOfReferences = 0.6;
 constexpr double shortRun = 5e-3;         // [s]
 constexpr double sameState = 0.5;         // a film's spacings in one state differ by no more than this share, whatever the grid
 
@@ -38,6 +39,7 @@ MeasuredRun measureSteady(const Case& c, const std::vector<std::string>& names, 
     run.columns.resize(names.size());
     if (state.status != SteadyStatus::Converged) {
         run.summary.status = state.status == SteadyStatus::Cancelled ? RunStatus::Cancelled : RunStatus::Failed;
+        run.summary.failure = RunFailure::NotConverged;
         return run;
     }
     run.time = {0.0};
@@ -59,21 +61,19 @@ double secondsOf(const PrecisionTask& task, const Summary& summary)
     return task.start.model == ModelKind::Springs ? summary.solverSeconds : summary.wallSeconds;
 }
 
-std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredRun& run, const MeasuredRun& reference, std::size_t samples)
+/// Over what is determined, first the task's quantity, then the others.
+std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredRun& run, const ProvenReference& reference)
 {
     std::vector<TrajectoryError> errors;
-    for (std::size_t i = 0; i <= task.also.size(); ++i) errors.push_back(trajectoryError(run, reference, i, samples));
+    for (std::size_t i = 0; i <= task.also.size(); ++i) errors.push_back(trajectoryError(run, reference.run, i, reference.samples));
     return errors;
 }
 
-/// They end in one state, or fail alike.
-bool sameOutcome(const PrecisionTask& task, const MeasuredRun& run, const MeasuredRun& reference)
+/// How far apart the spacings of one end state may lie [m].
+double distanceOfEnds(const PrecisionTask& task, const MeasuredRun& reference)
 {
-    if (run.valid() != reference.valid()) return false;
-    if (!run.valid()) return failureOf(run.summary) == failureOf(reference.summary);
-    if (!task.inTime) return true;
-    const double share = task.start.model == ModelKind::Springs ? 0.0 : sameState;
-    return sameEnd(run.end, reference.end, std::max(0.1e-9, share * std::abs(reference.end.spacing)));
+    if (!task.inTime) return INFINITY;
+    return task.start.model == ModelKind::Springs ? sameSpacing : std::max(sameSpacing, sameState * std::abs(reference.end.spacing));
 }
 
 class Performance {
@@ -121,89 +121,45 @@ private:
     bool findReference()
     {
         std::vector<MeasuredRun> found(task_.references.size());
+        for (MeasuredRun& each : found) each.summary.status = RunStatus::Cancelled; // until it ends
         const Ended ended = runTasks(
-            found.size(), jobs_, INFINITY,
+            found.size(), jobs_, budgetOfReferences * task_.budget,
             [&](std::size_t i, const GoOn& goOn) { found[i] = measure(task_, task_.references[i].c, goOn); },
             [&](std::size_t done) {
                 share_ = shareOfReference * static_cast<double>(done) / static_cast<double>(found.size());
-                return std::string("reference");
+                return "reference: " + task_.references[std::min(done, found.size() - 1)].label;
             });
         if (ended == Ended::Stopped) return false;
-        choose(found);
+        runs_.referencesLate = ended == Ended::Late;
+        const auto ran = [](const MeasuredRun& run) { return run.summary.status != RunStatus::Cancelled; };
+        if (std::ranges::count_if(found, ran) < 2) {
+            runs_.reference.problem = "fewer than two of the runs that may prove it ended within " + fewDigitsOfTime(budgetOfReferences * task_.budget) +
+                                      ", their share of the budget of " + fewDigitsOfTime(task_.budget) + "; give it more";
+            return true;
+        }
+        const auto valid = std::ranges::find_if(found, &MeasuredRun::valid);
+        sameDistance_ = distanceOfEnds(task_, valid != found.end() ? *valid : found.front());
+        runs_.reference = proveReference(task_.references, std::move(found), task_.agreement, sameDistance_);
+        if (runs_.reference.problem.empty()) runs_.uncertainty = errorsOf(task_, runs_.reference.check, runs_.reference);
         share_ = shareOfReference;
         changed_ = true;
-        return true;
+        return proveEnd();
     }
 
-    /// The pair that lies closest; its first one is the reference.
-    void choose(std::vector<MeasuredRun>& found)
+    /// Where the trajectory of springs is not determined, which takes milliseconds, whether its end is.
+    bool proveEnd()
     {
         ProvenReference& reference = runs_.reference;
-        std::size_t best = found.size(), other = best;
-        reference.apart = INFINITY;
-        for (std::size_t i = 0; i < found.size(); ++i)
-            for (std::size_t k = i + 1; k < found.size(); ++k) {
-                if (!sameOutcome(task_, found[i], found[k])) continue;
-                const auto apart = trajectoryError(found[i], found[k], 0).at(ErrorMeasure::Worst);
-                if (!apart || *apart >= reference.apart) continue;
-                best = i;
-                other = k;
-                reference.apart = *apart;
-            }
-        if (best == found.size()) return chooseApart(found);
-        take(found, best, other);
+        if (!reference.endKnown || !reference.horizon || task_.start.model != ModelKind::Springs) return true;
+        const std::vector<Case> starts = nudgedStarts(task_.references[reference.which].c);
+        std::vector<MeasuredRun> ends(starts.size());
+        const Ended ended = runTasks(
+            ends.size(), jobs_, budgetOfReferences * task_.budget, [&](std::size_t i, const GoOn& goOn) { ends[i] = measure(task_, starts[i], goOn); },
+            [](std::size_t) { return std::string("starts that hardly differ"); });
+        touchdown::proveEnd(reference, ends, sameDistance_);
+        return ended != Ended::Stopped;
     }
 
-    /// No two end alike: what they share before they part.
-    void chooseApart(std::vector<MeasuredRun>& found)
-    {
-        std::size_t best = found.size(), other = best, together = 0;
-        for (std::size_t i = 0; i < found.size(); ++i)
-            for (std::size_t k = i + 1; k < found.size(); ++k) {
-                const std::size_t both = std::min(found[i].columns[0].size(), found[k].columns[0].size());
-                const std::size_t apart = firstApart(found[i], found[k], task_.agreement).value_or(both);
-                if (apart <= together) continue;
-                best = i;
-                other = k;
-                together = apart;
-            }
-        if (best < found.size()) {
-            runs_.reference.apart = trajectoryError(found[best], found[other], 0).at(ErrorMeasure::Worst).value_or(0.0);
-            take(found, best, other);
-            if (!runs_.reference.horizon) setHorizon(together);
-            return;
-        }
-        runs_.reference.problem = "no two of the reference runs agree at all";
-        for (std::size_t i = 0; i < found.size(); ++i)
-            if (!found[i].valid()) runs_.reference.problem += "; " + task_.references[i].label + ": " + found[i].summary.message;
-    }
-
-    void take(std::vector<MeasuredRun>& found, std::size_t best, std::size_t other)
-    {
-        ProvenReference& reference = runs_.reference;
-        reference.label = task_.references[best].label;
-        reference.other = task_.references[other].label;
-        reference.run = std::move(found[best]);
-        reference.samples = reference.run.time.size();
-        uncertain_ = &found[other];
-        if (const auto apart = firstApart(reference.run, found[other], task_.agreement)) setHorizon(*apart);
-        reference.uncertainty = errorsOf(task_, found[other], reference.run, reference.samples);
-    }
-
-    void setHorizon(std::size_t sample)
-    {
-        ProvenReference& reference = runs_.reference;
-        reference.samples = sample;
-        reference.horizon = reference.run.time[std::min(sample, reference.run.time.size() - 1)];
-        reference.uncertainty = errorsOf(task_, *uncertain_, reference.run, sample);
-    }
-
-    std::string nameOf(const PrecisionPoint& point) const
-    {
-        const PrecisionMethod& method = task_.methods[point.method];
-        const std::string& label = method.settings[point.setting].label;
-        return label.empty() ? method.name : method.name + ", " + label;
-    }
     const Case& caseOf(const PrecisionPoint& point) const { return task_.methods[point.method].settings[point.setting].c; }
 
     /// Coarse settings of all methods before fine ones of any.
@@ -223,21 +179,19 @@ private:
             // What others have cooled since its last run makes the first of two short ones slower.
             if (run.valid() && secondsOf(task_, run.summary) < shortRun) run = measure(task_, caseOf(point), goOn);
         };
-        return runTasks(1, 1, until, runIt, [&](std::size_t) { return nameOf(point); });
+        return runTasks(1, 1, until, runIt, [&](std::size_t) { return nameOf(task_, point); });
     }
 
     bool runEach()
     {
         const double until = spent() + budgetOfFirstRuns * std::max(0.0, task_.budget - spent());
         const std::vector<PrecisionPoint*> order = byFineness();
-        runs_.complete = true;
         for (std::size_t i = 0; i < order.size(); ++i) {
             MeasuredRun run;
             const Ended ended = spent() < until ? runAlone(*order[i], until, run) : Ended::Late;
             if (ended == Ended::Stopped) return false;
             if (ended == Ended::Late) {
                 runs_.late = true;
-                runs_.complete = false;
                 break;
             }
             record(*order[i], run);
@@ -255,12 +209,11 @@ private:
         point.end = run.end;
         point.seconds = {secondsOf(task_, run.summary)};
         point.work = workOf(caseOf(point), run.summary);
-        const bool alike = sameOutcome(task_, run, reference.run);
-        // Beyond the horizon no end is the right one.
-        const bool right = alike || (reference.horizon && run.valid());
+        // Where the end is not determined, none is the right one.
+        const bool right = sameOutcome(run, reference.run, sameDistance_) || (!reference.endKnown && run.valid());
         point.kind = right ? PointKind::Good : run.valid() ? PointKind::WrongState : PointKind::Failed;
         if (point.kind == PointKind::Failed || run.columns[0].size() < reference.samples) return;
-        point.errors = errorsOf(task_, run, reference.run, reference.samples);
+        point.errors = errorsOf(task_, run, reference);
     }
 
     bool repeat()
@@ -295,10 +248,16 @@ private:
     double begin_;         // wall clock [s]
     double share_ = 0.0;   // done
     bool changed_ = false; // since the last call
-    const MeasuredRun* uncertain_ = nullptr; // with which the reference was compared, while it is chosen
+    double sameDistance_ = sameSpacing; // of ends [m]
 };
 
 } // namespace
+
+std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point)
+{
+    const SweptMethod& method = task.methods[point.method];
+    return nameOf(method.name, method.settings[point.setting].label);
+}
 
 double PrecisionPoint::median() const
 {

@@ -5,9 +5,8 @@
 #include <memory>
 
 #include "core/numerics/wall_clock.h"
-#include "core/simulation/quotation.h"
+#include "core/simulation/toml_document.h"
 #include "core/studies/stability_picture.h"
-#include "core/studies/stability_reader.h"
 #include "core/studies/stability_report.h"
 
 namespace touchdown {
@@ -67,13 +66,6 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
     return report;
 }
 
-std::string listText(const std::vector<std::string>& values)
-{
-    std::string text;
-    for (const std::string& value : values) text += (text.empty() ? "[" : ", ") + inQuotes(value);
-    return text + "]";
-}
-
 } // namespace
 
 StudyPerformance planStability(StudyReader& reader)
@@ -89,14 +81,10 @@ std::string stabilityTemplate(const Case& c)
     std::string text = "picture = true          # where each method is stable, with the case's eigenvalues times its step\n"
                        "map = true              # runs over settings and a parameter, each compared with a reference\n";
     if (!parameter.key.empty())
-        text += "parameter = " + inQuotes(parameter.key) + " # a key of the case\nvalues = " + listText(parameter.values) + "\n";
+        text += "parameter = " + tomlString(parameter.key) + " # a key of the case\nvalues = " + tomlList(parameter.values) + "\n";
     text += std::string("agreement = \"") + (film ? "0.01" : "0.1") + " nm\" # within it two trajectories are one\n" +
             "energy_drift = 0.01     # what the books of the energy may miss, of the largest change of a part\n";
-    for (const MethodSpec& method : defaultStabilityMethods(c)) {
-        text += "\n[[method]]\nname = " + inQuotes(method.name) + "\nset = { ";
-        for (std::size_t k = 0; k < method.set.size(); ++k) text += (k > 0 ? ", " : "") + inQuotes(method.set[k].key) + " = " + inQuotes(method.set[k].value);
-        text += " }\nkey = " + inQuotes(method.key) + "\nvalues = " + listText(method.values) + "\n";
-    }
+    for (const MethodSpec& method : defaultStabilityMethods(c)) text += methodText(method);
     return text;
 }
 

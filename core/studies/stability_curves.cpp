@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "core/studies/few_digits.h"
 
@@ -35,6 +36,38 @@ Complex fastestRate(const LocalMotion& motion)
     return *std::ranges::max_element(motion.rates, {}, [](Complex rate) { return std::abs(rate); });
 }
 
+/// Of a line that goes from the upper half of the plane into the lower one.
+std::span<const Complex> upperPart(const std::vector<Complex>& line)
+{
+    constexpr double axis = -1e-6;
+    const auto end = std::ranges::find_if(line, [](Complex z) { return z.imag() < axis; });
+    return {line.begin(), end};
+}
+
+/// All bounded regions, whatever their size up to a bound, and the eigenvalues; a little more.
+PlaneWindow frameOf(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)
+{
+    constexpr PlaneWindow wide{.left = -12.0, .right = 12.0, .height = 12.0, .columns = 480};
+    constexpr double margin = 0.04;
+    PlaneWindow frame{.left = 0.0, .right = 0.0, .height = 0.0};
+    const auto include = [&](Complex z) {
+        frame.left = std::min(frame.left, z.real());
+        frame.right = std::max(frame.right, z.real());
+        frame.height = std::max(frame.height, z.imag());
+    };
+    for (const LinearMethod& method : methods)
+        for (const std::vector<Complex>& line : stabilityBoundary(method.growth, wide))
+            if (std::abs(line.front() - line.back()) < 1e-6)
+                for (const Complex z : line) include(z);
+    for (const LocalMotion& motion : motions)
+        for (const Complex rate : motion.rates) include(step * rate);
+    const double size = margin * std::max(frame.right - frame.left, frame.height);
+    frame.left -= size;
+    frame.right += size;
+    frame.height += size;
+    return frame;
+}
+
 } // namespace
 
 double dampingRatio(const LocalMotion& motion)
@@ -43,32 +76,24 @@ double dampingRatio(const LocalMotion& motion)
     return std::abs(rate) > 0.0 ? -rate.real() / std::abs(rate) : 0.0;
 }
 
-ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const PlaneWindow& window)
+ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)
 {
     ChartPanel panel;
     panel.x = {.label = "Re lambda h", .unit = "", .displayUnit = ""};
     panel.y = {.label = "Im lambda h", .unit = "", .displayUnit = ""};
     panel.equalScales = true;
+    const PlaneWindow window = frameOf(methods, motions, step);
     for (const LinearMethod& method : methods)
         for (const std::vector<Complex>& line : stabilityBoundary(method.growth, window)) {
-            ChartSeries& series = panel.series.emplace_back();
-            series.name = method.name;
-            series.markers = false;
-            for (const Complex z : line) series.points.push_back({.x = z.real(), .y = z.imag()});
+            ChartSeries series{.name = method.name, .points = {}, .markers = false};
+            for (const Complex z : upperPart(line)) series.points.push_back({.x = z.real(), .y = std::max(0.0, z.imag())});
+            if (!series.points.empty()) panel.series.push_back(std::move(series));
         }
-    return panel;
-}
-
-void addEigenvalues(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step)
-{
     for (const LocalMotion& motion : motions) {
-        ChartSeries& series = panel.series.emplace_back();
-        series.name = motion.where;
-        series.line = ChartLine::None;
-        for (const Complex rate : motion.rates)
-            for (const double half : {1.0, -1.0})
-                if (half > 0.0 || rate.imag() != 0.0) series.points.push_back({.x = step * rate.real(), .y = half * step * rate.imag()});
+        ChartSeries& series = panel.series.emplace_back(ChartSeries{.name = motion.where, .points = {}, .line = ChartLine::None});
+        for (const Complex rate : motion.rates) series.points.push_back({.x = step * rate.real(), .y = step * rate.imag()});
     }
+    return panel;
 }
 
 void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from, double to)
@@ -127,31 +152,39 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
     return table;
 }
 
-void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step, const std::string& which,
-                bool adaptive, LinearPicture& picture)
+std::string limitSentence(const std::string& subject, double limit, const std::string& first)
+{
+    const std::string steps = "Steps of " + subject;
+    return std::isfinite(limit) ? steps + " are stable up to " + fewDigitsOfTime(limit, 3) + "; the first to blow up is the " + first
+                                : steps + " are stable however long they are; accuracy alone limits them";
+}
+
+std::string motionText(const LocalMotion& motion)
+{
+    if (motion.where.find("Hz") != std::string::npos) return motion.where;
+    return "motion " + motion.where + " (" + fewDigits(motion.fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
+}
+
+void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step, LinearPicture& picture)
 {
     std::string unlimited;
     for (const LinearMethod& method : methods) {
         const Limit limit = limitOf(method, motions);
         if (limit.motion == nullptr) {
-            unlimited += (unlimited.empty() ? "" : ", ") + method.name;
+            unlimited += (unlimited.empty() ? "" : ", ") + method.sentence;
             continue;
         }
-        std::string sentence = method.sentence + " blows up beyond a step of " + fewDigitsOfTime(limit.step, 3) + ", " + limit.motion->where;
-        if (limit.motion->where.find("Hz") == std::string::npos)
-            sentence += " (" + fewDigits(limit.motion->fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
+        std::string sentence = limitSentence(method.sentence, limit.step, motionText(*limit.motion));
         if (method.isTheCases) {
-            const double share = step / limit.step;
-            sentence += "; this case takes " + which + fewDigitsOfTime(step) + ", " + fewDigits(share, "") + " times that";
-            if (adaptive) sentence += ", and shortens its steps where it needs to";
-            else if (share > 1.0) sentence += ": it cannot be right";
+            sentence += "; this case takes " + step.text;
+            if (step.length > limit.step) sentence += step.adaptive ? ", shorter ones where it must" : ", which cannot be right";
         }
         picture.findings.push_back(sentence + ".");
     }
-    if (!unlimited.empty()) picture.findings.push_back("However long the step, none of the case's motions is blown up by " + unlimited + ": accuracy alone limits it.");
+    if (!unlimited.empty()) picture.findings.push_back(limitSentence(unlimited, std::numeric_limits<double>::infinity(), "") + ".");
     for (const LocalMotion& motion : motions)
         if (std::ranges::any_of(motion.rates, [](Complex rate) { return rate.real() > 1e-9 * std::abs(rate); }))
-            picture.warnings.push_back("The motion " + motion.where + " grows of itself, in the model and not by a method: what grows there has no largest stable step.");
+            picture.warnings.push_back("The " + motionText(motion) + " grows of itself, in the model and not by a method, so that no step is short enough for it to be stable.");
 }
 
 } // namespace touchdown

@@ -15,7 +15,7 @@ namespace touchdown {
 
 struct LinearMethod {
     std::string name;     // "rk4"
-    std::string sentence; // as the subject of a sentence
+    std::string sentence; // what its steps are of: "rk4 (switches located or not)"
     Growth growth;
     bool isTheCases = false;
 };
@@ -23,9 +23,9 @@ struct LinearMethod {
 /// Of the fastest rate [-].
 double dampingRatio(const LocalMotion& motion);
 
-ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const PlaneWindow& window);
-/// Eigenvalues times the step, of both halves of the plane.
-void addEigenvalues(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step);
+/// The upper half of the plane, of which the lower one is the mirror image, with the eigenvalues times the step. It shows every bounded
+/// region whole.
+ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
 
 /// Growth of an oscillation with this damping ratio, against omega h.
 ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to);
@@ -34,9 +34,17 @@ void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, do
 
 StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
 StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions);
-/// A sentence for each method. `which`: "its step of "; `adaptive`: the step is a mean of many.
-void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step, const std::string& which,
-                bool adaptive, LinearPicture& picture);
+/// The step of the case, as it is or as it comes out.
+struct CaseStep {
+    double length = 0.0;   // [s]
+    std::string text;      // "steps of 350 ns on average"
+    bool adaptive = false; // it is a mean of many, or the longest of them
+};
+/// "Steps of rk4 are stable up to 158 ns; the first to blow up is the motion in contact (2860 kHz)"; infinite: no motion does.
+std::string limitSentence(const std::string& subject, double limit, const std::string& first);
+std::string motionText(const LocalMotion& motion);
+/// A sentence for each method.
+void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step, LinearPicture& picture);
 
 /// As makeLinearPicture; of springs, of a film.
 bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/studies/parallel.h"
+#include "core/studies/trajectory_error.h"
 
 namespace touchdown {
 
@@ -32,11 +33,9 @@ double expectedCost(const Case& c)
     return 4.0 * c.run.duration / 0.2e-6 * std::cbrt(5e-12 / c.run.stepError);
 }
 
-/// Without what costs time beside the solution, and with no more samples than a trajectory needs to be told from another.
+/// With no more samples than a trajectory needs to be told from another.
 Case lean(Case c)
 {
-    c.run.stepCheck = false;
-    c.run.fieldSnapshots = 0;
     c.run.sampleInterval = std::max(c.run.sampleInterval, c.run.duration / mostSamples);
     return c;
 }
@@ -63,21 +62,20 @@ bool performJobs(std::vector<Job>& jobs, int threads, double begin, double end, 
 void judgeByCriterion(const StabilityTask& task, StabilityMap& map)
 {
     for (StabilityCell& cell : map.cells) {
-        const PrecisionMethod& method = task.rows[cell.row].methods[cell.method];
+        const SweptMethod& method = task.rows[cell.row].methods[cell.method];
         if (method.key != "run.step") continue;
-        const double wanted = tenth * settingValue(method, method.settings[cell.setting]);
+        const double wanted = tenth * method.settings[cell.setting].value;
+        const ProvenReference& reference = map.references[cell.row];
         for (const StabilityCell& finer : map.cells) {
             if (finer.row != cell.row || finer.method != cell.method) continue;
-            const double value = settingValue(method, method.settings[finer.setting]);
-            if (!(std::abs(value - wanted) <= 1e-6 * wanted)) continue;
+            if (!(std::abs(method.settings[finer.setting].value - wanted) <= 1e-6 * wanted)) continue;
             CriterionResult& result = cell.criterion.emplace();
             result.finer = method.settings[finer.setting].label;
             result.endChanges = !sameOutcome(cell.run, finer.run);
-            result.trajectoryChange = largestDistance(cell.run, finer.run);
-            const ReferenceRun& reference = map.references[cell.row];
-            if (result.endChanges) result.verdict = reference.endKnown ? CriterionVerdict::CriesWolf : CriterionVerdict::Right;
-            else if (reference.endKnown) result.verdict = sameOutcome(finer.run, reference.run) ? CriterionVerdict::Right : CriterionVerdict::Fooled;
-            else result.verdict = CriterionVerdict::Fooled; // there is no one answer to agree on
+            result.trajectoryChange = trajectoryError(cell.run, finer.run, 0).at(ErrorMeasure::Worst).value_or(0.0);
+            const bool right = reference.endKnown && sameOutcome(cell.run, reference.run);
+            if (!reference.endKnown) result.verdict = CriterionVerdict::NotDetermined;
+            else if (right == result.endChanges) result.verdict = right ? CriterionVerdict::FalseAlarm : CriterionVerdict::Fooled;
             break;
         }
     }
@@ -90,20 +88,10 @@ std::string_view name(CriterionVerdict verdict)
     switch (verdict) {
     case CriterionVerdict::Right: return "right";
     case CriterionVerdict::Fooled: return "fooled";
-    case CriterionVerdict::CriesWolf: return "cries wolf";
+    case CriterionVerdict::FalseAlarm: return "false alarm";
+    case CriterionVerdict::NotDetermined: return "not determined";
     }
     return {};
-}
-
-double settingValue(const PrecisionMethod& method, const PrecisionSetting& setting)
-{
-    const Field* field = findField(method.key);
-    if (field == nullptr) return std::nan("");
-    const FieldValue value = field->get(setting.c);
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    if (const auto* whole = std::get_if<int>(&value)) return *whole;
-    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty()) return list->front();
-    return std::nan("");
 }
 
 bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback)
@@ -116,32 +104,35 @@ bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const Ma
                 map.cells.push_back({.row = row, .method = method, .setting = setting, .run = {}, .verdict = {}, .criterion = {}});
 
     std::vector<Job> all;
+    std::vector<std::vector<MeasuredRun>> references(task.rows.size()), nudged(task.rows.size());
     const auto at = [&](std::size_t row) { return task.rows[row].label.empty() ? std::string() : " at " + task.rows[row].label; };
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        const ReferenceCases& cases = task.rows[row].references;
-        all.push_back({&cases.reference, &map.references[row].run, "reference" + at(row), expectedCost(cases.reference)});
-        all.push_back({&cases.check, &map.references[row].check, "second reference" + at(row), expectedCost(cases.check)});
+        const std::vector<ReferenceCase>& cases = task.rows[row].references;
+        references[row].resize(cases.size());
+        for (std::size_t k = 0; k < cases.size(); ++k)
+            all.push_back({&cases[k].c, &references[row][k], "reference" + at(row) + ": " + cases[k].label, expectedCost(cases[k].c)});
     }
     for (StabilityCell& cell : map.cells) {
-        const PrecisionMethod& method = task.rows[cell.row].methods[cell.method];
-        const PrecisionSetting& setting = method.settings[cell.setting];
-        all.push_back({&setting.c, &cell.run, method.name + ", " + setting.label + at(cell.row), expectedCost(setting.c)});
+        const SweptMethod& method = task.rows[cell.row].methods[cell.method];
+        const MethodSetting& setting = method.settings[cell.setting];
+        all.push_back({&setting.c, &cell.run, nameOf(method.name, setting.label) + at(cell.row), expectedCost(setting.c)});
     }
     constexpr double nudgedFrom = 0.9; // of the way
     if (!performJobs(all, jobs, 0.0, nudgedFrom, callback)) return false;
 
-    std::vector<Job> nudged;
+    all.clear();
+    std::vector<std::vector<Case>> starts(task.rows.size());
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        ReferenceRun& reference = map.references[row];
-        judgeReference(reference, task.rule);
-        if (!reference.horizon && reference.endKnown) continue;
-        const std::vector<Case>& cases = task.rows[row].references.nudged;
-        reference.nudged.resize(cases.size());
-        for (std::size_t k = 0; k < cases.size(); ++k)
-            nudged.push_back({&cases[k], &reference.nudged[k], "starts that hardly differ" + at(row), expectedCost(cases[k])});
+        const std::vector<ReferenceCase>& cases = task.rows[row].references;
+        const ProvenReference& reference = map.references[row] = proveReference(cases, std::move(references[row]), task.rule.agreement);
+        if (!reference.horizon || !reference.endKnown) continue;
+        starts[row] = nudgedStarts(cases[reference.which].c);
+        nudged[row].resize(starts[row].size());
+        for (std::size_t k = 0; k < starts[row].size(); ++k)
+            all.push_back({&starts[row][k], &nudged[row][k], "starts that hardly differ" + at(row), expectedCost(starts[row][k])});
     }
-    if (!performJobs(nudged, jobs, nudgedFrom, 1.0, callback)) return false;
-    for (ReferenceRun& reference : map.references) judgeReference(reference, task.rule);
+    if (!performJobs(all, jobs, nudgedFrom, 1.0, callback)) return false;
+    for (std::size_t row = 0; row < task.rows.size(); ++row) proveEnd(map.references[row], nudged[row]);
     for (StabilityCell& cell : map.cells) {
         const Case& c = task.rows[cell.row].methods[cell.method].settings[cell.setting].c;
         cell.verdict = classify(c, cell.run, map.references[cell.row], task.rule);

@@ -3,9 +3,10 @@
 // Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that what the
 // paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8 to 1e-9 s?
 //
-//   fooled       it does not change, and is wrong both times
-//   cries wolf   it changes where the motion is determined: what fails is the method, not the case
-//   right        it does not change and is right, or changes where the end is not determined
+//   fooled           it does not change, and is not the reference's
+//   false alarm      it changes, though the one at the longer step is the reference's already
+//   right            it does not change and is the reference's, or changes from one that is not
+//   not determined   neither is the reference's end, so that there is nothing to be right about
 #pragma once
 
 #include <functional>
@@ -18,7 +19,7 @@
 
 namespace touchdown {
 
-enum class CriterionVerdict : std::uint8_t { Right, Fooled, CriesWolf };
+enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDetermined };
 std::string_view name(CriterionVerdict verdict);
 
 struct CriterionResult {
@@ -36,12 +37,9 @@ struct StabilityCell {
 };
 
 struct StabilityMap {
-    std::vector<ReferenceRun> references; // one a row
+    std::vector<ProvenReference> references; // one a row
     std::vector<StabilityCell> cells;     // row by row, method by method
 };
-
-/// The number that a setting sweeps.
-double settingValue(const PrecisionMethod& method, const PrecisionSetting& setting);
 
 /// Asked with the share that is done, by expected time, and what is done next; false stops.
 using MapCallback = std::function<bool(double share, const std::string& doing)>;

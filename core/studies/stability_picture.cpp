@@ -44,7 +44,6 @@ struct SpringWay {
 bool followSprings(const Case& given, SpringWay& way, const std::function<bool()>& goOn)
 {
     Case c = given;
-    c.run.stepCheck = false;
     if (c.run.integrator == IntegratorKind::Dopri5 || c.run.integrator == IntegratorKind::Cvode) {
         const MeasuredRun own = measureRun(c, {}, goOn);
         if (own.summary.status == RunStatus::Cancelled) return false;
@@ -103,31 +102,30 @@ bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::functio
     const double beta = c.run.newmarkBeta, gamma = c.run.newmarkGamma;
     const bool usual = beta == 0.25 && gamma == 0.5;
     const std::vector<LinearMethod> methods{
-        {"rk4", "rk4, with located switches or without,", rk4Growth, c.run.integrator == IntegratorKind::Rk4 || c.run.integrator == IntegratorKind::Rk4Events},
+        {"rk4", "rk4 (switches located or not)", rk4Growth, c.run.integrator == IntegratorKind::Rk4 || c.run.integrator == IntegratorKind::Rk4Events},
         {"dopri5", "dopri5", dopri5Growth, c.run.integrator == IntegratorKind::Dopri5},
         {usual ? "newmark" : "newmark, beta " + fewDigits(beta, "", 3) + ", gamma " + fewDigits(gamma, "", 3), "newmark",
          [=](Complex z) { return newmarkGrowth(beta, gamma, z); }, c.run.integrator == IntegratorKind::Newmark}};
-    const double step = way.meanStep > 0.0 ? way.meanStep : c.run.step;
-    const std::string which = way.meanStep > 0.0 ? "the mean step of its own run, " : "its step of ";
-    const std::string stepText = which + fewDigitsOfTime(step);
+    const bool adaptive = way.meanStep > 0.0;
+    const double length = adaptive ? way.meanStep : c.run.step;
+    const CaseStep step{length, "steps of " + fewDigitsOfTime(length) + (adaptive ? " on average" : ""), adaptive};
 
     StudyChart regions;
     regions.title = "Where each method is stable";
-    regions.caption = "Inside its line a method damps y' = lambda y, outside it blows it up; of newmark, left of its line. Marks: the case's own eigenvalues times " +
-                      stepText + ". cvode's Adams methods change order and step as they go: no one region is theirs.";
-    regions.panels.push_back(regionPanel(methods, {.left = -4.02, .right = 1.0, .height = 4.0}));
-    addEigenvalues(regions.panels.back(), way.motions, step);
+    regions.caption = "Inside its line a method damps y' = lambda y, outside it blows it up; of newmark, left of its line. Marks: the case's own eigenvalues times its " +
+                      step.text + ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step as they go: no one region is theirs.";
+    regions.panels.push_back(regionPanel(methods, way.motions, step.length));
 
     const LocalMotion& fastest = *std::ranges::max_element(way.motions, {}, &LocalMotion::fastest);
     StudyChart growth;
     growth.title = "Growth in one step against the step";
     growth.caption = "The largest factor by which a step changes the fastest motion of the case, " + fastest.where + ", whose damping ratio is " +
-                     fewDigits(dampingRatio(fastest), "") + ": above 1 it blows up. Across: where the case's eigenvalues lie with " + stepText + ".";
+                     fewDigits(dampingRatio(fastest), "") + ": above 1 it blows up. Across: where the case's eigenvalues lie with " + step.text + ".";
     growth.panels.push_back(growthPanel(methods, dampingRatio(fastest), 0.01, 10.0));
-    addStepBands(growth.panels.back(), way.motions, step);
+    addStepBands(growth.panels.back(), way.motions, step.length);
     picture.charts = {std::move(regions), std::move(growth)};
-    picture.tables = {limitTable(methods, way.motions, step), eigenvalueTable(way.motions)};
-    tellLimits(methods, way.motions, step, which, way.meanStep > 0.0, picture);
+    picture.tables = {limitTable(methods, way.motions, step.length), eigenvalueTable(way.motions)};
+    tellLimits(methods, way.motions, step, picture);
     return true;
 }
 

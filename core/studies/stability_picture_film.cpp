@@ -31,8 +31,8 @@ struct CoupledMethod {
 std::vector<CoupledMethod> coupledMethods(const Case& c)
 {
     const bool staggered = c.film.coupling == FilmCoupling::Staggered;
-    return {{"monolithic, Fox & Goodwin", "monolithic steps by Fox and Goodwin's rule", {.beta = 1.0 / 12}, !staggered},
-            {"monolithic, trapezoidal", "monolithic steps by the trapezoidal rule, which runs take where the other one is near its limit,", {.beta = 0.25}, false},
+    return {{"monolithic, Fox & Goodwin", "film and slider at once, by Fox and Goodwin's rule", {.beta = 1.0 / 12}, !staggered},
+            {"monolithic, trapezoidal", "film and slider at once, by the trapezoidal rule, which runs take where the other one is near its limit", {.beta = 0.25}, false},
             {"staggered, iterated", "film and slider in turns until they agree", {.coupling = CouplingKind::Iterated}, staggered},
             {"in turns, twice", "film and slider twice in turns", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
             {"one-way", "film and slider once in turns", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
@@ -42,11 +42,11 @@ std::vector<LinearMethod> filmMethods()
 {
     const auto backward = [](BackwardRule rule) { return [rule](Complex z) { return backwardGrowth(rule, z); }; };
     const auto newmark = [](double beta) { return [beta](Complex z) { return newmarkGrowth(beta, 0.5, z); }; };
-    return {{"Euler", "Euler, of the air,", backward(BackwardRule::Euler)},
-            {"BDF2", "BDF2, of the air,", backward(BackwardRule::Bdf2)},
-            {"BDF2OPT", "BDF2OPT, of the air, which runs take,", backward(BackwardRule::Bdf2Opt)},
-            {"trapezoidal", "the trapezoidal rule, of the slider,", newmark(0.25)},
-            {"Fox & Goodwin", "Fox and Goodwin's rule, of the slider,", newmark(1.0 / 12)}};
+    return {{"Euler", "Euler for the air", backward(BackwardRule::Euler)},
+            {"BDF2", "BDF2 for the air", backward(BackwardRule::Bdf2)},
+            {"BDF2OPT", "BDF2OPT for the air", backward(BackwardRule::Bdf2Opt)},
+            {"trapezoidal", "the trapezoidal rule for the slider", newmark(0.25)},
+            {"Fox & Goodwin", "Fox and Goodwin's rule for the slider", newmark(1.0 / 12)}};
 }
 
 /// Largest omega h, of the mode as a slider on a film that leaks [-]; infinite where there is none.
@@ -92,17 +92,16 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     if (!result.message.empty()) picture.warnings.push_back("Of the modes: " + result.message + ".");
     const LocalMotion& fastest = *std::ranges::max_element(motions, {}, &LocalMotion::fastest);
     const bool fixed = c.run.steps == StepControl::Fixed;
-    const double step = fixed ? c.run.step : StepLength::longestPhase / fastest.fastest();
-    const std::string which = fixed ? "its step of " : "steps of at most ";
+    const double length = fixed ? c.run.step : StepLength::longestPhase / fastest.fastest();
+    const CaseStep step{length, (fixed ? "steps of " : "steps of at most ") + fewDigitsOfTime(length), !fixed};
     const double damping = std::max(0.0, dampingRatio(fastest));
 
     const std::vector<LinearMethod> methods = filmMethods();
     StudyChart regions;
     regions.title = "Where each method is stable";
     regions.caption = "Euler, BDF2 and BDF2OPT, of the air, are stable outside of their lines; the trapezoidal rule, of the slider, left of its line, Fox & Goodwin's inside. "
-                      "Marks: the modes of the static state times " + which + fewDigitsOfTime(step) + ". Contact adds its stiffness to them.";
-    regions.panels.push_back(regionPanel(methods, {.left = -4.02, .right = 6.0, .height = 4.0}));
-    addEigenvalues(regions.panels.back(), motions, step);
+                      "Marks: the modes of the static state times its " + step.text + "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
+    regions.panels.push_back(regionPanel(methods, motions, step.length));
 
     StudyChart growth;
     growth.title = "Growth in one step against the step";
@@ -110,34 +109,33 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
                      ". Right: slider and film together, the film a spring with the leak that gives it that damping. Above 1 a method blows up; in turns until they agree "
                      "ends where the turns do not come to agree.";
     growth.panels.push_back(growthPanel(methods, damping, 0.01, 10.0));
-    addStepBands(growth.panels.back(), motions, step);
+    addStepBands(growth.panels.back(), motions, step.length);
     ChartPanel& together = growth.panels.emplace_back(growthPanel({}, damping, 0.01, 10.0));
     for (const CoupledMethod& method : coupledMethods(c))
         addGrowth(together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); }, 0.01, 10.0);
-    addStepBands(together, motions, step);
+    addStepBands(together, motions, step.length);
     picture.charts = {std::move(regions), std::move(growth)};
 
-    tellLimits(methods, motions, step, which, !fixed, picture);
-    StudyTable limits = limitTable(methods, motions, step);
+    tellLimits(methods, motions, step, picture);
+    StudyTable limits = limitTable(methods, motions, step.length);
     for (const CoupledMethod& method : coupledMethods(c)) {
         double least = std::numeric_limits<double>::infinity();
+        const LocalMotion* first = &motions.front();
         for (const LocalMotion& motion : motions) {
             const double limit = coupledLimit(method.rule, std::max(0.0, dampingRatio(motion))) / motion.fastest();
-            least = std::min(least, limit);
+            if (limit < least) least = limit, first = &motion;
             const bool finite = std::isfinite(limit);
-            limits.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step, finite ? StudyValue(step / limit) : StudyValue()});
+            limits.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step.length, finite ? StudyValue(step.length / limit) : StudyValue()});
         }
-        picture.findings.push_back(method.sentence + (std::isfinite(least) ? " fail beyond a step of " + fewDigitsOfTime(least, 3) : " are stable in steps of any length") +
-                                   (method.isTheCases ? "; this case takes " + which + fewDigitsOfTime(step) + "." : "."));
+        picture.findings.push_back(limitSentence(method.sentence, least, motionText(*first)) + (method.isTheCases ? "; this case takes " + step.text + "." : "."));
     }
     if (!goOn()) return false;
     const double air = explicitLimit(c, result.steady);
-    limits.rows.push_back({"explicit", "air alone", air, step, step / air});
-    picture.findings.push_back("Explicit steps of the air would blow up beyond " + fewDigitsOfTime(air) + " on this grid, where it evens out fastest; implicit ones have no limit.");
+    limits.rows.push_back({"explicit", "air alone", air, step.length, step.length / air});
+    picture.findings.push_back("Explicit steps of the air would be stable up to " + fewDigitsOfTime(air) + " on this grid; those of runs are implicit.");
     picture.tables = {std::move(limits), eigenvalueTable(motions)};
     if (!goOn()) return false;
     addClosingGap(c, picture);
-    for (std::string& finding : picture.findings) finding.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(finding.front())));
     return true;
 }
 

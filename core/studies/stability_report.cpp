@@ -51,9 +51,8 @@ std::vector<double> sorted(const std::vector<double>& values)
 std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
 {
     const StabilityRow& row = task.rows[cell.row];
-    const PrecisionMethod& method = row.methods[cell.method];
-    const std::string setting = method.settings[cell.setting].label;
-    return method.name + (setting.empty() ? "" : ", " + setting) + (row.label.empty() ? "" : " at " + row.label);
+    const SweptMethod& method = row.methods[cell.method];
+    return nameOf(method.name, method.settings[cell.setting].label) + (row.label.empty() ? "" : " at " + row.label);
 }
 
 const StabilityCell* cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
@@ -65,9 +64,9 @@ const StabilityCell* cellAt(const StabilityMap& map, std::size_t row, std::size_
 ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
 {
     std::vector<double> xs, ys;
-    const PrecisionMethod& first = task.rows.front().methods[method];
-    const bool numbered = std::ranges::any_of(first.settings, [&](const PrecisionSetting& each) { return first.key.empty() || !std::isfinite(settingValue(first, each)); });
-    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(numbered ? double(k + 1) : settingValue(first, first.settings[k]));
+    const SweptMethod& first = task.rows.front().methods[method];
+    const bool numbered = std::ranges::any_of(first.settings, [](const MethodSetting& each) { return !std::isfinite(each.value); });
+    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(numbered ? double(k + 1) : first.settings[k].value);
     for (const StabilityRow& row : task.rows) ys.push_back(row.value);
 
     ChartPanel panel;
@@ -105,16 +104,16 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
     const std::string display = task.parameter && task.parameterIsNumber ? task.parameter->displayUnit : "";
     StudyTable table{"runs",
                      {{"method"}, {"setting"}, {"parameter", unit, display, task.parameter ? task.parameter->key : "Parameter"},
-                      {"class"}, {"end"}, {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
+                      {"class"}, {.name = "end", .secondary = true}, {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
                       {"energy_balance", "", "", "Energy that the books miss, against the largest change of a part"},
-                      {"steps"}, {"evaluations"}, {"switches"},
-                      {"finer_setting", "", "", "Paper's criterion: compared with"}, {"end_changes", "", "", "Paper's criterion: the end changes"},
-                      {"trajectory_change", "m", "nm", "Paper's criterion: largest change of the spacing"},
-                      {"criterion", "", "", "Paper's criterion is"}, {"detail"}},
+                      {.name = "steps", .secondary = true}, {.name = "evaluations", .secondary = true}, {.name = "switches", .secondary = true},
+                      {"finer_setting", "", "", "Paper's criterion: compared with", true}, {"end_changes", "", "", "Paper's criterion: the end changes", true},
+                      {"trajectory_change", "m", "nm", "Paper's criterion: largest change of the spacing", true},
+                      {"criterion", "", "", "Paper's criterion is"}, {.name = "detail", .secondary = true}},
                      {}};
     for (const StabilityCell& cell : map.cells) {
         const StabilityRow& row = task.rows[cell.row];
-        const PrecisionMethod& method = row.methods[cell.method];
+        const SweptMethod& method = row.methods[cell.method];
         const StudyValue parameter = task.parameterIsNumber ? StudyValue(row.value) : StudyValue(row.label);
         std::vector<StudyValue> values{method.name, method.settings[cell.setting].label, parameter, std::string(name(cell.verdict.kind)),
                                        std::string(name(cell.run.end.kind)), cell.verdict.apart, cell.verdict.imbalance,
@@ -141,71 +140,75 @@ StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
                       {"horizon", "s", "us", "Time from which on the trajectory is not determined"}, {"end_is_known"}, {"detail"}},
                      {}};
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        const ReferenceRun& reference = map.references[row];
-        const ReferenceCases& cases = task.rows[row].references;
-        table.rows.push_back({task.rows[row].label, cases.label, cases.checkLabel, reference.apart,
-                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(), std::string(reference.endKnown ? "yes" : "no"), reference.sentence});
+        const ProvenReference& reference = map.references[row];
+        table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
+                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(), std::string(reference.endKnown ? "yes" : "no"), knowledgeOf(reference)});
     }
     return table;
 }
 
-/// "rk4: 31 of 54 runs agree with the reference, 5 ...".
+bool isRight(const StabilityCell& cell) { return cell.verdict.kind == RunClass::Agrees || cell.verdict.kind == RunClass::AsReference; }
+
+/// "rk4, 54 runs: 31 agree with the reference; 5 ...".
 std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
 {
     std::array<std::size_t, runClasses> count{};
-    std::size_t all = 0;
+    std::size_t all = 0, from = 0; // the first setting from which on all are right
     for (const StabilityCell& cell : map.cells)
         if (cell.method == method) {
             ++count[static_cast<std::size_t>(cell.verdict.kind)];
             ++all;
+            if (!isRight(cell) && cell.verdict.kind != RunClass::NotDetermined) from = std::max(from, cell.setting + 1);
         }
-    std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ":";
-    bool first = true;
-    for (std::size_t k = 0; k < count.size(); ++k) {
-        if (count[k] == 0) continue;
-        text += (first ? " " : ", ") + std::to_string(count[k]) + ' ' + std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
-        first = false;
-    }
-    return text + ".";
+    std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ": ";
+    for (std::size_t k = 0; k < count.size(); ++k)
+        if (count[k] > 0)
+            text += (text.ends_with(": ") ? "" : "; ") + std::to_string(count[k]) + ' ' + std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
+    const SweptMethod& first = task.rows.front().methods[method];
+    if (!first.ordered) return text + ".";
+    if (from == first.settings.size()) return text + ". At no setting do all of them agree.";
+    return text + ". They all agree from " + first.settings[from].label + " on.";
 }
+
+/// How the criterion fared with some of the pairs.
+struct CriterionCount {
+    std::size_t pairs = 0, fooled = 0, alarms = 0;
+    const StabilityCell *firstFooled = nullptr, *firstAlarm = nullptr;
+
+    void add(const StabilityCell& cell)
+    {
+        ++pairs;
+        if (cell.criterion->verdict == CriterionVerdict::Fooled && fooled++ == 0) firstFooled = &cell;
+        if (cell.criterion->verdict == CriterionVerdict::FalseAlarm && alarms++ == 0) firstAlarm = &cell;
+    }
+};
 
 void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyReport& report)
 {
-    std::size_t pairs = 0, fooled = 0, wolf = 0, moved = 0, own = 0, ownFooled = 0, ownWolf = 0;
-    const StabilityCell *worst = nullptr, *crier = nullptr;
+    CriterionCount all, own;
+    std::size_t moved = 0, unknown = 0;
     for (const StabilityCell& cell : map.cells) {
         if (!cell.criterion) continue;
-        ++pairs;
-        const PrecisionMethod& method = task.rows[cell.row].methods[cell.method];
-        const bool papers = std::abs(settingValue(method, method.settings[cell.setting]) - paperStep) < 1e-6 * paperStep;
-        own += papers;
-        ownFooled += papers && cell.criterion->verdict == CriterionVerdict::Fooled;
-        ownWolf += papers && cell.criterion->verdict == CriterionVerdict::CriesWolf;
-        if (cell.criterion->verdict == CriterionVerdict::Fooled) {
-            ++fooled;
-            if (worst == nullptr) worst = &cell;
-        } else if (cell.criterion->verdict == CriterionVerdict::CriesWolf) {
-            ++wolf;
-            if (crier == nullptr) crier = &cell;
-        }
+        all.add(cell);
+        if (std::abs(task.rows[cell.row].methods[cell.method].settings[cell.setting].value - paperStep) < 1e-6 * paperStep) own.add(cell);
         moved += !cell.criterion->endChanges && cell.criterion->trajectoryChange > task.rule.agreement;
+        unknown += cell.criterion->verdict == CriterionVerdict::NotDetermined;
     }
-    if (pairs == 0) {
+    if (all.pairs == 0) {
         report.warnings.push_back("The paper's criterion, the same with a tenth of the step, was not applied: no setting has its tenth among the others.");
         return;
     }
-    std::string text = "The paper's criterion, whether the end changes with a tenth of the step, was applied to " + times(pairs, "pair", "pairs") + ": it was fooled " +
-                       times(fooled, "time", "times") + " (the same end twice that is not the true one, or where there is none)";
-    if (worst != nullptr) text += ", first by " + placeOf(task, *worst) + " and " + worst->criterion->finer;
-    text += "; it cried wolf " + times(wolf, "time", "times") + " (the end changes, though the motion has one)";
-    if (crier != nullptr) text += ", first at " + placeOf(task, *crier) + " and " + crier->criterion->finer;
-    if (own > 0)
-        text += ". Of the " + times(own, "pair", "pairs") + " with the paper's own steps, 10 ns and 1 ns, it was fooled by " + std::to_string(ownFooled) + " and cried wolf at " +
-                std::to_string(ownWolf);
-    report.findings.push_back(text + ".");
+    const auto first = [&](const StabilityCell* cell) { return cell == nullptr ? std::string() : ", as with " + placeOf(task, *cell) + " against " + cell->criterion->finer; };
+    std::string text = "The paper's criterion asks whether the end of a run changes with a tenth of the step. Of " + times(all.pairs, "pair", "pairs") + " of runs it was fooled by " +
+                       std::to_string(all.fooled) + " (the end stays, and is not the reference's" + first(all.firstFooled) + ") and raised a false alarm at " +
+                       std::to_string(all.alarms) + " (the end changes, though at the longer step it was the reference's" + first(all.firstAlarm) + ").";
+    if (own.pairs > 0)
+        text += " With the paper's own steps, 10 ns and 1 ns: " + times(own.pairs, "pair", "pairs") + ", fooled by " + std::to_string(own.fooled) + ", false alarm at " + std::to_string(own.alarms) + ".";
+    if (unknown > 0) text += " Of " + times(unknown, "pair", "pairs") + " the true end is not determined.";
+    report.findings.push_back(text);
     if (moved > 0)
-        report.findings.push_back("Asked of the trajectory instead, it would object to " + times(moved, "pair", "pairs") + " more, whose end stays while the way changes by more than " +
-                                  fewDigits(task.rule.agreement, "nm") + ".");
+        report.findings.push_back("In " + times(moved, "pair", "pairs") + " the end stays while the way there changes by more than " + fewDigits(task.rule.agreement, "nm") +
+                                  ", to which the criterion does not object.");
 }
 
 } // namespace
@@ -214,8 +217,8 @@ StudyChart mapChart(const StabilityTask& task, const StabilityMap& map)
 {
     StudyChart chart;
     chart.title = task.parameter ? "What becomes of the runs, over " + task.parameter->label : "What becomes of the runs";
-    chart.caption = "Each cell is a run, against a reference that two methods prove: " + task.rows.front().references.label + " and " + task.rows.front().references.checkLabel +
-                    ". Another way: by a trajectory more than " + fewDigits(task.rule.agreement, "nm") + " from it. Drifting energy: the books miss more than " +
+    chart.caption = "Each cell is a run, compared with a reference that two methods prove. By another way: along a trajectory that comes to lie more than " +
+                    fewDigits(task.rule.agreement, "nm") + " from the reference's. Drifting energy: the books miss more than " +
                     fewDigits(100.0 * task.rule.energyDrift, "") + " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
     if (task.parameter != nullptr && !task.parameterIsNumber)
         for (const StabilityRow& row : task.rows) chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";
@@ -230,8 +233,8 @@ void tellMap(const StabilityTask& task, const StabilityMap& map, StudyReport& re
     for (std::size_t method = 0; method < task.methods.size(); ++method) report.findings.push_back(countsOf(task, map, method));
     tellCriterion(task, map, report);
     for (std::size_t row = 0; row < task.rows.size(); ++row)
-        if (const ReferenceRun& reference = map.references[row]; reference.horizon || !reference.endKnown)
-            report.warnings.push_back((task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") + reference.sentence + ".");
+        if (const ProvenReference& reference = map.references[row]; reference.horizon || !reference.endKnown)
+            report.warnings.push_back((task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") + knowledgeOf(reference) + ".");
 }
 
 } // namespace touchdown

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/simulation/fields.h"
-#include "core/studies/precision_methods.h"
 #include "core/studies/run_class.h"
+#include "core/studies/swept_method.h"
 
 namespace touchdown {
 
@@ -16,8 +16,8 @@ namespace touchdown {
 struct StabilityRow {
     std::string label;   // "5 N/um", as it was given; "" where there is no parameter
     double value = 0.0;  // [unit of the parameter]; its number in the list where it is no number
-    ReferenceCases references;
-    std::vector<PrecisionMethod> methods; // as many as MethodSpecs, with as many settings
+    std::vector<ReferenceCase> references;
+    std::vector<SweptMethod> methods; // as many as MethodSpecs, with as many settings
 };
 
 struct StabilityTask {
@@ -30,5 +30,16 @@ struct StabilityTask {
     std::vector<StabilityRow> rows;
     ClassRule rule;
 };
+
+/// Adds what is wrong to the reader's problems; of use only where there is none.
+StabilityTask readStabilityTask(StudyReader& reader);
+
+/// What is varied where nobody says otherwise, with its values; an empty key: nothing.
+struct DefaultParameter {
+    std::string key;
+    std::vector<std::string> values;
+};
+DefaultParameter defaultParameter(const Case& c);
+std::vector<MethodSpec> defaultStabilityMethods(const Case& c);
 
 } // namespace touchdown

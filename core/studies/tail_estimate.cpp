@@ -15,7 +15,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double tailShare = 0.1;   // of the run
 constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
 constexpr double leak = 3e-3;         // of the spread, that a block's mean takes of a motion [-]
 constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]

@@ -3,28 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "core/numerics/moments.h"
 
 namespace touchdown {
-
-namespace {
-
-struct Moments {
-    double mean = 0.0, deviation = 0.0;
-};
-
-/// Of the values from sample `begin` to `end`.
-Moments momentsOf(const std::vector<double>& values, std::size_t begin, std::size_t end)
-{
-    const double count = static_cast<double>(end - begin), first = values[begin];
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) sum += values[i] - first;
-    const double mean = first + sum / count;
-    double squares = 0.0;
-    for (std::size_t i = begin; i < end; ++i) squares += (values[i] - mean) * (values[i] - mean);
-    return {mean, std::sqrt(squares / count)};
-}
-
-} // namespace
 
 std::string_view name(ErrorMeasure measure)
 {
@@ -71,8 +54,8 @@ TrajectoryError trajectoryError(const MeasuredRun& run, const MeasuredRun& refer
     error.set(ErrorMeasure::L2, std::sqrt(squares / static_cast<double>(count)));
     error.set(ErrorMeasure::Worst, worst);
     if (count < r.size() || count < x.size()) return error;
-    const std::size_t tail = count - std::max<std::size_t>(1, count / 10);
-    const Moments a = momentsOf(x, tail, count), b = momentsOf(r, tail, count);
+    const std::size_t tail = std::max<std::size_t>(1, static_cast<std::size_t>(tailShare * static_cast<double>(count)));
+    const Moments a = momentsOf(std::span(x).last(tail)), b = momentsOf(std::span(r).last(tail));
     error.set(ErrorMeasure::Mean, std::abs(a.mean - b.mean));
     error.set(ErrorMeasure::Deviation, std::abs(a.deviation - b.deviation));
     const auto &found = run.summary.peaks, &wanted = reference.summary.peaks;

@@ -8,8 +8,8 @@
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/toml_document.h"
 #include "core/studies/ensemble_report.h"
+#include "core/studies/few_digits.h"
 #include "core/studies/precision_methods.h"
-#include "core/studies/precision_reader.h"
 #include "core/studies/precision_report.h"
 
 namespace touchdown {
@@ -31,7 +31,7 @@ public:
             return tell(runsShare * share, doing);
         });
         // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked for.
-        const bool undetermined = runs_.reference.horizon || !runs_.reference.problem.empty();
+        const bool undetermined = runs_.reference.horizon || (!runs_.reference.problem.empty() && !runs_.referencesLate);
         const bool ensembles = task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
@@ -50,7 +50,7 @@ public:
         const bool none = std::ranges::none_of(runs_.points, &PrecisionPoint::ran);
         if (report.status == StudyStatus::Completed && none && ensembles_.empty()) {
             report.status = StudyStatus::Failed;
-            report.message = "the budget was spent on the reference: no run was made; give it more";
+            report.message = "the budget of " + fewDigitsOfTime(task_.budget) + " was spent on the reference: no run was made; give it more";
         }
         report.wallSeconds = wallClock() - begin;
         return report;
@@ -60,13 +60,13 @@ private:
     bool performEnsembles(double share)
     {
         ensembles_.push_back({"reference", task_.ensembleReference.label, task_.ensembleReference.c, {}});
-        for (const PrecisionMethod& method : task_.methods)
-            for (const PrecisionSetting& setting : method.settings)
+        for (const SweptMethod& method : task_.methods)
+            for (const MethodSetting& setting : method.settings)
                 if (setting.inEnsemble) ensembles_.push_back({method.name, setting.label, setting.c, {}});
         const std::size_t all = ensembles_.size() * static_cast<std::size_t>(task_.ensemble.starts);
         const auto poll = [&](std::size_t done) {
             const Ensemble& now = ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
-            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all), "ensemble: " + now.method + ", " + now.setting);
+            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all), "ensemble: " + nameOf(now.method, now.setting));
         };
         return runEnsembles(ensembles_, task_.ensemble, jobs_, poll);
     }
@@ -103,16 +103,6 @@ private:
     std::unique_ptr<StudyReport> soFar_; // not told yet
     double reported_ = 0.0;
 };
-
-std::string methodText(const MethodSpec& spec)
-{
-    std::string text = "\n[[method]]\nname = " + tomlString(spec.name) + "\nset = { ";
-    for (const CaseSetting& setting : spec.set)
-        text += (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
-    text += " }\nkey = " + tomlString(spec.key) + "\nvalues = [";
-    for (const std::string& value : spec.values) text += (&value == &spec.values.front() ? "" : ", ") + tomlString(value);
-    return text + "]\n";
-}
 
 } // namespace
 

@@ -3,7 +3,7 @@
 // Accuracy against speed: one case, run by several methods with several settings each, with the error and the time of every
 // run (work-precision diagrams; as in Mazzia & Magherini, Test Set for IVP Solvers, 2008, and SciML's DiffEqDevTools).
 //
-// A method is a name, changes of the case, and one key with the values that it sweeps. So integrators, steps, tolerances, grids,
+// As a method is any change of the case and any key that it sweeps, integrators, steps, tolerances, grids,
 // schemes, slip paths, couplings and contact patches are all compared by the same means. What a setting leaves out counts as error, too.
 //
 // Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h): two finer runs of different
@@ -17,15 +17,11 @@
 //   error = "worst"             # in the chart: final, l2, worst, mean, deviation, peak-frequency, peak-amplitude
 //   repeats = 5
 //   time_limit = "0.1 s"        # runs that take longer are timed once
-//   budget = "15 s"             # what is not run yet when it is spent is left out; references run to their end
+//   budget = "15 s"             # of wall time: what is not run yet when it is spent is left out; up to 60 % of it for the references
 //   agreement = "0.1 nm"        # within which the two best references must stay together
 //
-//   [[method]]                  # none: those that suit the model, see precision_methods.h
-//   name = "rk4"
-//   set = { "run.integrator" = "rk4" }
-//   key = "run.step"
-//   values = ["100 ns", "10 ns", "1 ns"] # from coarse to fine; the case's own is added to the method that is the case's own
-//   ensemble = ["10 ns"]        # with which of them ensembles are made; default: all
+//   [[method]]                  # see swept_method.h; the case's own value is added to the method that is the case's own; none: those
+//   ...                         # that suit the model, see precision_methods.h
 //
 //   [[reference]]               # two or more; none: those that suit the model
 //   name = "finer"

@@ -164,7 +164,7 @@ private slots:
             c.run.stepCheck = false;
             const Summary lost = runWith(c, kind, 10e-9);
             QVERIFY_STATUS(lost, RunStatus::Failed);
-            QCOMPARE(lost.failure, RunFailure::SpringLost);
+            QCOMPARE(lost.failure, RunFailure::RearSpringLost);
             c.springs.cutoff = 0.3e-9;
             QVERIFY_STATUS(runWith(c, kind, 10e-9), RunStatus::Completed);
         }
@@ -185,7 +185,7 @@ private slots:
             return true;
         });
         QVERIFY(!negative);
-        QCOMPARE(held.failure, RunFailure::SpringLost);
+        QCOMPARE(held.failure, RunFailure::RearSpringLost);
     }
 };
 

@@ -6,20 +6,9 @@
 #include <QTest>
 
 #include "core/physics/elastic_pair.h"
-#include "core/simulation/case_file.h"
+#include "tests/support/sample_case.h"
 
 using namespace touchdown;
-
-namespace {
-
-Case sample(const char* name)
-{
-    const CaseDocument document = openCase(name);
-    if (!document.valid()) qFatal("%s", document.problems.front().text().c_str());
-    return document.value;
-}
-
-} // namespace
 
 class TestConvergence : public QObject {
     Q_OBJECT

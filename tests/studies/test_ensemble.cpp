@@ -5,21 +5,14 @@
 
 #include <QTest>
 
-#include "core/simulation/case_file.h"
+#include "tests/support/sample_case.h"
 
 using namespace touchdown;
 
 namespace {
 
-Case sample(const char* name)
-{
-    const CaseDocument document = openCase(name);
-    if (!document.valid()) qFatal("%s", document.problems.front().text().c_str());
-    return document.value;
-}
-
-EnsembleEnd flying(double spacing) { return {.state = {EndKind::Flying, spacing, 0.0}, .failure = {}}; }
-EnsembleEnd failed(const char* how) { return {.state = {}, .failure = how}; }
+EnsembleEnd flying(double spacing) { return {.state = {EndKind::Flying, spacing, 0.0}}; }
+EnsembleEnd failed(RunFailure how) { return {.state = {}, .failure = how}; }
 
 const auto always = [](std::size_t) { return true; };
 
@@ -81,8 +74,8 @@ private slots:
     void endsAreGroupedByKindAndSpacing()
     {
         std::vector<Ensemble> all(2);
-        all[0].ends = {flying(7e-9), flying(7.05e-9), flying(3e-9), failed("chattering")};
-        all[1].ends = {flying(7.1e-9), flying(7e-9), {.state = {EndKind::Contact, 3e-9, 0.0}, .failure = {}}, failed("the motion diverged")};
+        all[0].ends = {flying(7e-9), flying(7.05e-9), flying(3e-9), failed(RunFailure::Chattering)};
+        all[1].ends = {flying(7.1e-9), flying(7e-9), {.state = {EndKind::Contact, 3e-9, 0.0}}, failed(RunFailure::Diverged)};
         const EndClasses ends = classifyEnds(all);
         QCOMPARE(ends.classes.size(), std::size_t{5});
         QCOMPARE(ends.classes[0].name, std::string("flying at 7.04 nm"));

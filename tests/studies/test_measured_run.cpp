@@ -6,20 +6,9 @@
 
 #include <QTest>
 
-#include "core/simulation/case_file.h"
+#include "tests/support/sample_case.h"
 
 using namespace touchdown;
-
-namespace {
-
-Case sample(const char* name)
-{
-    const CaseDocument document = openCase(name);
-    if (!document.valid()) qFatal("%s", document.problems.front().text().c_str());
-    return document.value;
-}
-
-} // namespace
 
 class TestMeasuredRun : public QObject {
     Q_OBJECT
@@ -58,7 +47,7 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(EndKind, kind);
-        const MeasuredRun run = measureRun(sample(qPrintable(name)), {});
+        const MeasuredRun run = measureRun(sample(name.toStdString()), {});
         QCOMPARE(run.end.kind, kind);
         QCOMPARE(run.valid(), kind != EndKind::Failed);
     }
@@ -80,6 +69,26 @@ private slots:
         QVERIFY(!sameEnd(flying, ringing)); // at rest the one, ringing the other
         QVERIFY(!sameEnd(flying, contact));
         QVERIFY(sameEnd({}, {}));
+    }
+
+    /// What fails in one way is one outcome, whenever it failed; the front spring is another than the rear one.
+    void sameOutcomes()
+    {
+        const auto failed = [](RunFailure failure, const std::string& message) {
+            MeasuredRun run;
+            run.summary.status = RunStatus::Failed;
+            run.summary.failure = failure;
+            run.summary.message = message;
+            return run;
+        };
+        const MeasuredRun rear = failed(RunFailure::RearSpringLost, "since 2 us"), later = failed(RunFailure::RearSpringLost, "since 3 us");
+        MeasuredRun flying;
+        flying.end = {EndKind::Flying, 7e-9, 0.0};
+        QVERIFY(sameOutcome(rear, later));
+        QVERIFY(!sameOutcome(rear, failed(RunFailure::FrontSpringLost, "since 2 us")));
+        QVERIFY(!sameOutcome(rear, flying));
+        QCOMPARE(outcomeText(flying), std::string("flies at 7 nm"));
+        QCOMPARE(outcomeText(rear), std::string("fails: since 2 us"));
     }
 
     void settings()

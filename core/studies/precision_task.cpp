@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/precision_reader.h"
+#include "core/studies/precision_task.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/simulation/fields.h"
 #include "core/simulation/nearest_name.h"
@@ -27,20 +26,11 @@ std::vector<Quantity> quantitiesOf(const PrecisionTask& task)
     return all;
 }
 
-/// What costs time beside the solution.
+/// What costs time beside a static state.
 void leaveOut(Case& c)
 {
-    c.run.stepCheck = false;
-    c.run.fieldSnapshots = 0;
     c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
     for (std::vector<double>* series : {&c.steady.radii, &c.steady.skews, &c.steady.speeds, &c.steady.altitudes}) series->clear();
-}
-
-std::vector<CaseSetting> settingsOf(StudyReader& reader, const std::string& table)
-{
-    std::vector<CaseSetting> settings;
-    for (auto& [key, value] : reader.settings(table)) settings.push_back({key, value});
-    return settings;
 }
 
 void readQuantity(StudyReader& reader, PrecisionTask& task)
@@ -79,47 +69,30 @@ void readTimes(StudyReader& reader, PrecisionTask& task)
 
 void readMethods(StudyReader& reader, PrecisionTask& task)
 {
-    std::vector<MethodSpec> specs;
-    std::set<std::string> names;
-    const std::vector<std::string> tables = reader.tables("method");
-    for (const std::string& table : tables) {
-        MethodSpec& spec = specs.emplace_back();
-        spec.name = reader.text(table + ".name").value_or("");
-        spec.set = settingsOf(reader, table + ".set");
-        spec.key = reader.text(table + ".key").value_or("");
-        if (const auto values = reader.texts(table + ".values")) spec.values = *values;
-        if (const auto ensemble = reader.texts(table + ".ensemble")) spec.ensemble = *ensemble;
-        if (spec.name.empty()) reader.add(table, "has no name");
-        else if (!names.insert(spec.name).second) reader.add(table + ".name", inQuotes(spec.name) + " is the name of another method, too");
-        if (spec.key.empty() && !spec.values.empty()) reader.add(table + ".values", "are of no key; name it with key = \"run.step\"");
-        if (!spec.key.empty() && spec.values.empty()) reader.add(table, "has no values of its key");
-        for (const std::string& each : spec.ensemble)
-            if (std::ranges::find(spec.values, each) == spec.values.end()) reader.add(table + ".ensemble", inQuotes(each) + " is none of the values");
-    }
-    const bool own = tables.empty();
+    std::vector<MethodSpec> specs = readMethods(reader, true);
+    const bool own = specs.empty();
     if (own) specs = defaultMethods(task.start, task.inTime);
     for (std::size_t i = 0; i < specs.size(); ++i) {
-        PrecisionMethod method;
+        SweptMethod method;
         const std::string problem = makeMethod(task.start, specs[i], method);
         // A default method that this case does not allow is left out.
         if (problem.empty()) task.methods.push_back(std::move(method));
-        else if (!own) reader.add(tables[i], problem);
+        else if (!own) reader.add("method[" + std::to_string(i + 1) + "]", problem);
     }
-    if (own && specs.empty()) reader.add("method", "there are no methods that suit this model; list them as [[method]]");
-    const auto chosen = [](const PrecisionMethod& method) { return std::ranges::any_of(method.settings, &PrecisionSetting::chosen); };
-    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen)) task.methods.push_back({.name = "the case as it is", .settings = {{"", task.start, true, true}}});
+    const auto chosen = [](const SweptMethod& method) { return std::ranges::any_of(method.settings, &MethodSetting::chosen); };
+    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen)) task.methods.push_back({.name = "the case as it is", .settings = {{.label = "", .c = task.start, .chosen = true, .inEnsemble = true}}});
 }
 
 void readReferences(StudyReader& reader, PrecisionTask& task)
 {
     const std::vector<std::string> tables = reader.tables("reference");
     for (const std::string& table : tables) {
-        PrecisionReference reference{reader.text(table + ".name").value_or(table), task.start};
-        if (const std::string problem = applySettings(reference.c, settingsOf(reader, table + ".set")); !problem.empty()) reader.add(table, problem);
+        ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
+        if (const std::string problem = applySettings(reference.c, readSettings(reader, table + ".set")); !problem.empty()) reader.add(table, problem);
         task.references.push_back(std::move(reference));
     }
     if (tables.empty()) task.references = defaultReferences(task.start, task.inTime, task.methods);
-    if (task.references.size() < 2) reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
+    if (!tables.empty() && tables.size() < 2) reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
 }
 
 void readEnsemble(StudyReader& reader, PrecisionTask& task)
@@ -143,8 +116,8 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     const Field& field = *findField(ensemble.key);
     if (field.unit != "m") ensemble.spread = 0.01 * std::abs(std::get<double>(field.get(task.start)));
     if (const auto spread = reader.number("ensemble.spread", field.unit, field.displayUnit, 0.0, INFINITY)) ensemble.spread = *spread;
-    const std::vector<CaseSetting> settings = settingsOf(reader, "ensemble.set");
-    task.ensembleReference = defaultEnsembleReference(task.start);
+    const std::vector<CaseSetting> settings = readSettings(reader, "ensemble.set");
+    task.ensembleReference = ensembleReference(task.start);
     if (settings.empty()) return;
     task.ensembleReference = {"", task.start};
     for (const CaseSetting& setting : settings) task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
@@ -160,8 +133,11 @@ PrecisionTask readPrecisionTask(StudyReader& reader)
     leaveOut(task.start);
     task.inTime = reader.choice("of", {"run", "static"}).value_or("run") == "run";
     if (!task.inTime && task.start.model != ModelKind::Film) reader.add("of", "\"static\" is for cases of model \"film\"");
-    if (task.inTime)
-        if (const std::string reason = reasonNotToRun(task.start); !reason.empty()) reader.add("case", reason);
+    if (task.start.model == ModelKind::Contact && (reader.tables("method").empty() || reader.tables("reference").empty()))
+        reader.add("case", "is of model \"contact\", for which this study knows neither methods nor references: list them as [[method]] and [[reference]], or let "
+                           "\"touchdown convergence\" refine its cells");
+    else if (const std::string reason = task.inTime ? reasonNotToRun(task.start) : std::string(); !reason.empty())
+        reader.add("case", reason);
     readQuantity(reader, task);
     readMeasure(reader, task);
     readTimes(reader, task);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/stability_reader.h"
+#include "core/studies/stability_task.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "core/simulation/quotation.h"
-#include "core/simulation/units.h"
 #include "core/studies/few_digits.h"
 
 namespace touchdown {
@@ -14,30 +13,14 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostRuns = 100000;
+constexpr double checkStep = 1e-9; // of rk4-events, of a reference [s]
+constexpr double mostCheckSteps = 4e6;
 
 std::vector<std::string> multiples(double value, const std::string& displayUnit, const std::vector<double>& factors)
 {
     std::vector<std::string> list;
-    for (const double factor : factors) list.push_back(formatQuantity(roundedTo(factor * value, 6), displayUnit));
+    for (const double factor : factors) list.push_back(fewDigits(factor * value, displayUnit, 6));
     return list;
-}
-
-void readMethods(StudyReader& reader, StabilityTask& task)
-{
-    std::set<std::string> names;
-    for (const std::string& table : reader.tables("method")) {
-        MethodSpec& spec = task.methods.emplace_back();
-        spec.name = reader.text(table + ".name").value_or("");
-        for (auto& [key, value] : reader.settings(table + ".set")) spec.set.push_back({key, value});
-        spec.key = reader.text(table + ".key").value_or("");
-        if (const auto values = reader.texts(table + ".values")) spec.values = *values;
-        if (spec.name.empty()) reader.add(table, "has no name");
-        else if (!names.insert(spec.name).second) reader.add(table + ".name", inQuotes(spec.name) + " is the name of another method, too");
-        if (spec.key.empty() != spec.values.empty())
-            reader.add(table, spec.key.empty() ? "has values of no key; name it with key = \"run.step\"" : "has no values of its key");
-    }
-    if (task.methods.empty()) task.methods = defaultStabilityMethods(task.start);
-    if (task.methods.empty()) reader.add("method", "there are no methods that suit this model");
 }
 
 /// The parameter, and its values as they are given; one empty label where nothing is varied.
@@ -46,6 +29,10 @@ std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
     const DefaultParameter otherwise = defaultParameter(task.start);
     const auto key = reader.text("parameter");
     const auto values = reader.texts("values");
+    if (task.start.model == ModelKind::Contact) {
+        reader.add("case", "is of model \"contact\", a pad that is moved and cannot be unstable: take one of model \"springs\" or \"film\"");
+        return {};
+    }
     const std::string chosen = key ? *key : values ? std::string() : otherwise.key;
     if (!key && values) reader.add("values", "are of no parameter; name it with parameter = \"ono_yamane.contact_stiffness\"");
     if (chosen.empty()) return {""};
@@ -78,9 +65,9 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
             if (const auto* number = std::get_if<double>(&value)) row.value = *number;
             else if (const auto* whole = std::get_if<int>(&value)) row.value = *whole;
         }
-        row.references = referenceCases(base);
+        row.references = base.model == ModelKind::Springs ? springReferences(base, std::max(checkStep, base.run.duration / mostCheckSteps)) : couplingReferences(base);
         for (const MethodSpec& spec : task.methods) {
-            PrecisionMethod& method = row.methods.emplace_back();
+            SweptMethod& method = row.methods.emplace_back();
             if (const std::string problem = makeMethod(base, spec, method, false); !problem.empty()) {
                 reader.add("method", spec.name + ": " + problem);
                 return; // the others would say the same
@@ -123,7 +110,6 @@ StabilityTask readStabilityTask(StudyReader& reader)
     constexpr double endless = std::numeric_limits<double>::infinity();
     StabilityTask task;
     task.start = reader.start();
-    task.start.run.stepCheck = false;
     task.picture = reader.boolean("picture").value_or(true);
     task.map = reader.boolean("map").value_or(true);
     if (task.start.model == ModelKind::Film) task.rule.agreement = 0.01e-9; // it moves less
@@ -131,9 +117,10 @@ StabilityTask readStabilityTask(StudyReader& reader)
     task.rule.energyDrift = reader.number("energy_drift", "", "", 1e-12, endless).value_or(task.rule.energyDrift);
     if (!task.picture && !task.map) reader.add("map", "is false, and so is picture: nothing is left to do");
     const std::vector<std::string> labels = readParameter(reader, task);
-    readMethods(reader, task);
-    if (task.start.model == ModelKind::Contact) reader.add("case", "a study of stability takes a case of model \"springs\" or \"film\", which moves");
-    else if (const std::string reason = reasonNotToRun(task.start); !reason.empty()) reader.add("case", reason);
+    task.methods = readMethods(reader, false);
+    if (task.methods.empty()) task.methods = defaultStabilityMethods(task.start);
+    if (task.start.model == ModelKind::Contact) return task;
+    if (const std::string reason = reasonNotToRun(task.start); !reason.empty()) reader.add("case", reason);
     else if (task.map) makeRows(reader, task, labels);
     return task;
 }
