@@ -165,6 +165,17 @@ private:
         if (problem_.tests) point.tests = problem_.tests(point.x, point.p);
     }
 
+    /// A point next to a bound of p goes to the bound itself.
+    void moveToBound(Change& change)
+    {
+        const double p = change.at.p;
+        const double bound = std::abs(p - options_.lower) < std::abs(p - options_.upper) ? options_.lower : options_.upper;
+        Vector x = change.at.x;
+        if (!(change.s > 0.0) || !solveAt(problem_, x, bound, options_.tolerance)) return;
+        if ((x - change.at.x).norm() > 100.0 * options_.locatedTo) return; // at a fold there may be none, and another one farther on
+        if (const std::optional<BranchPoint> there = pointAt(joined(x, bound), change.at.tangent)) change.at = *there;
+    }
+
     /// The first end within a step.
     std::optional<Change> endWithin(const BranchPoint& from, const BranchPoint& next, double step)
     {
@@ -174,6 +185,7 @@ private:
             Change change = f(from) > 0.0 ? locate(from, next, step, f) : Change{.s = 0.0, .at = from, .mark = {}};
             change.end = end;
             change.guard = guard;
+            if (end == BranchEnd::Bound) moveToBound(change);
             if (!first || change.s < first->s) first = std::move(change);
         };
         watch([this](const BranchPoint& at) { return options_.upper - at.p; }, BranchEnd::Bound, -1);

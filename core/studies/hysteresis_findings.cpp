@@ -61,7 +61,9 @@ public:
     {
         const std::vector<ValueRange> several = coexistence(result_.lines);
         if (!several.empty())
-            say("More than one equilibrium is stable " + of(several) + ": which one the slider comes to rest in depends on the way there");
+            say(belongsToStart(task_.parameter.key)
+                    ? "More than one equilibrium is stable: which one the slider comes to rest in depends on the start"
+                    : "More than one equilibrium is stable " + of(several) + ": which one the slider comes to rest in depends on the way there");
     }
 
     /// The held states against the equilibria, two ways to the same.
@@ -149,6 +151,7 @@ private:
     void addFlutter(const std::vector<ValueRange>& flutter)
     {
         std::string sentence = "Self-excited: an equilibrium is unstable by an oscillation that grows, " + of(flutter), points;
+        int count = 0;
         for (const StudiedMark& mark : result_.marks) {
             if (mark.kind != EquilibriumMark::Hopf || mark.outside) continue;
             double frequency = 0.0, least = std::numeric_limits<double>::infinity();
@@ -157,10 +160,11 @@ private:
                 least = std::abs(value.real());
                 frequency = std::abs(value.imag()) / (2.0 * std::numbers::pi);
             }
+            ++count;
             points += (points.empty() ? "" : ", ") + text_.of(mark.at.value) + " (" + fewDigits(mark.at.spacing, "nm", 3) + " spacing, " +
                       fewDigits(frequency, "kHz", 3) + ")";
         }
-        if (!points.empty()) sentence += ". It begins or ends to grow at Hopf points: " + points;
+        if (count > 0) sentence += std::string(count == 1 ? "; Hopf point at " : "; Hopf points at ") + points;
         say(sentence);
     }
 
@@ -204,11 +208,16 @@ public:
         std::vector<double> flying, contact;
         for (const HeldStep& step : result_.steps)
             if (ended(step)) (step.end.kind == EndKind::Flying ? flying : contact).push_back(step.value);
-        const auto part = [&](const std::vector<double>& values) {
-            return " in " + std::to_string(values.size()) + " of " + counted(std::ssize(result_.steps), "run", "runs") +
-                   (values.empty() ? "" : " (" + text(rangesAmong(task_.values, values), text_) + ")");
-        };
-        say("Begun anew at each value the slider ends flying" + part(flying) + ", touching the disk" + part(contact));
+        const auto all = std::ssize(flying) + std::ssize(contact);
+        if (all == 0) return;
+        const std::string begins = "Begun anew at each value the slider ends ";
+        const auto where = [&](const std::vector<double>& values) { return " (" + text(rangesAmong(task_.values, values), text_) + ")"; };
+        if (flying.empty() || contact.empty())
+            say(begins + (flying.empty() ? "touching the disk" : "flying") + " in " +
+                (all == 1 ? "its one run" : "all " + std::to_string(all) + " runs"));
+        else
+            say(begins + "flying in " + std::to_string(flying.size()) + " of " + std::to_string(all) + " runs" + where(flying) +
+                ", touching the disk in " + std::to_string(contact.size()) + where(contact));
     }
 
     void addLoop()

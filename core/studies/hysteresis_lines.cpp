@@ -15,13 +15,24 @@ constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
 
 StudiedEquilibrium studied(const SpringEquilibrium& at)
 {
-    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0};
+    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0, false};
 }
 
 StudiedEquilibrium studied(const FilmBranchPoint& point)
 {
     const FilmEquilibrium& at = point.at;
-    return {point.parameter, at.spacing, at.attitude.pitch, at.stability, at.eigenvalues, at.lost};
+    return {point.parameter, at.spacing, at.attitude.pitch, at.stability, at.eigenvalues, at.lost, false};
+}
+
+/// Tells the points of lines that are folds or Hopf points.
+void setEdges(HysteresisResult& result)
+{
+    for (const StudiedMark& mark : result.marks) {
+        if (mark.kind != EquilibriumMark::Fold && mark.kind != EquilibriumMark::Hopf) continue;
+        for (EquilibriumLine& line : result.lines)
+            for (StudiedEquilibrium& at : line.points)
+                at.edge = at.edge || (at.value == mark.at.value && at.spacing == mark.at.spacing && at.pitch == mark.at.pitch);
+    }
 }
 
 void addLostEnds(int count, HysteresisResult& result)
@@ -61,6 +72,7 @@ void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result
             added.outside = added.outside || (line.outside && std::ranges::any_of(line.points, isHere));
         }
     }
+    setEdges(result);
     addLostEnds(found.endsLost, result);
 }
 
@@ -92,6 +104,7 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
     if (found.givenUp > 0)
         result.warnings.push_back("at " + std::to_string(found.givenUp) + (found.givenUp == 1 ? " value" : " values") +
                                   " the search for equilibria in contact did not come to its end from every start: one may be missed");
+    setEdges(result);
     addLostEnds(found.endsLost, result);
     if (lost)
         result.warnings.push_back("about some equilibria an oscillation could not be followed, or is damped so much that it is none");

@@ -2,6 +2,7 @@
 #include "core/studies/hysteresis_result.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -14,6 +15,14 @@ namespace {
 
 using Ordinate = std::function<std::optional<double>(const StudiedEquilibrium&)>; // none: not known
 using StepOrdinate = std::function<ChartPoint(const HeldStep&)>;
+
+/// A label within a sentence, but for one that begins with an abbreviation.
+std::string inSentence(std::string label)
+{
+    if (label.size() > 1 && std::islower(static_cast<unsigned char>(label[1])))
+        label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
+    return label;
+}
 
 double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi); }
 
@@ -71,6 +80,7 @@ void addSteps(ChartPanel& panel, const HeldSteps& task, const HysteresisResult& 
             ChartPoint& at = series.points.emplace_back(point(step));
             if (step.end.kind == EndKind::Intermittent) at.label = "in and out of contact";
         }
+        if (task.fresh) series.line = ChartLine::None; // none follows from its neighbour
         if (!series.points.empty()) panel.series.push_back(std::move(series));
     }
 }
@@ -82,7 +92,7 @@ ChartPoint spacingPoint(const HeldStep& step)
 
 StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Spacing over " + text.label, .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Spacing over " + inSentence(text.label), .caption = {}, .panels = {}};
     const ChartAxis x{.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     ChartPanel& spacing = chart.panels.emplace_back();
     spacing.x = x;
@@ -110,7 +120,7 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
 
 StudyChart pitchChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Pitch over " + text.label, .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Pitch over " + inSentence(text.label), .caption = {}, .panels = {}};
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     panel.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};

@@ -30,7 +30,7 @@ bool differ(EndState a, EndState b)
 
 bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
 {
-    return at.stability == Stability::Flutter && !at.eigenvalues.empty() &&
+    return !at.edge && at.stability == Stability::Flutter && !at.eigenvalues.empty() &&
            std::abs(at.eigenvalues.front().imag()) > 2.0 * std::numbers::pi * resolved;
 }
 
@@ -103,7 +103,7 @@ std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& line
             if (i == 0 && std::abs(share) < rounding) share = 0.0;
             if (last && std::abs(share - 1.0) < rounding) share = 1.0;
             if (share < 0.0 || share > 1.0 || (share == 1.0 && !last)) continue;
-            const StudiedEquilibrium& nearer = share < 0.5 ? a : b;
+            const StudiedEquilibrium& nearer = a.edge != b.edge ? (a.edge ? b : a) : share < 0.5 ? a : b;
             list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete()});
         }
         if (line.points.size() == 1 && line.points[0].value == value)

@@ -23,11 +23,12 @@ struct StudiedEquilibrium {
     double pitch = 0.0;   // [rad]
     Stability stability = Stability::Stable;
     std::vector<std::complex<double>> eigenvalues; // by falling real part [1/s]
-    int lost = 0; // oscillations that were not followed
+    int lost = 0;      // oscillations that were not followed
+    bool edge = false; // a fold or Hopf point, at which the stability changes and its own means nothing
     /// None where no motion was followed.
     std::optional<double> growth() const { return eigenvalues.empty() ? std::nullopt : std::optional(eigenvalues.front().real()); }
     /// Nothing grows of what was followed, but not everything was.
-    bool incomplete() const { return (lost > 0 || eigenvalues.empty()) && stability != Stability::Flutter; }
+    bool incomplete() const { return !edge && (lost > 0 || eigenvalues.empty()) && stability != Stability::Flutter; }
 };
 
 /// Equilibria of one smooth law, in their order along its branch.

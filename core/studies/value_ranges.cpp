@@ -44,15 +44,20 @@ std::vector<ValueRange> rangesAmong(std::vector<double> all, std::vector<double>
 
 std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines, const std::function<bool(const StudiedEquilibrium&)>& isSo)
 {
+    const auto is = [&](const StudiedEquilibrium& at) { return !at.edge && isSo(at); };
     std::vector<ValueRange> ranges;
     for (const EquilibriumLine& line : lines) {
         if (line.outside) continue;
-        bool before = false;
-        for (const StudiedEquilibrium& at : line.points) {
-            const bool is = isSo(at);
-            if (is && before) ranges.back() = {std::min(ranges.back().lower, at.value), std::max(ranges.back().upper, at.value)};
-            else if (is) ranges.push_back({at.value, at.value});
-            before = is;
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            if (!is(line.points[i])) continue;
+            const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, line.points.size() - 1);
+            ValueRange range{line.points[i].value, line.points[i].value};
+            for (const std::size_t k : {before, after}) {
+                const StudiedEquilibrium& next = line.points[k];
+                if (!is(next) && !next.edge) continue;
+                range = {std::min(range.lower, next.value), std::max(range.upper, next.value)};
+            }
+            ranges.push_back(range);
         }
     }
     return merged(std::move(ranges));

@@ -40,7 +40,7 @@ HeldSteps task()
 
 StudiedEquilibrium at(double value, double spacing, Stability stability, double growth)
 {
-    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}, 0};
+    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}, 0, false};
 }
 
 bool says(const std::vector<std::string>& findings, const std::string& part)
@@ -133,7 +133,7 @@ private slots:
         result.marks = {{EquilibriumMark::Hopf, "Hopf point", at(1.5e-3, 3e-9, Stability::Neutral, 0.0), false}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Self-excited"));
-        QVERIFY(says(findings, "Hopf points: 1.5 mN (3 nm spacing, 100 kHz)"));
+        QVERIFY(says(findings, "Hopf point at 1.5 mN (3 nm spacing, 100 kHz)"));
         QVERIFY(!says(findings, "Forced"));
     }
 
