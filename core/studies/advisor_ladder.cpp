@@ -35,9 +35,22 @@ void addGrids(const Case& c, std::vector<LadderPart>& parts)
     }
 }
 
+/// In the order in which they are tried: those that leave out most of the work first, so that what takes longer is soon given up.
 std::vector<LadderPart> partsOf(const Case& c, double roll)
 {
     std::vector<LadderPart> parts;
+    addGrids(c, parts);
+    std::ranges::reverse(parts);
+    if (c.run.steps == StepControl::Adaptive)
+        for (const double factor : {100.0, 10.0}) {
+            const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);
+            parts.push_back({"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
+        }
+    else
+        for (const double factor : {4.0, 2.0}) {
+            const std::string step = fewDigits(factor * c.run.step, "ns", 6);
+            parts.push_back({"steps of " + step, "shorter steps than " + step, {{"run.step", step}}, "steps"});
+        }
     if (c.diskSurface.kind != DiskSurfaceKind::Flat)
         parts.push_back({"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"});
     if (c.contact != ContactKind::None)
@@ -52,17 +65,6 @@ std::vector<LadderPart> partsOf(const Case& c, double roll)
     }
     if (c.degreesOfFreedom == 3)
         parts.push_back({"roll held", "motion in roll", {{"degrees_of_freedom", "2"}, {"initial.roll", formatQuantity(roll, "urad")}}, "roll"});
-    addGrids(c, parts);
-    if (c.run.steps == StepControl::Adaptive)
-        for (const double factor : {10.0, 100.0}) {
-            const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);
-            parts.push_back({"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
-        }
-    else
-        for (const double factor : {2.0, 4.0}) {
-            const std::string step = fewDigits(factor * c.run.step, "ns", 6);
-            parts.push_back({"steps of " + step, "shorter steps than " + step, {{"run.step", step}}, "steps"});
-        }
     return parts;
 }
 
@@ -122,26 +124,18 @@ std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
     return ladder;
 }
 
-std::vector<Rung> sumsOf(const AdvisorTask& task, const std::vector<LadderPart>& parts)
+std::optional<Rung> sumOf(const AdvisorTask& task, const std::vector<LadderPart>& parts)
 {
-    std::vector<Rung> sums;
-    if (!wanted(task, RungKind::Sum)) return sums;
-    std::vector<LadderPart> last;
-    for (const LadderPart& part : parts) {
-        const auto same = std::ranges::find(last, part.family, &LadderPart::family);
-        // Without contact nothing adheres, and there are no cells.
-        const bool gone = part.family != "contact" && (part.family == "adhesion" || part.family == "cells") &&
-                          std::ranges::find(parts, "contact", &LadderPart::family) != parts.end();
-        if (gone) continue;
-        if (same == last.end()) last.push_back(part);
-        else *same = part;
-    }
-    if (last.size() < 2) return sums;
-    Rung rung{RungKind::Sum, "film, " + listed(last, &LadderPart::name), listed(last, &LadderPart::leavesOut), last, task.start};
-    for (const LadderPart& part : last)
-        if (!applySettings(rung.c, part.settings).empty()) return sums;
-    sums.push_back(std::move(rung));
-    return sums;
+    const bool noContact = std::ranges::find(parts, "contact", &LadderPart::family) != parts.end();
+    std::vector<LadderPart> kept;
+    for (const LadderPart& part : parts) // without contact nothing adheres, and there are no cells
+        if (!noContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
+    if (!wanted(task, RungKind::Sum) || kept.size() < 2) return {};
+    std::ranges::sort(kept, {}, &LadderPart::family);
+    Rung rung{RungKind::Sum, "film, " + listed(kept, &LadderPart::name), listed(kept, &LadderPart::leavesOut), kept, task.start};
+    for (const LadderPart& part : kept)
+        if (!applySettings(rung.c, part.settings).empty()) return {};
+    return rung;
 }
 
 } // namespace touchdown

@@ -9,10 +9,11 @@
 //   springs       two lumped springs fitted to the film, with the contact's characteristic (spring_fit.h)
 //   parts         the film in time without one of its parts: a rough disk, contact, adhesion, roll; on fewer grid lines, with
 //                 looser steps
-//   sums          the film without all parts that are within the tolerance each
+//   sums          the film without several of them
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,7 @@ struct LadderPart {
     std::string name;      // "disk flat"
     std::string leavesOut; // "the disk's surface"
     std::vector<CaseSetting> settings;
-    std::string family;    // of several of one family, as of grids, one is taken
+    std::string family;    // of several of one family, as of grids, one is left out
 };
 
 struct Rung {
@@ -53,7 +54,7 @@ struct Rung {
 /// Models without a film in time, on the scene's grid and on coarser ones, and those without one part, as far as the scene has it.
 /// `roll`: of the static state, in which a roll that is left out is held [rad].
 std::vector<Rung> ladderOf(const AdvisorTask& task, double roll);
-/// The film without all these parts; of a family the last one counts. None where that is no valid case.
-std::vector<Rung> sumsOf(const AdvisorTask& task, const std::vector<LadderPart>& parts);
+/// The film without all these parts, one of a family at most. None where they are fewer than two, or that is no valid case.
+std::optional<Rung> sumOf(const AdvisorTask& task, const std::vector<LadderPart>& parts);
 
 } // namespace touchdown

@@ -11,22 +11,20 @@
 #include "core/studies/parallel.h"
 #include "core/studies/pilot_run.h"
 #include "core/studies/reduced_models.h"
+#include "core/studies/scene_motion.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double knownTo = 0.25;     // of what is allowed, for the pilot to end
-constexpr double mostGrowth = 0.3;   // e-folds of a mode over the run, beyond which a part does not foretell its end
-constexpr double worthwhile = 1.2;   // a model must be so many times faster to be advised
+constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
+constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
 
 bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind == RungKind::Sum; }
 
-/// A surface that passes by and comes without an order: what it does next no part of a run tells.
-bool roughPasses(const DiskSurface& surface)
+void lower(std::atomic<double>& least, double value)
 {
-    const bool order = surface.kind == DiskSurfaceKind::Flat || surface.kind == DiskSurfaceKind::Waves;
-    return !order && surface.motion == SurfaceMotion::Moving;
+    for (double now = least; value < now && !least.compare_exchange_weak(now, value);) {}
 }
 
 class Advisor {
@@ -35,7 +33,6 @@ public:
 
     AdvisorResult advise()
     {
-        result_.roughPasses = roughPasses(task_.start.diskSurface);
         const bool went = runFast() && runFull() && climb();
         if (went || result_.status == StudyStatus::Failed) return std::move(result_);
         if (result_.late && result_.full.answers() && result_.pilotTime > 0.0) return std::move(result_); // an answer, with what is missing
@@ -54,11 +51,17 @@ private:
     /// Where the scene rests and rings, and the models that hang on nothing else. False: stopped.
     bool runFast()
     {
-        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { findRates(goOn); },
+        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { scene_ = sceneMotion(task_.start, goOn); },
                                       [&](std::size_t) { return tell(0.0, "small motions"); });
         if (!went) return false;
+        result_.studySeconds += scene_.seconds;
+        result_.growth = scene_.growth;
+        result_.growthProblem = scene_.growthProblem;
+        result_.roughPasses = scene_.roughPasses;
+        const SteadyResult& rest = scene_.motion.steady;
+        if (rest.status == SteadyStatus::Converged) result_.gridError = rest.discretisationError.minimumSpacing;
         std::vector<Rung> fast;
-        for (Rung& rung : ladderOf(task_, motion_.steady.attitude.roll))
+        for (Rung& rung : ladderOf(task_, rest.attitude.roll))
             (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
         return runRungs(fast, 0.05, 0.15);
     }
@@ -67,12 +70,50 @@ private:
     {
         bool went = runRungs(rests_, 0.6, 0.65);
         went = runRungs(parts_, 0.65, 0.85, went);
-        std::vector<LadderPart> within;
-        for (const RungOutcome& rung : result_.rungs)
-            if (rung.rung.kind == RungKind::Part && rung.within() && rung.seconds < result_.full.seconds) within.push_back(rung.rung.parts[0]);
-        if (went) went = runRungs(sumsOf(task_, within), 0.85, 1.0);
+        went = went && runSums();
         choose();
         return went && (!task_.confirm || confirm());
+    }
+
+    /// Without several parts: the cheapest one that may be left out, and all others that may, too; where that is too much, one after the
+    /// other as long as it stays within.
+    bool runSums()
+    {
+        const RungOutcome* first = nullptr;
+        std::vector<LadderPart> others; // the larger one of a family first
+        for (const RungOutcome& rung : result_.rungs) {
+            if (rung.rung.kind != RungKind::Part) continue;
+            if (rung.within() && rung.seconds < result_.full.seconds && (first == nullptr || rung.seconds < first->seconds)) first = &rung;
+            if (rung.within() || rung.givenUp) others.push_back(rung.rung.parts[0]);
+        }
+        if (first == nullptr) return true;
+        std::vector<LadderPart> left{first->rung.parts[0]}, all = left;
+        const auto holds = [](const std::vector<LadderPart>& parts, const LadderPart& part) {
+            return std::ranges::find(parts, part.family, &LadderPart::family) != parts.end();
+        };
+        for (const LadderPart& part : others)
+            if (!holds(all, part)) all.push_back(part);
+        bool within = false;
+        if (!runSum(all, within)) return false;
+        for (const LadderPart& part : others) {
+            if (within || holds(left, part)) continue;
+            std::vector<LadderPart> more = left;
+            more.push_back(part);
+            bool enough = false;
+            if (!runSum(more, enough)) return false;
+            if (enough) left = more;
+        }
+        return true;
+    }
+
+    /// False: stopped. What has been tried is not tried again.
+    bool runSum(const std::vector<LadderPart>& parts, bool& within)
+    {
+        const std::optional<Rung> sum = sumOf(task_, parts);
+        if (!sum || std::ranges::any_of(result_.rungs, [&](const RungOutcome& rung) { return rung.rung.name == sum->name; })) return true;
+        if (!runRungs({*sum}, 0.85, 1.0)) return false;
+        within = result_.rungs.back().within();
+        return true;
     }
 
     /// The cheapest of the models so far that may be within is, and its errors are known to a factor of two.
@@ -100,11 +141,11 @@ private:
         bool known = false;
         const auto enough = [&](const SpacingSamples& samples) {
             // It may still do what it has not done yet.
-            if (result_.growth > mostGrowth || !result_.growthProblem.empty() || result_.roughPasses) return false;
+            if (!scene_.foretells()) return false;
             // At the same times however many samples come at once, which hangs on the clock.
             for (; !known && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
                 const SpacingSamples part = samples.until(next * duration);
-                const TailEstimate tail = estimateTail(part, duration, rates_);
+                const TailEstimate tail = estimateTail(part, duration, scene_.rates);
                 const Allowance allowed = allowanceOf(tail, task_);
                 known = tail.sameKind && tail.meanUncertainty <= knownTo * allowed.mean &&
                         tail.spreadUncertainty <= knownTo * allowed.spread && settles(tail);
@@ -154,7 +195,7 @@ private:
         result_.pilotWhole = result_.pilotTime >= duration - 0.5 * full_.samples.interval;
         RungOutcome& full = result_.full;
         full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
-        full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, rates_);
+        full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, scene_.rates);
         full.seconds = full_.secondsTo(duration);
         full.verdict = Verdict::Within;
         full.errors = errorsOf(full.tail, full.tail, task_);
@@ -165,34 +206,15 @@ private:
         result_.contactActed = full_.contactActs;
     }
 
-    /// The static state, and the rates at which the scene rings about it; without them ends are foretold otherwise.
-    void findRates(const GoOn& goOn)
-    {
-        const double begin = threadSeconds();
-        const LinearMotion& motion = motion_ = linearMotion(task_.start, [&](const SteadyProgress&) { return goOn(); });
-        motionSeconds_ = threadSeconds() - begin;
-        result_.studySeconds += motionSeconds_;
-        if (motion.modes.empty()) result_.growthProblem = motion.message.empty() ? "no static state was found" : motion.message;
-        if (motion.steady.status == SteadyStatus::Converged) result_.gridError = motion.steady.discretisationError.minimumSpacing;
-        for (const MotionTerm& mode : motion.modes) {
-            rates_.push_back({mode.rate, false});
-            result_.growth = std::max(result_.growth, mode.rate.real() * task_.start.run.duration);
-        }
-        // Air that creeps out of the cavity takes about as long as the disk drags it along under the slider.
-        const double speed = std::abs(task_.start.disk.speed) * task_.start.disk.radius;
-        if (!rates_.empty() && speed > 0.0) rates_.push_back({-speed / task_.start.slider.length, false});
-        for (const MotionTerm& wave : motion.waves) rates_.push_back({wave.rate, true});
-    }
-
     /// What ended counts, also where it was stopped. Where it is not to `go` they are missing.
     bool runRungs(const std::vector<Rung>& rungs, double from, double to, bool go = true)
     {
         std::vector<RungOutcome> outcomes(rungs.size());
         std::vector<char> ended(rungs.size(), 0);
         std::vector<double> seconds(rungs.size(), 0.0);
-        const double most = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
+        most_ = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
         const bool went = go && runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
-            outcomes[k] = solve(rungs[k], most, goOn, seconds[k]);
+            outcomes[k] = solve(rungs[k], goOn, seconds[k]);
             ended[k] = goOn();
         }, [&](std::size_t done) {
             return tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
@@ -217,13 +239,13 @@ private:
         return most;
     }
 
-    RungOutcome solve(const Rung& rung, double most, const GoOn& goOn, double& seconds) const
+    RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
     {
         RungOutcome outcome;
         if (!inTime(rung)) {
             const bool known = rung.kind == RungKind::SmallMotion && rung.c.film.nodes == task_.start.film.nodes;
-            outcome = known ? describeSmallMotion(rung, motion_, motionSeconds_) : solveReduced(rung, result_.full.tail.mean, goOn);
-            seconds = outcome.seconds - (known ? motionSeconds_ : 0.0);
+            outcome = known ? describeSmallMotion(rung, scene_.motion, scene_.seconds) : solveReduced(rung, result_.full.tail.mean, goOn);
+            seconds = outcome.seconds - (known ? scene_.seconds : 0.0);
             judge(outcome);
             return outcome;
         }
@@ -241,7 +263,7 @@ private:
         }
         const double begin = threadSeconds();
         const PilotRun run = pilotRun(rung.c, [&](const SpacingSamples&) {
-            outcome.givenUp = threadSeconds() - begin > most;
+            outcome.givenUp = threadSeconds() - begin > most_;
             return outcome.givenUp;
         }, goOn);
         seconds = threadSeconds() - begin;
@@ -250,6 +272,7 @@ private:
         outcome.tail = estimateTail(run.samples, task_.start.run.duration);
         if (outcome.answers() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
         judge(outcome);
+        if (outcome.within() && !task_.all) lower(most_, outcome.seconds);
         return outcome;
     }
 
@@ -299,10 +322,9 @@ private:
     int jobs_;
     const AdvisorTell& tell_;
     double begin_;
-    std::vector<RingingRate> rates_;
-    LinearMotion motion_;
-    double motionSeconds_ = 0.0; // that it took
+    SceneMotion scene_;
     std::vector<Rung> rests_, parts_; // of the ladder
+    std::atomic<double> most_ = 0.0; // seconds, that a model in time may take
     PilotRun full_;
     AdvisorResult result_;
 };

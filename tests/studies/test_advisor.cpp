@@ -27,10 +27,10 @@ private slots:
     void saysWhatIsWrong();
     void itsTemplateIsValid();
     void theLadderHasWhatTheSceneHas();
+    void aSumLeavesOutWhatCanBeLeftOut();
     void aBoundIsNotWrittenAsAMeasurement();
     void saysThatTheStepErrorWidens();
     void saysWhatWasMissed();
-    void aRoughDiskIsRunToTheEnd();
     void whatIsKnownIsTold();
     void whatIsKnownWithoutTheFullModelIsTold();
     void aBudgetEndsIt();
@@ -263,6 +263,24 @@ void TestAdvisor::theLadderHasWhatTheSceneHas()
     QVERIFY(has(ladder, "film, no contact") && has(ladder, "film, no menisci") && has(ladder, "film, roll held") && has(ladder, "rest in contact"));
 }
 
+void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
+{
+    AdvisorTask task;
+    task.start = overWaves();
+    task.start.contact = ContactKind::OnoYamane;
+    const LadderPart flat{"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"};
+    const LadderPart grid{"17 x 17 grid lines", "grid lines", {{"film.nodes", "17, 17"}}, "grid"};
+    const LadderPart noContact{"no contact", "contact", {{"contact", "none"}}, "contact"};
+    const LadderPart noMenisci{"no menisci", "menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"};
+    const std::optional<Rung> sum = sumOf(task, {flat, grid, noContact, noMenisci});
+    QVERIFY(sum && sum->parts.size() == 3); // without contact there are no menisci
+    QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == ContactKind::None && sum->c.film.nodes[0] == 17);
+    QVERIFY(!sumOf(task, {noContact, noMenisci}));
+    QCOMPARE(sumOf(task, {grid, flat})->name, sumOf(task, {flat, grid})->name);
+    task.models = {"parts"};
+    QVERIFY(!sumOf(task, {flat, grid}));
+}
+
 // Twice run.step_error, 0.01 nm, is the least that is claimed.
 void TestAdvisor::aBoundIsNotWrittenAsAMeasurement()
 {
@@ -317,21 +335,6 @@ void TestAdvisor::saysWhatWasMissed()
              report.findings.at(2).c_str());
     QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) { return text.ends_with("; NOT as foretold."); }));
     QCOMPARE(report.warnings.size(), 2u);
-}
-
-void TestAdvisor::aRoughDiskIsRunToTheEnd()
-{
-    Case c = taperFlat();
-    c.run.duration = 0.05e-3;
-    c.diskSurface.kind = DiskSurfaceKind::Rough;
-    c.diskSurface.rms = 0.01e-9;
-    c.diskSurface.correlationLength = 40e-6;
-    c.diskSurface.cell = 10e-6;
-    c.diskSurface.track = 640e-6;
-    c.diskSurface.trackWidth = 1280e-6;
-    const StudyReport report = perform(c, "models = [\"static\"]");
-    QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
-    QVERIFY2(report.findings.at(1).find("over the whole run") != std::string::npos, report.findings.at(1).c_str());
 }
 
 // Stopped when the full model is known, and the static state with it: its parts are missing.
