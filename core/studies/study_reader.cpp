@@ -290,7 +290,8 @@ std::optional<double> StudyReader::inRange(const std::string& key, const TomlVal
     }
     const double read = std::get<double>(number);
     if (read >= minimum && read <= maximum) return read;
-    add(key, "must be " + rangeText(minimum, maximum, displayUnit));
+    const bool bare = !unit.empty() && !std::holds_alternative<std::string>(value);
+    add(key, "must be " + rangeText(minimum, maximum, displayUnit) + (bare ? "; a number without its unit is in " + unit : ""));
     return {};
 }
 

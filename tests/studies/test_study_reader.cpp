@@ -127,6 +127,8 @@ private slots:
         QTest::addColumn<QString>("written");
         QTest::addColumn<QString>("says");
         QTest::newRow("below the range") << "length = \"0.5 nm\"" << "a.toml:1: length: must be from 1 nm to 9 nm\n";
+        QTest::newRow("without its unit") << "length = 5"
+                                          << "a.toml:1: length: must be from 1 nm to 9 nm; a number without its unit is in m\n";
         QTest::newRow("another unit") << "length = \"1 s\"" << "a.toml:1: length: ";
         QTest::newRow("no number") << "length = true" << "a.toml:1: length: has the wrong type; a number or \"1 nm\" is needed\n";
         QTest::newRow("not finite") << "length = inf" << "a.toml:1: length: is not a finite number\n";
