@@ -3,16 +3,14 @@
 // How far a run is: state, simulated time, rate, time left.
 #pragma once
 
-#include "ui/run_controller.h"
-
 #include <QElapsedTimer>
-#include <QLabel>
-#include <QProgressBar>
-#include <QWidget>
+
+#include "ui/progress_strip.h"
+#include "ui/run_controller.h"
 
 namespace touchdown {
 
-class RunProgress : public QWidget {
+class RunProgress : public ProgressStrip {
     Q_OBJECT
 
 public:
@@ -22,15 +20,11 @@ public:
     void setState(RunController::State state);
     void advance(double time, double duration);
     void end(const Summary& summary);
-    QString text() const { return text_->text(); }
 
 private:
     QString stateText(RunController::State state) const;
     void updateText();
 
-    QLabel* state_;
-    QProgressBar* bar_;
-    QLabel* text_;
     QElapsedTimer clock_;
     double time_ = 0.0;     // [s]
     double duration_ = 0.0; // [s]

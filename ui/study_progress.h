@@ -4,15 +4,13 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QLabel>
-#include <QProgressBar>
-#include <QWidget>
 
+#include "ui/progress_strip.h"
 #include "ui/study_controller.h"
 
 namespace touchdown {
 
-class StudyProgressLine : public QWidget {
+class StudyProgressLine : public ProgressStrip {
     Q_OBJECT
 
 public:
@@ -21,14 +19,9 @@ public:
     void setState(StudyController::State state);
     void advance(double share, const QString& doing);
     void end(const StudyReport& report);
-    QString text() const { return text_->text(); }
 
 private:
-    QLabel* state_;
-    QProgressBar* bar_;
-    QLabel* text_;
     QElapsedTimer clock_;
-    double share_ = 0.0;
 };
 
 /// "40 s left", "3 min left"; empty while too little is done to tell.
