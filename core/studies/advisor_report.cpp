@@ -249,7 +249,7 @@ StudyTable tableOf(const AdvisorResult& result)
     const auto row = [&](const RungOutcome& rung, const std::string& verdict) {
         std::vector<StudyValue>& cells = table.rows.emplace_back();
         if (!rung.answers()) {
-            cells = {rung.rung.name, verdict, {}, {}, {}, known(rung.seconds), {}, rung.rung.leavesOut};
+            cells = {rung.rung.name, verdict, {}, {}, {}, rung.givenUp ? StudyValue() : known(rung.seconds), {}, rung.rung.leavesOut};
             cells.resize(table.columns.size() - 1);
             cells.emplace_back(rung.problem);
             return;
