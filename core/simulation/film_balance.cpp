@@ -31,10 +31,17 @@ Case overFlatDisk(Case c)
 
 } // namespace
 
-FilmBalance::FilmBalance(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn)
-    : case_(overFlatDisk(c)), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_), body_(case_, rest),
-      load_(sliderLoad(case_)), level_(std::make_unique<FilmLevel>(case_, FilmGaps(recess_, grid, goOn), spacing_)),
-      contact_(case_, spacing_), law_(case_.onoYamane)
+std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn)
+{
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    FilmGaps gaps(recess, grid, goOn);
+    if (!goOn()) return nullptr;
+    return std::unique_ptr<FilmBalance>(new FilmBalance(c, recess, std::move(gaps), rest));
+}
+
+FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest)
+    : case_(overFlatDisk(c)), spacing_(c.surface, recess), body_(case_, rest), load_(sliderLoad(case_)),
+      level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)), contact_(case_, spacing_), law_(case_.onoYamane)
 {
 }
 

@@ -25,8 +25,8 @@ class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. `goOn` may end the making: then the parts are of no use.
-    FilmBalance(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn);
+    /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. Null where `goOn` ends the making.
+    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
 
     /// Takes another's pressure on the same grid for the start of the next solution.
@@ -67,10 +67,10 @@ public:
     const Vector3& place() const { return q_; }
 
 private:
+    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
     Vector3 contactForce(ContactRegion region);
 
     Case case_;
-    Recess recess_;
     MinimumSpacing spacing_;
     SliderBody body_;
     SliderLoad load_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace touchdown {
@@ -147,8 +148,9 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
         result.problem = "there is no static state of the film: " + rest.message;
         return result;
     }
-    FilmBalance balance(c, rest.grid, rest.attitude, goOn);
-    if (!goOn()) return result.stopped = true, result;
+    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.attitude, goOn);
+    if (!made) return result.stopped = true, result;
+    FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
     result.resolved = resolvedFrequency(balance);
     const auto add = [&](ContactRegion region) {

@@ -107,8 +107,8 @@ std::unique_ptr<FilmBalance> FilmPath::balanceAt(double p)
 {
     const std::optional<Case> c = caseAt_(parameter(p));
     if (!c) return nullptr;
-    auto balance = std::make_unique<FilmBalance>(*c, grid_, restAt(p), goOn_);
-    if (!goOn_()) return nullptr;
+    std::unique_ptr<FilmBalance> balance = FilmBalance::make(*c, grid_, restAt(p), goOn_);
+    if (!balance) return nullptr;
     if (last_) {
         balance->startFrom(*last_);
         return balance;

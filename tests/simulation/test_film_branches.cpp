@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include <QTest>
@@ -50,7 +51,8 @@ std::optional<double> spacingUnder(double force, double spacing, const SteadyRes
     Case c = withMenisci(spacing, TakeOffShape::Constant);
     c.onoYamane.meniscusForce = force;
     c.onoYamane.takeOff = spacing + 1e-9;
-    FilmBalance balance(c, rest.grid, rest.attitude, always);
+    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.attitude, always);
+    FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
     const TouchingPlaces places = touchingPlaces(balance, rest.attitude, {}, always);
     for (const TouchingPlace& place : places.found)
