@@ -72,16 +72,16 @@ private:
         for (std::size_t k = 0, told = 0; k < ends_.classes.size(); ++k) {
             const Share share = shareIn(0, k);
             if (share.count == 0 || told++ >= mostEndsTold) continue;
-            text += (text.empty() ? "" : "; ") + ends_.classes[k].name + " " + shareText(share);
+            text += (text.empty() ? "" : "; ") + ends_.classes[k].name + ", " + shareText(share);
         }
-        report.findings.push_back("Of " + account_.what + ", by " + nameOf(all_[0]) + ": " + text + ". In brackets: 95 % intervals.");
+        report.findings.push_back("Of " + account_.what + " the reference, " + all_[0].setting + ", leads to: " + text + ". In brackets: 95 % intervals.");
     }
 
     void tellOne(std::size_t e, StudyReport& report) const
     {
         const std::size_t changed = otherwise(ends_.of[e], ends_.of[0]);
         std::string text = nameOf(all_[e]) + " leads " + std::to_string(changed) + " of " + std::to_string(starts()) +
-                           " starts to another end than " + nameOf(all_[0]);
+                           " starts to another end than the reference";
         std::string differences;
         for (std::size_t k = 0; k < ends_.classes.size(); ++k) {
             const ShareDifference difference = differenceIn(e, k);
@@ -109,7 +109,7 @@ private:
     {
         ChartPanel panel{{"Share: " + ends_.classes[end].name, "", "", false}, {account_.workTitle + " per run", "", "", true}, {}, {}, {}, false};
         for (std::size_t e = 0; e < all_.size(); ++e) {
-            const std::string name = e == 0 ? "reference: " + nameOf(all_[0]) : all_[e].method;
+            const std::string name = e == 0 ? "reference: " + all_[0].setting : all_[e].method;
             auto series = std::ranges::find(panel.series, name, &ChartSeries::name);
             if (series == panel.series.end()) series = panel.series.insert(series, {name, {}, ChartLine::None, true, false});
             const Share share = shareIn(e, end);

@@ -66,7 +66,7 @@ private:
         const std::size_t all = ensembles_.size() * static_cast<std::size_t>(task_.ensemble.starts);
         const auto poll = [&](std::size_t done) {
             const Ensemble& now = ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
-            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all), "ensemble: " + nameOf(now.method, now.setting));
+            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all), "ensemble: " + now.method + ", " + now.setting);
         };
         return runEnsembles(ensembles_, task_.ensemble, jobs_, poll);
     }
