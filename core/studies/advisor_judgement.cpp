@@ -57,7 +57,7 @@ RungErrors errorsOf(const TailEstimate& rung, const TailEstimate& full, const Ad
     errors.resolution = allowanceOf(full, task).step;
     errors.sameEnd = rung.kind == full.kind;
     errors.endKnown = full.sameKind;
-    if (full.spread > task.tolerance * std::abs(full.mean) && full.peakFrequency > 0.0)
+    if (full.spread > std::max(task.tolerance * std::abs(full.mean), errors.resolution) && full.peakFrequency > 0.0)
         errors.samePeak = std::abs(rung.peakFrequency - full.peakFrequency) <=
                           std::max({rung.resolution, full.resolution, task.spreadTolerance * full.peakFrequency});
     errors.meanUncertainty = full.meanUncertainty;

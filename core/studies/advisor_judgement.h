@@ -5,7 +5,8 @@
 // Errors: of the mean spacing over the last tenth, of its standard deviation there. Allowed are tolerance times the mean or,
 // where a bounce has more, the spread; and spread_tolerance times the spread or, where that is more, times tolerance times the mean; of both
 // at least twice what one step of the full model may displace the slider by. Besides, a model must end in the same state (flying, in
-// contact, in and out of it) and, where the spread is more than tolerance times the mean, have its largest peak at the same frequency.
+// contact, in and out of it) and, where the spread is more than tolerance times the mean and than that, have its largest peak at the same
+// frequency.
 //
 // An error e that is known to u lies between e - u and e + u. With u <= e/2 that is a factor of two, and e is claimed; else nothing but that it
 // is below e + u.

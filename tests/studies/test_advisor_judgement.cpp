@@ -19,6 +19,8 @@ private slots:
     void aVerdict();
     void aForetoldEndIsAsUncertainAsItWasForetold();
     void theStepErrorWidensWhatIsAllowed();
+    void aSwingThatStepsMayMakeHasNoPeak_data();
+    void aSwingThatStepsMayMakeHasNoPeak();
 };
 
 namespace {
@@ -142,6 +144,24 @@ void TestAdvisorJudgement::theStepErrorWidensWhatIsAllowed()
     QCOMPARE(coarse.spread, 1e-9);
     QCOMPARE(coarse.wantedMean, 0.1e-9);
     QVERIFY(coarse.widened());
+}
+
+// The full model swings by 0.5 nm about 10 nm at 300 kHz, of which the static state knows nothing.
+void TestAdvisorJudgement::aSwingThatStepsMayMakeHasNoPeak_data()
+{
+    QTest::addColumn<double>("stepError");
+    QTest::addColumn<bool>("same");
+    QTest::newRow("fine steps") << 5e-12 << false;
+    QTest::newRow("steps that may displace it by as much") << 0.3e-9 << true;
+}
+
+void TestAdvisorJudgement::aSwingThatStepsMayMakeHasNoPeak()
+{
+    QFETCH(double, stepError);
+    QFETCH(bool, same);
+    const TailEstimate full{.kind = EndKind::Flying, .mean = 10e-9, .spread = 0.5e-9, .peakFrequency = 300e3, .resolution = 10e3};
+    const TailEstimate still{.kind = EndKind::Flying, .mean = 10e-9};
+    QCOMPARE(errorsOf(still, full, adaptive(stepError)).samePeak, same);
 }
 
 QTEST_GUILESS_MAIN(TestAdvisorJudgement)
