@@ -4,9 +4,11 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "core/physics/film_oscillation.h"
 
@@ -76,11 +78,11 @@ public:
     {
         for (Complex s : near.rates)
             if (goOn_() && !complete() && follow(s)) known_.push_back(s);
-        // Trials: the oscillations that there would be if the film answered as at these rates. What was lost nearby is not sought all over.
+        // Trials: the oscillations that there would be if the film answered as at these rates. What was lost nearby is sought at one alone.
         constexpr std::array<double, 3> frequencies{1e5, 3e5, 1e6}; // [Hz]
         const bool asBefore = !near.rates.empty() && known_.size() == near.rates.size();
-        for (const double frequency : frequencies) {
-            if (asBefore || !goOn_() || complete()) break;
+        for (const double frequency : std::span(frequencies).first(asBefore ? 1 : frequencies.size())) {
+            if (!goOn_() || complete()) break;
             for (Complex s : unknownOf(trials({0.0, 2.0 * std::numbers::pi * frequency})))
                 if (goOn_() && !complete() && follow(s)) known_.push_back(s);
         }

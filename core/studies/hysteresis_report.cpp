@@ -114,7 +114,8 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
     chart.caption = "Points: mean over the last tenth of " + fewDigitsOfTime(task.hold, 3) +
                     " at each value; bars: the range there.";
     if (!result.lines.empty())
-        chart.caption += " Lines: equilibria. An equilibrium ends where the contact law or a spring switches with a jump of its force.";
+        chart.caption += std::string(" Lines: equilibria") +
+                         (task.start.model == ModelKind::Film ? ", all on one grid" : "") + ". An equilibrium ends where the contact law or a spring switches with a jump of its force.";
     return chart;
 }
 
