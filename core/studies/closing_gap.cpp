@@ -86,9 +86,9 @@ double jumpOfQ(const Case& c, double pressure)
 
 } // namespace
 
-void addClosingGap(const Case& c, LinearPicture& picture)
+bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
 {
-    if (c.disk.speed * c.disk.radius == 0.0) return;
+    if (c.disk.speed * c.disk.radius == 0.0) return true;
     const double ambient = airOf(c.air).pressure;
     StudyChart chart;
     chart.title = "Pressure in a gap that closes, by slip model";
@@ -101,6 +101,7 @@ void addClosingGap(const Case& c, LinearPicture& picture)
                                      {"at_0_01_nm", "Pa", "kPa", "Pressure at 0.01 nm"}, {"growth", "", "", "From 0.1 nm to 0.01 nm"}}, {}};
     constexpr double bounded = 1.5; // growth over a decade of gap
     for (std::size_t k = 0; k < slipModelNames().size(); ++k) {
+        if (goOn && !goOn()) return false;
         const SlipModel model = static_cast<SlipModel>(k);
         const std::string slip(slipModelNames()[k]);
         const std::vector<WedgePoint> points = pressuresInWedge(c, model);
@@ -126,6 +127,7 @@ void addClosingGap(const Case& c, LinearPicture& picture)
                                    " at thirty times that, and loads with it: air.blend_width blends it.");
     picture.charts.push_back(std::move(chart));
     picture.tables.push_back(std::move(table));
+    return true;
 }
 
 } // namespace touchdown

@@ -15,7 +15,7 @@
 
 namespace touchdown {
 
-/// Adds a chart, the table "closing_gap" and sentences for a case of model "film".
-void addClosingGap(const Case& c, LinearPicture& picture);
+/// Adds a chart, the table "closing_gap" and sentences for a case of model "film". False where `goOn`, asked for each slip model, said so.
+bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

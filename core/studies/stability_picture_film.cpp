@@ -135,8 +135,7 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     picture.findings.push_back("Explicit steps of the air would be stable up to " + fewDigitsOfTime(air) + " on this grid; those of runs are implicit.");
     picture.tables = {std::move(limits), eigenvalueTable(motions)};
     if (!goOn()) return false;
-    addClosingGap(c, picture);
-    return true;
+    return addClosingGap(c, picture, goOn);
 }
 
 } // namespace touchdown
