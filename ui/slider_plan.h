@@ -90,6 +90,10 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    static constexpr double gap = 6.0;          // between things that belong together [px]
+    static constexpr double tickLength = 4.0;   // [px]
+    static constexpr double arrowLength = 38.0; // [px]
+
     void setArea(const QRectF& area, bool slider);
     PlotAxis axis(const QString& name, double low, double high) const;
     void applyFit();
