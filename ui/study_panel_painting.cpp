@@ -44,6 +44,14 @@ void paintHaloed(QPainter& painter, const QRectF& box, const QString& text, cons
     painter.drawText(box.adjusted(0.0, 0.0, 2.0, 0.0), Qt::AlignLeft | Qt::AlignTop, text);
 }
 
+/// The name gives way before the unit does.
+QString shortened(const QString& label, const QFontMetricsF& metrics, double width)
+{
+    const qsizetype unit = label.lastIndexOf(QStringLiteral(" ["));
+    const QString tail = unit < 0 ? QString() : label.mid(unit);
+    return metrics.elidedText(label.left(label.size() - tail.size()), Qt::ElideRight, width - metrics.horizontalAdvance(tail)) + tail;
+}
+
 } // namespace
 
 void StudyPanel::paint(QPainter& painter) const
@@ -266,12 +274,12 @@ void StudyPanel::paintAxes(QPainter& painter) const
     painter.setPen(theme_.text);
     const QFontMetricsF text(textFont_);
     painter.drawText(QRectF(area_.left(), box_.bottom() - text.height(), area_.width(), text.height()), Qt::AlignCenter,
-                     text.elidedText(axes_.x.text(), Qt::ElideRight, area_.width()));
+                     shortened(axes_.x.text(), text, area_.width()));
     painter.save();
     painter.translate(box_.left(), area_.bottom());
     painter.rotate(-90.0);
     painter.drawText(QRectF(0.0, 0.0, area_.height(), text.height()), Qt::AlignCenter,
-                     text.elidedText(axes_.y.text(), Qt::ElideRight, area_.height()));
+                     shortened(axes_.y.text(), text, area_.height()));
     painter.restore();
 }
 
