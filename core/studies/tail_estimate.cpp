@@ -203,10 +203,15 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     }
     for (const double share : seenShares) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
-        const Window seen{std::max(share * reached, reached - tailShare * duration), reached};
-        const auto first = static_cast<std::size_t>(std::ceil(seen.from / samples.interval - 1e-6));
-        const double further = (last.middle() - reached) / (seen.middle() - share * reached);
-        deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first)), std::max(1.0, further));
+        const double known = share * reached, length = std::min(tailShare * duration, reached - known);
+        const double further = (last.middle() - reached) / (reached - 0.5 * length - known);
+        // Every stretch of the tail's length: one of a slow wave may be met by chance.
+        for (double to = reached; to - length >= known * (1.0 - 1e-9); to -= length) {
+            const Window seen{to - length, to};
+            const auto first = static_cast<std::size_t>(std::ceil(seen.from / samples.interval - 1e-6)),
+                       end = std::min(count, static_cast<std::size_t>(seen.to / samples.interval * (1.0 + 1e-9)) + 1);
+            deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first, end - first)), std::max(1.0, further));
+        }
     }
     return estimate;
 }

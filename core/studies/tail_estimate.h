@@ -12,11 +12,11 @@
 // limit of its own as the variance does, where it creeps by more than a motion in it can make a block's mean differ.
 //
 // None of this knows what it leaves out: motion that is not small, a rough disk, a rate that changes. So a forecast is believed as far as
-// the same forecast, made earlier, has come true: from 0.65 and from half of the part the last of it, of the tail's length, is foretold
-// and compared with what was seen there. What that missed is taken to grow in proportion to the time between what was known and what is
-// foretold, as an unknown drift does. By how much the outcome moves when the last tenth, or fifth, of the part is left out is another
-// measure; the largest of all is the uncertainty. Where there are too few samples for that, nothing is known. The kind is that of the
-// part's last quarter; of a slider that goes in and out of contact it is not known how long it will.
+// the same forecast, made earlier, has come true: from 0.65 and from half of the part the rest of it is foretold, in stretches of the
+// tail's length, and compared with what was seen there. What that missed at most is taken to grow in proportion to the time between
+// what was known and what is foretold, as an unknown drift does. By how much the outcome moves when the last tenth, or fifth, of the part
+// is left out is another measure; the largest of all is the uncertainty. Where there are too few samples for that, nothing is known. The
+// kind is that of the part's last quarter; of a slider that goes in and out of contact it is not known how long it will.
 #pragma once
 
 #include <vector>
