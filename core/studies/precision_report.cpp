@@ -172,7 +172,7 @@ void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyRe
 {
     const ProvenReference& reference = runs.reference;
     const std::string distance = fewDigits(reference.apart, task.quantity.displayUnit);
-    std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other + " confirms to " + distance + ".";
+    std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other + " confirms to " + distance + "; smaller errors count as that.";
     if (reference.horizon) {
         text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " + fewDigits(task.agreement, task.quantity.displayUnit) +
                " at " + fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance + " later. Errors are those of the time before. ";

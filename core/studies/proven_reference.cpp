@@ -75,7 +75,7 @@ std::vector<ReferenceCase> gridReferences(const Case& given, int nodes, std::opt
     std::vector<ReferenceCase> families;
     for (const GridKind grid : {GridKind::Adapted, GridKind::Graded}) {
         c.film.grid = grid;
-        families.push_back(filmReference(c, toText(c, *findField("film.grid")) + " grid of " + std::to_string(nodes) + " nodes", stepError));
+        families.push_back(filmReference(c, (grid == GridKind::Adapted ? "an " : "a ") + toText(c, *findField("film.grid")) + " grid of " + std::to_string(nodes) + " nodes", stepError));
     }
     return families;
 }

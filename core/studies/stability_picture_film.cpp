@@ -31,8 +31,8 @@ struct CoupledMethod {
 std::vector<CoupledMethod> coupledMethods(const Case& c)
 {
     const bool staggered = c.film.coupling == FilmCoupling::Staggered;
-    return {{"monolithic, Fox & Goodwin", "film and slider at once, by Fox and Goodwin's rule", {.beta = 1.0 / 12}, !staggered},
-            {"monolithic, trapezoidal", "film and slider at once, by the trapezoidal rule, which runs take where the other one is near its limit", {.beta = 0.25}, false},
+    return {{"monolithic, Fox & Goodwin", "film and slider at once (Fox and Goodwin's rule)", {.beta = 1.0 / 12}, !staggered},
+            {"monolithic, trapezoidal", "film and slider at once (the trapezoidal rule, which runs take near the limit of the other one)", {.beta = 0.25}, false},
             {"staggered, iterated", "film and slider in turns until they agree", {.coupling = CouplingKind::Iterated}, staggered},
             {"in turns, twice", "film and slider twice in turns", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
             {"one-way", "film and slider once in turns", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
