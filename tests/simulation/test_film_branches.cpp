@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -118,57 +117,6 @@ private slots:
         QCOMPARE(mark->kind, EquilibriumMark::Switch);
         QVERIFY(std::abs(mark->at.parameter - held) < 2.0 * FilmBranches::locatedTo * (from - to));
         QVERIFY(std::abs(mark->at.at.spacing - held) < 1e-12);
-    }
-
-    /// Menisci whose force falls linearly to zero at d_e, below the static spacing: F = f_m (d_e - d)/(d_e - d_s) at spacing d. Where the
-    /// film bears F at d(F), f_m = F (d_e - d_s)/(d_e - d(F)); it has a least value, below which there is no equilibrium, and two above.
-    void findsTheFoldOfMenisci()
-    {
-        const SteadyResult rest = staticStateOf(smallCase(), always);
-        const double spacing = rest.minimumSpacing, width = 5e-9, takeOff = spacing - 1e-9;
-        const auto needed = [&](double force) {
-            const double pulled = takeOff - spacingUnder(force, spacing, rest).value_or(takeOff);
-            return pulled > 0.0 ? force * width / pulled : std::numeric_limits<double>::infinity();
-        };
-        // Golden section on the force, from three of which the middle one needs least.
-        double middle = 1e-4;
-        while (!std::isfinite(needed(middle))) middle *= 1.5;
-        while (needed(1.5 * middle) < needed(middle)) middle *= 1.5;
-        double low = middle / 1.5, high = 1.5 * middle;
-        constexpr double golden = 0.6180339887498949;
-        double a = high - golden * (high - low), b = low + golden * (high - low), fa = needed(a), fb = needed(b);
-        for (int k = 0; k < 14; ++k) {
-            if (fa < fb) {
-                high = b;
-                b = a;
-                fb = fa;
-                a = high - golden * (high - low);
-                fa = needed(a);
-            } else {
-                low = a;
-                a = b;
-                fa = fb;
-                b = low + golden * (high - low);
-                fb = needed(b);
-            }
-        }
-        const double least = std::min(fa, fb);
-        const auto caseAt = [&](double meniscusForce) {
-            Case c = withMenisci(spacing, TakeOffShape::Linear);
-            c.onoYamane.meniscusForce = meniscusForce;
-            return c;
-        };
-        const FilmBranches all = traceFilmBranches(caseAt, 0.9 * least, 1.4 * least, 3);
-        const MarkedFilmEquilibrium* fold = markOf(all, EquilibriumMark::Fold);
-        QVERIFY(fold != nullptr);
-        // Both are stationary: errors of 1e-3 and 1e-4 count by their squares.
-        QVERIFY2(std::abs(fold->at.parameter - least) < 1e-5 * least, qPrintable(QString::number(fold->at.parameter / least - 1.0)));
-        const auto branch = std::ranges::find(all.branches, ContactRegion::Bridged, &FilmBranch::region);
-        QVERIFY(branch != all.branches.end());
-        // One side grows without oscillating, the other does not.
-        const bool first = branch->points.front().at.stability == Stability::Divergence;
-        const bool last = branch->points.back().at.stability == Stability::Divergence;
-        QVERIFY(first != last);
     }
 
     void stopsWhenAsked()
