@@ -88,8 +88,8 @@ std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, cons
     const ProvenReference& reference = runs.reference;
     std::string caption = "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
                           " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
-                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there a setting's error counts as no smaller than those of "
-                          "finer settings of its method, as it is luck where it is.";
+                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there the largest error of a setting and of all "
+                          "finer ones of its method counts, as a smaller one is luck.";
     if (scale.uncertainty > 0.0)
         caption += " Shaded at the left: the reference and the run that proves it differ by " + fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
                    "; smaller errors cannot be told apart.";
