@@ -194,10 +194,7 @@ public:
         const auto last = std::ranges::find_if(result_.steps.rbegin(), result_.steps.rend(), ended);
         const bool flies = last->end.kind == EndKind::Flying;
         const std::string ways = "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()) + " and back";
-        if (transitions.empty())
-            say(flies ? "The slider flies at every value " + ways + ": no touch-down was seen"
-                      : "The slider is in contact at every value " + ways + ", which it came into from its start at the first one; "
-                        "no take-off was seen");
+        if (transitions.empty()) say(seenThroughout(flies) + " at every value " + ways + throughout(flies));
         else if (transitions.size() == 1)
             say(std::string("From there on the slider ") + (flies ? "flies" : "stays in contact") + ": on the way back, to " +
                 text_.of(task_.values.front()) + ", " + (flies ? "it does not touch down again" : "it does not take off again"));
@@ -268,6 +265,21 @@ public:
 
 private:
     void say(const std::string& sentence) { findings_.push_back(sentence + "."); }
+
+    /// Of runs that all end flying, or all touching.
+    std::string seenThroughout(bool flying) const
+    {
+        const auto all = [&](EndKind kind) {
+            return std::ranges::none_of(result_.steps, [&](const HeldStep& step) { return ended(step) && step.end.kind != kind; });
+        };
+        if (flying) return "The slider flies";
+        return all(EndKind::Intermittent) ? "The slider goes in and out of contact"
+                                          : all(EndKind::Contact) ? "The slider is in contact" : "The slider touches the disk, some of the time or all of it,";
+    }
+    static std::string throughout(bool flying)
+    {
+        return flying ? ": no touch-down was seen" : ", which it came to from its start at the first one; no take-off was seen";
+    }
 
     /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider swinging.
     std::string equilibriumEnd(const Transition& each) const

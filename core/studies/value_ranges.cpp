@@ -76,7 +76,10 @@ std::vector<ValueRange> coexistence(const std::vector<EquilibriumLine>& lines)
     std::vector<ValueRange> ranges;
     for (std::size_t i = 1; i < ends.size(); ++i)
         if (std::ranges::count_if(equilibriaAt(lines, std::midpoint(ends[i - 1], ends[i])), rests) > 1) ranges.push_back({ends[i - 1], ends[i]});
-    return merged(std::move(ranges));
+    ranges = merged(std::move(ranges));
+    // Where one line ends and the next begins they may overlap by rounding.
+    std::erase_if(ranges, [&](const ValueRange& range) { return range.upper - range.lower <= meeting * (ends.back() - ends.front()); });
+    return ranges;
 }
 
 std::string text(const std::vector<ValueRange>& ranges, const ParameterText& parameter)

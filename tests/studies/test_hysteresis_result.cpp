@@ -275,7 +275,9 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         for (HeldStep& each : result.steps) each.end = {EndKind::Contact, 3e-9, 0.0};
-        QVERIFY(says(hysteresisFindings(task(), result), "in contact at every value from 0 mN to 3 mN and back, which it came into from its start"));
+        QVERIFY(says(hysteresisFindings(task(), result), "in contact at every value from 0 mN to 3 mN and back, which it came to from its start"));
+        for (HeldStep& each : result.steps) each.end = {EndKind::Intermittent, 3e-9, 0.5e-9};
+        QVERIFY(says(hysteresisFindings(task(), result), "goes in and out of contact at every value from 0 mN to 3 mN and back"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Flying, 7e-9, 0.0};
         QVERIFY(says(hysteresisFindings(task(), result), "flies at every value from 0 mN to 3 mN and back: no touch-down was seen"));
     }
