@@ -63,7 +63,7 @@ private:
         std::vector<Rung> fast;
         for (Rung& rung : ladderOf(task_, rest.attitude.roll))
             (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
-        return runRungs(fast, 0.05, 0.15);
+        return runRungs(fast, 0.05, 0.15) || leaveTheRest();
     }
 
     bool climb()
