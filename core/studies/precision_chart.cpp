@@ -45,11 +45,8 @@ ChartAxis errorAxis(const PrecisionTask& task)
     std::string what = task.quantity.longName;
     if (!what.empty() && (what.size() < 2 || !std::isupper(static_cast<unsigned char>(what[1]))))
         what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
-    ChartAxis axis{std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + what), task.quantity.unit,
-                   task.quantity.displayUnit, true};
-    if (task.measure == ErrorMeasure::PeakFrequency) axis.unit = "Hz", axis.displayUnit = "kHz";
-    if (task.measure == ErrorMeasure::PeakAmplitude) axis.unit = "m", axis.displayUnit = "nm";
-    return axis;
+    const ErrorUnit unit = unitOf(task, task.measure);
+    return {std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + what), unit.si, unit.displayed, true};
 }
 
 ChartAxis workAxis(const PrecisionTask& task)

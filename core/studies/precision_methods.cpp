@@ -105,7 +105,8 @@ std::vector<ReferenceCase> defaultReferences(const Case& c, bool inTime, const s
 {
     if (c.model == ModelKind::Springs) return springReferences(c, referenceStep(c, methods));
     if (c.model != ModelKind::Film) return {};
-    const int nodes = std::min(2049, (nodesOfFinest(methods) - 1) * 3 / 2 / 16 * 16 + 1);
+    const int cells = nodesOfFinest(methods) - 1;
+    const int nodes = std::min(2049, std::max(cells / 16 + 1, cells * 3 / 2 / 16) * 16 + 1);
     if (!inTime) return gridReferences(c, nodes, {});
     return gridReferences(c, nodes, 0.25 * leastOf(methods, c.run.stepError, [](const Case& each) { return each.run.stepError; }));
 }

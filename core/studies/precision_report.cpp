@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t mostTold = 5; // in a sentence
 
-std::string unitOf(const PrecisionTask& task)
-{
-    if (task.measure == ErrorMeasure::PeakFrequency) return "kHz";
-    return task.measure == ErrorMeasure::PeakAmplitude ? "nm" : task.quantity.displayUnit;
-}
-
 double timeOf(const PrecisionPoint& point) { return point.fastest(); }
 
 std::string endText(const PrecisionPoint& point)
@@ -48,14 +42,12 @@ constexpr std::array measures{ErrorMeasure::Final,     ErrorMeasure::L2,        
 StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
     StudyTable table{"runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}, {}};
-    const Quantity& q = task.quantity;
     const std::size_t shown = task.inTime ? measures.size() : 1;
     for (std::size_t i = 0; i < shown; ++i) {
-        StudyColumn column{"error_" + std::string(name(measures[i])), q.unit, q.displayUnit, std::string(title(measures[i]))};
+        const ErrorUnit unit = unitOf(task, measures[i]);
+        StudyColumn column{"error_" + std::string(name(measures[i])), unit.si, unit.displayed, std::string(title(measures[i]))};
         std::ranges::replace(column.name, '-', '_');
         column.secondary = task.inTime && measures[i] != task.measure;
-        if (measures[i] == ErrorMeasure::PeakFrequency) column.unit = "Hz", column.displayUnit = "kHz";
-        if (measures[i] == ErrorMeasure::PeakAmplitude) column.unit = "m", column.displayUnit = "nm";
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
@@ -89,9 +81,10 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 
 StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
+    const ErrorUnit unit = unitOf(task, task.measure);
     StudyTable table{"front",
                      {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"},
-                      {"worth", task.measure == ErrorMeasure::PeakFrequency ? "Hz" : task.quantity.unit, unitOf(task), std::string(title(task.measure)) + ", no less than those of finer settings"},
+                      {"worth", unit.si, unit.displayed, std::string(title(task.measure)) + ", no less than those of finer settings"},
                       {"time", "s", "ms", "Time of the solver"}},
                      {}};
     for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
@@ -108,8 +101,9 @@ const PrecisionPoint* findPoint(const PrecisionTask& task, const PrecisionRuns& 
     return nullptr;
 }
 
-std::string timesAs(double ratio, const std::string& more, const std::string& less)
+std::string timesAs(double ratio, const std::string& more, const std::string& less, const std::string& same)
 {
+    if (fewDigits(ratio, "") == "1") return same;
     return ratio >= 1.0 ? fewDigits(ratio, "") + " times " + more : fewDigits(1.0 / ratio, "") + " times " + less;
 }
 
@@ -118,7 +112,7 @@ std::string errorText(const PrecisionTask& task, double error)
 {
     std::string what(title(task.measure));
     what.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(what.front())));
-    return what + " is " + fewDigits(error, unitOf(task));
+    return what + " is " + fewDigits(error, unitOf(task, task.measure).displayed);
 }
 
 std::string costOf(const PrecisionTask& task, const PrecisionPoint& point)
@@ -145,8 +139,8 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
     if (paper != nullptr && paper != chosen) {
         text += " The paper's method, " + costOf(task, *paper);
         if (const auto its = errorOf(task, *paper); its && error && *error > 0.0 && *its > 0.0)
-            text += " So the case's own setting is " + timesAs(paper->fastest() / chosen->fastest(), "faster", "slower") + " and " +
-                    timesAs(std::max(*its, uncertainty) / std::max(*error, uncertainty), "more accurate", "less accurate") + ".";
+            text += " So the case's own setting is " + timesAs(paper->fastest() / chosen->fastest(), "faster", "slower", "as fast") + " and " +
+                    timesAs(std::max(*its, uncertainty) / std::max(*error, uncertainty), "more accurate", "less accurate", "as accurate") + ".";
     }
     report.findings.push_back(text);
 }
@@ -161,7 +155,7 @@ void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport
     std::string text;
     for (std::size_t i = 0; i < told; ++i) {
         const PrecisionPoint* point = front[told == 1 ? 0 : i * (all - 1) / (told - 1)];
-        text += (i == 0 ? "" : "; ") + nameOf(task, *point) + ", " + fewDigits(*worthOf(task, runs, *point), unitOf(task)) + " in " + fewDigitsOfTime(point->fastest());
+        text += (i == 0 ? "" : "; ") + nameOf(task, *point) + ", " + fewDigits(*worthOf(task, runs, *point), unitOf(task, task.measure).displayed) + " in " + fewDigitsOfTime(point->fastest());
     }
     const bool own = std::ranges::any_of(front, [&](const PrecisionPoint* point) { return task.methods[point->method].settings[point->setting].chosen; });
     report.findings.push_back("Nothing is both faster and more accurate than " + (all == 1 ? std::string("this") : all == told ? std::string("these") : "these " + std::to_string(all) + ", of which " + std::to_string(told) + " are listed") +
@@ -180,6 +174,8 @@ void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyRe
         else text += "Nor is the end: " + std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end otherwise" : "the two end otherwise") +
                      ", and only the shares of an ensemble of starts have a meaning.";
     }
+    if (!reference.horizon && !reference.endKnown)
+        text += " How it ends is not determined: starts that hardly differ end otherwise, and only the shares of an ensemble of starts have a meaning.";
     report.findings.push_back(text);
     if (!reference.run.valid())
         report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message + ". Runs that fail in the same way agree with the reference.");
@@ -224,6 +220,13 @@ void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
 }
 
 } // namespace
+
+ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure)
+{
+    if (measure == ErrorMeasure::PeakFrequency) return {"Hz", "kHz"};
+    if (measure == ErrorMeasure::PeakAmplitude) return {"m", "nm"};
+    return {task.quantity.unit, task.quantity.displayUnit};
+}
 
 std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point)
 {

@@ -8,6 +8,11 @@
 
 namespace touchdown {
 
+struct ErrorUnit {
+    std::string si, displayed;
+};
+ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure);
+
 /// The error that the chart shows; none of a run that failed or was not made.
 std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point);
 

@@ -150,13 +150,16 @@ private:
     bool proveEnd()
     {
         ProvenReference& reference = runs_.reference;
-        if (!reference.endKnown || !reference.horizon || task_.start.model != ModelKind::Springs) return true;
+        // Of what is no length nobody has said when it parts.
+        const bool parts = reference.horizon || !std::isfinite(task_.agreement);
+        if (!reference.endKnown || !parts || task_.start.model != ModelKind::Springs) return true;
         const std::vector<Case> starts = nudgedStarts(task_.references[reference.which].c);
         std::vector<MeasuredRun> ends(starts.size());
         const Ended ended = runTasks(
             ends.size(), jobs_, budgetOfReferences * task_.budget, [&](std::size_t i, const GoOn& goOn) { ends[i] = measure(task_, starts[i], goOn); },
             [](std::size_t) { return std::string("starts that hardly differ"); });
-        touchdown::proveEnd(reference, ends, sameDistance_);
+        if (ended == Ended::Well) touchdown::proveEnd(reference, ends, sameDistance_);
+        runs_.referencesLate = runs_.referencesLate || ended == Ended::Late;
         return ended != Ended::Stopped;
     }
 

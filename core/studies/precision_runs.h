@@ -41,7 +41,7 @@ struct PrecisionRuns {
     std::vector<TrajectoryError> uncertainty; // what the reference does not know, as PrecisionPoint::errors
     std::vector<PrecisionPoint> points; // method by method
     bool late = false;                  // the budget was spent before
-    bool referencesLate = false;        // not all of the runs that may prove the reference ended in their share of the budget
+    bool referencesLate = false;        // not all of the runs that may prove the reference, or its end, ended in their share of the budget
 };
 
 /// Tells how far it is, 0 to 1, and what it does; false stops. `changed`: there is more to show than at the last call.

@@ -88,6 +88,7 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     const std::vector<std::string> tables = reader.tables("reference");
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
+        if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
         if (const std::string problem = applySettings(reference.c, readSettings(reader, table + ".set")); !problem.empty()) reader.add(table, problem);
         task.references.push_back(std::move(reference));
     }
@@ -135,7 +136,7 @@ PrecisionTask readPrecisionTask(StudyReader& reader)
     if (!task.inTime && task.start.model != ModelKind::Film) reader.add("of", "\"static\" is for cases of model \"film\"");
     if (task.start.model == ModelKind::Contact && (reader.tables("method").empty() || reader.tables("reference").empty()))
         reader.add("case", "is of model \"contact\", for which this study knows neither methods nor references: list them as [[method]] and [[reference]], or let "
-                           "\"touchdown convergence\" refine its cells");
+                           "\"touchdown study convergence\" refine its cells");
     else if (const std::string reason = task.inTime ? reasonNotToRun(task.start) : std::string(); !reason.empty())
         reader.add("case", reason);
     readQuantity(reader, task);

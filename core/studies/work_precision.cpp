@@ -31,7 +31,8 @@ public:
             return tell(runsShare * share, doing);
         });
         // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked for.
-        const bool undetermined = runs_.reference.horizon || (!runs_.reference.problem.empty() && !runs_.referencesLate);
+        const ProvenReference& reference = runs_.reference;
+        const bool undetermined = !runs_.referencesLate && (reference.horizon || !reference.problem.empty() || !reference.endKnown);
         const bool ensembles = task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
