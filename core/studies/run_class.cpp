@@ -61,16 +61,12 @@ int severity(RunClass kind)
 RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference& reference, const ClassRule& rule)
 {
     RunVerdict verdict;
-    if (!reference.problem.empty()) {
-        verdict.kind = RunClass::NotDetermined;
-        verdict.sentence = outcomeText(run) + "; " + knowledgeOf(reference);
-        return verdict;
-    }
-    verdict.apart = trajectoryError(run, reference.run, 0).at(ErrorMeasure::Worst).value_or(0.0);
+    const bool hasReference = reference.problem.empty();
+    const std::string truth = hasReference ? "; the reference " + outcomeText(reference.run) : "; " + knowledgeOf(reference);
+    if (hasReference) verdict.apart = trajectoryError(run, reference.run, 0).at(ErrorMeasure::Worst).value_or(0.0);
     verdict.imbalance = figure(run.summary, "energy_balance");
-    const std::string truth = "; the reference " + outcomeText(reference.run);
     if (!run.valid()) {
-        const bool alike = reference.endKnown && sameOutcome(run, reference.run);
+        const bool alike = hasReference && reference.endKnown && sameOutcome(run, reference.run);
         switch (run.summary.failure) {
         case RunFailure::Chattering: verdict.kind = RunClass::Chatter; break;
         case RunFailure::FrontSpringLost:
@@ -82,7 +78,7 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
         verdict.sentence = outcomeText(run) + (alike ? "; so does the reference" : truth);
         return verdict;
     }
-    if (!reference.endKnown) {
+    if (!hasReference || !reference.endKnown) {
         verdict.kind = RunClass::NotDetermined;
         verdict.sentence = outcomeText(run) + "; " + knowledgeOf(reference);
         return verdict;

@@ -153,11 +153,12 @@ bool isRight(const StabilityCell& cell) { return cell.verdict.kind == RunClass::
 std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
 {
     std::array<std::size_t, runClasses> count{};
-    std::size_t all = 0, from = 0; // the first setting from which on all are right
+    std::size_t all = 0, right = 0, from = 0; // the first setting from which on all are right
     for (const StabilityCell& cell : map.cells)
         if (cell.method == method) {
             ++count[static_cast<std::size_t>(cell.verdict.kind)];
             ++all;
+            right += isRight(cell) ? 1 : 0;
             if (!isRight(cell) && cell.verdict.kind != RunClass::NotDetermined) from = std::max(from, cell.setting + 1);
         }
     std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ": ";
@@ -165,9 +166,10 @@ std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::si
         if (count[k] > 0)
             text += (text.ends_with(": ") ? "" : "; ") + std::to_string(count[k]) + ' ' + std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
     const SweptMethod& first = task.rows.front().methods[method];
-    if (!first.ordered) return text + ".";
-    if (from == first.settings.size()) return text + ". At no setting do all of them agree.";
-    return text + ". They all agree from " + first.settings[from].label + " on.";
+    if (!first.ordered || right == 0) return text + ".";
+    const bool some = count[static_cast<std::size_t>(RunClass::NotDetermined)] > 0;
+    if (from == first.settings.size()) return text + (some ? ". At no setting do all that are determined agree." : ". At no setting do all of them agree.");
+    return text + (some ? ". Those that are determined all agree from " : ". They all agree from ") + first.settings[from].label + " on.";
 }
 
 /// How the criterion fared with some of the pairs.
