@@ -4,7 +4,7 @@
 //
 // A guard's course over a step is a polynomial in Bernstein form; it lies within the hull of its coefficients.
 // If no coefficient leaves the interval then no point of the step does, so a contact that touches and leaves
-// again within one step is not missed. Otherwise the first crossing is found by halving.
+// again within one step is not missed. Otherwise the first crossing is found by halving down to one change of sign, and Newton's iteration.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,9 @@ public:
         return time - oldest < period;
     }
 
-private:
     static constexpr std::size_t most = 64; // switches within one period
+
+private:
     std::array<double, most> times_ = [] { std::array<double, most> a; a.fill(-std::numeric_limits<double>::infinity()); return a; }();
     std::size_t next_ = 0;
 };

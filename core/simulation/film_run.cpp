@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/numerics/events.h"
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/film_books.h"
 #include "core/simulation/film_cost.h"
@@ -27,6 +28,7 @@ constexpr double filmTimeShare = 0.3;   // of the film's own error in time [-]
 constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
 constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
+constexpr double chatterSpan = 1e-7;    // within which many switches are chattering [s]
 constexpr int mostTries = 12;           // for one switch
 constexpr double farthest = 1e-4;       // from which no slider comes back [m]
 constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
@@ -243,9 +245,9 @@ private:
         // What the law that now holds has stored comes with it.
         point_.gained += point_.contact.storedEnergy - storedBefore;
         recorder_->jump(point_);
-        if (switches_.add(point_.time))
-            return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(SwitchWatch::most) +
-                                               " switches of the contact's law within " + formatQuantity(SwitchWatch::span, "us"));
+        if (switches_.tooMany(point_.time, chatterSpan))
+            return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(ChatterWatch::most) +
+                                               " switches of the contact's law within " + formatQuantity(chatterSpan, "us"));
         return true;
     }
 
@@ -330,7 +332,7 @@ private:
     CoupledStepResult tried_;
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;      // taken
-    SwitchWatch switches_;
+    ChatterWatch switches_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     RunStatus status_ = RunStatus::Completed;
     RunFailure failure_ = RunFailure::None;

@@ -66,10 +66,4 @@ SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, cons
     return aim;
 }
 
-bool SwitchWatch::add(double time)
-{
-    times_.push_back(time);
-    return times_.size() > most && time - times_[times_.size() - 1 - most] < span;
-}
-
 } // namespace touchdown

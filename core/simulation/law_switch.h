@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the law of a slider's contact switches within a step, and whether it does so without end.
+// Where the law of a slider's contact switches within a step.
 //
 // The law in force holds for an interval of the separation d. A step that leaves it is made again with a length at which d lies within
 // a given width beyond the switch, found by secants.
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/simulation/film_recorder.h"
 #include "core/simulation/slider_body.h"
@@ -29,18 +28,5 @@ struct SwitchAim {
 };
 SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, const SliderMotion& begin, const SliderMotion& tried, double dt,
                       double width);
-
-/// Counts switches in time.
-class SwitchWatch {
-public:
-    static constexpr int most = 64;           // within `span`
-    static constexpr double span = 1e-7;      // [s]
-
-    /// Whether this switch is one too many.
-    bool add(double time);
-
-private:
-    std::vector<double> times_;
-};
 
 } // namespace touchdown

@@ -87,14 +87,6 @@ private slots:
         tried.v[0] = 0.01;
         QVERIFY(near(aimAtSwitch(step.law, step.body, step.begin.motion, tried, 352e-9, width).rate, -0.02));
     }
-    /// 64 switches within 0.1 us are let pass, the 65th is one too many; at the same number spread over more time none is.
-    void chatter()
-    {
-        SwitchWatch fast, slow;
-        for (int i = 0; i < SwitchWatch::most; ++i) QVERIFY(!fast.add(1e-3 + 1e-9 * i));
-        QVERIFY(fast.add(1e-3 + 64e-9));
-        for (int i = 0; i <= 2 * SwitchWatch::most; ++i) QVERIFY(!slow.add(1e-3 + 2e-9 * i));
-    }
 };
 
 QTEST_GUILESS_MAIN(TestLawSwitch)
