@@ -121,6 +121,10 @@ std::optional<int> describeStudy(const std::string& key, bool json)
         if (name == kind.name) return describeKind(kind, {}, json);
         if (name.starts_with(kind.name + '.')) return describeKind(kind, name.substr(kind.name.size() + 1), json);
     }
+    if (key == "study.design") {
+        complain("study.design: its keys are those of the designs that `touchdown study design NAME --template` prints, such as film_fig4_pico");
+        return exitWrongInput;
+    }
     if (!key.starts_with(prefix)) return {};
     complain(key + ": unknown kind of study: allowed is one of " + list + didYouMean(nearestName(name, kinds)));
     return exitWrongInput;

@@ -54,6 +54,10 @@ int designCommand(const DesignArguments& arguments)
     for (const auto* list : {&document.start.warnings, &document.start.unused})
         for (const InputProblem& warning : *list) complain("warning: " + warning.text());
     for (const InputProblem& problem : document.problems) complain(problem.text());
+    if (arguments.asTemplate && !arguments.study.settings.empty()) {
+        complain("--set: has no effect on what --template prints; write it into the file");
+        return exitWrongInput;
+    }
     if (arguments.asTemplate && document.valid()) {
         print(document.text);
         return exitDone;

@@ -58,7 +58,7 @@ int printTemplate(const StudyArguments& arguments)
     const bool isStudy = !plan.text.empty();
     const char* ignored = !arguments.options.empty() ? "--option" : isStudy && !arguments.study.settings.empty() ? "--set" : "";
     if (*ignored != 0)
-        complain(ignored + std::string(": has no effect on what --template prints; write it into the file"));
+        complain(ignored + std::string(arguments.kind == "advise" ? ": has no effect, nor has --tolerance," : ": has no effect") + " on what --template prints; write it into the file");
     if (!plan.valid() || *ignored != 0) return exitWrongInput;
     if (isStudy) {
         print(plan.text);

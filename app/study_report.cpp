@@ -125,6 +125,7 @@ std::string tableText(const StudyTable& table, std::size_t width, const std::str
     std::string names;
     for (const std::string& each : fitted.leftOut) names += (names.empty() ? "" : ", ") + each;
     if (!names.empty()) text += wrapped("left out: " + names + "; all with " + whole, 0, width);
+    else if (fitted.cut && rows.size() == table.rows.size()) text += wrapped("texts that end with … are whole with " + whole, 0, width);
     return text;
 }
 

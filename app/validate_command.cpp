@@ -59,6 +59,7 @@ int validateStudy(const CaseArguments& arguments, const StudySource& study, bool
     } else if (study.kind == designKind) {
         DesignDocument document = readDesign(arguments.name, arguments.settings);
         start = std::move(document.start);
+        title = document.title;
         problems = std::move(document.problems);
     } else {
         StudyPlan plan = openStudy(study.kind, arguments.name, arguments.settings);

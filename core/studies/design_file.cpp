@@ -55,7 +55,7 @@ public:
 
     void read(const std::filesystem::path& folder, const std::vector<std::string>& settings)
     {
-        reader_.text("title");
+        document_.title = reader_.text("title").value_or("");
         if (!isOfKind(reader_, "design")) return;
         readSearch();
         openStart(folder, settings);

@@ -36,7 +36,7 @@ inline constexpr std::size_t mostTargets = 20;
 struct DesignDocument {
     CaseDocument start; // the case as it is before any parameter is changed
     DesignTask task;
-    std::string name, text; // of the study's file
+    std::string name, title, text; // of the study's file
     std::vector<InputProblem> problems; // all of them, those of the case among them
     bool valid() const { return problems.empty(); }
 };
