@@ -156,7 +156,7 @@ private:
             const auto at = [&](std::size_t i) { return path_.describe(branch.points[i].x, branch.points[i].p, region); };
             const FilmBranchPoint here = at(mark.point);
             if (mark.fold()) add(EquilibriumMark::Fold, here);
-            else if (mark.point > 0 && mark.point + 1 < branch.points.size()) {
+            else if (!here.at.eigenvalues.empty() && mark.point > 0 && mark.point + 1 < branch.points.size()) {
                 // Where another oscillation takes the lead, or one is lost, the growth jumps and crosses nothing.
                 const double most = std::max(std::abs(growthOf(at(mark.point - 1))), std::abs(growthOf(at(mark.point + 1))));
                 if (std::abs(growthOf(here)) < smallGrowth * most) add(EquilibriumMark::Hopf, here);

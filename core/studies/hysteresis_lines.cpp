@@ -95,8 +95,9 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
     for (const MarkedFilmEquilibrium& mark : found.marks) {
         StudiedMark added{mark.kind, mark.name, studied(mark.at), false};
         // Where the grid gives damping a wrong sign, a change of sign means nothing.
+        const auto& rates = added.at.eigenvalues;
         const bool unknown = mark.kind == EquilibriumMark::Hopf &&
-                             std::abs(added.at.eigenvalues.front().imag()) > 2.0 * std::numbers::pi * result.resolved;
+                             (rates.empty() || std::abs(rates.front().imag()) > 2.0 * std::numbers::pi * result.resolved);
         if (!unknown) result.marks.push_back(std::move(added));
     }
     for (const std::string& problem : found.problems)

@@ -254,6 +254,15 @@ private slots:
         QCOMPARE(fine.marks[0].at.value, 0.5);
     }
 
+    void aHopfPointWithoutAnOscillationIsNone()
+    {
+        FilmBranches found;
+        found.marks = {{EquilibriumMark::Hopf, {}, "Hopf point"}};
+        HysteresisResult result;
+        addFilmEquilibria(found, result);
+        QVERIFY(result.marks.empty());
+    }
+
     /// Stable flying up to 1.5, in contact from 0.5 on, unstable between 1 and 1.2: more than one from 0.5 to 1 and from 1.2 to 1.5.
     void coexistenceBetweenHeldValues()
     {
