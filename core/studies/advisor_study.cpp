@@ -192,7 +192,7 @@ private:
     {
         const double duration = task_.start.run.duration;
         if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
-        result_.pilotWhole = result_.pilotTime >= duration - 0.5 * full_.samples.interval;
+        result_.pilotWhole = full_.samples.until(result_.pilotTime).reachEnd(duration);
         RungOutcome& full = result_.full;
         full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
         full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, scene_.rates);

@@ -48,7 +48,6 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     const TouchColumns touch(quiet);
 
     PilotRun pilot;
-    pilot.duration = c.run.duration;
     pilot.samples.interval = quiet.run.sampleInterval;
     pilot.lowest = std::numeric_limits<double>::infinity();
     bool known = false;

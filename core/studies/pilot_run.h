@@ -20,13 +20,11 @@ struct PilotRun {
     SpacingSamples samples;
     std::string problem;            // why it ended before, in a sentence; "" where it did not
     bool stopped = false;           // by goOn
-    double duration = 0.0;          // of the whole run [s]
     double lowest = 0.0;            // spacing at all samples [m]
     bool contactActs = false;       // at any sample, be it contact or adhesion
     std::vector<std::pair<double, double>> course; // time reached [s], thread's time [s]
 
     bool valid() const { return problem.empty() && !stopped; }
-    bool whole() const { return samples.reached() >= duration - 0.5 * samples.interval; }
     /// What the run took to a time [s]; beyond what was reached at the rate of the last half of that.
     double secondsTo(double time) const;
 };

@@ -148,6 +148,8 @@ Moments foretold(std::span<const double> spacing, double interval, Window window
 
 } // namespace
 
+bool SpacingSamples::reachEnd(double duration) const { return !spacing.empty() && reached() > duration - interval * (1.0 - 1e-6); }
+
 SpacingSamples SpacingSamples::until(double time) const
 {
     const auto count = std::min(spacing.size(), static_cast<std::size_t>(time / interval * (1.0 + 1e-9)) + 1);
@@ -172,7 +174,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
         estimate.peakFrequency = peaks[0].frequency;
         estimate.peakAmplitude = peaks[0].amplitude;
     }
-    if (samples.reached() >= duration - 0.5 * samples.interval) {
+    if (samples.reachEnd(duration)) {
         const std::size_t first = std::min(count - 1, static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / samples.interval - 1e-6)));
         const Moments tail = plain(all.subspan(first));
         estimate.mean = tail.mean;

@@ -32,6 +32,8 @@ struct SpacingSamples {
     std::vector<double> spacing;   // [m]
     std::vector<char> touching;    // as long: contact, or menisci, act
     double reached() const { return spacing.empty() ? 0.0 : interval * static_cast<double>(spacing.size() - 1); }
+    /// Of a run of this duration [s] there is none more: the last one need not stand at its end.
+    bool reachEnd(double duration) const;
     /// Those up to a time [s].
     SpacingSamples until(double time) const;
 };

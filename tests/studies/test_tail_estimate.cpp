@@ -13,6 +13,7 @@ class TestTailEstimate : public QObject {
 
 private slots:
     void aWholeRunIsNotEstimated();
+    void aLastSampleBeforeTheEndIsTheLast();
     void ringingGoesOn();
     void whatStaysStays();
     void whatDiesAwayDiesAway();
@@ -64,6 +65,20 @@ void TestTailEstimate::aWholeRunIsNotEstimated()
     QCOMPARE(tail.meanUncertainty, 0.0);
     QVERIFY(std::abs(tail.peakFrequency - frequency) < 0.1 * tail.resolution);
     QCOMPARE(tail.kind, EndKind::Flying);
+}
+
+// Every 0.6 us up to 1 ms: 1666 intervals end at 999.6 us, one less at 999 us.
+void TestTailEstimate::aLastSampleBeforeTheEndIsTheLast()
+{
+    SpacingSamples samples{.interval = 0.6e-6, .spacing = std::vector<double>(1667), .touching = std::vector<char>(1667)};
+    for (std::size_t k = 0; k < samples.spacing.size(); ++k) samples.spacing[k] = 10e-9 + 1e-12 * static_cast<double>(k % 7);
+    QVERIFY(samples.reachEnd(duration));
+    QCOMPARE(estimateTail(samples, duration).meanUncertainty, 0.0);
+    samples.spacing.pop_back();
+    samples.touching.pop_back();
+    QVERIFY(!samples.reachEnd(duration));
+    QVERIFY(!(SpacingSamples{.interval = 1e-6, .spacing = std::vector<double>(1000), .touching = {}}.reachEnd(duration)));
+    QVERIFY((SpacingSamples{.interval = 1e-6, .spacing = std::vector<double>(1001), .touching = {}}.reachEnd(duration)));
 }
 
 // Its mean over the tail, whole periods, is (e^(-3.6) - e^(-4))/(omega 0.1 ms) of the amplitude: 0.14 pm.
