@@ -153,7 +153,8 @@ private:
         std::string sentence = "Self-excited: an equilibrium is unstable by an oscillation that grows, " + of(flutter), points;
         int count = 0;
         for (const StudiedMark& mark : result_.marks) {
-            if (mark.kind != EquilibriumMark::Hopf || mark.outside) continue;
+            // What diverges there was unstable before, and is after.
+            if (mark.kind != EquilibriumMark::Hopf || mark.outside || mark.at.stability == Stability::Divergence) continue;
             double frequency = 0.0, least = std::numeric_limits<double>::infinity();
             for (const std::complex<double>& value : mark.at.eigenvalues) {
                 if (value.imag() == 0.0 || std::abs(value.real()) > least) continue;

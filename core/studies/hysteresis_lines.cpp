@@ -86,7 +86,7 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
         EquilibriumLine line{branch.region == ContactRegion::Apart ? "flying" : "in contact", false, {}};
         for (const FilmBranchPoint& point : branch.points) {
             line.points.push_back(studied(point));
-            lost = lost || point.at.lost > 0;
+            lost = lost || !line.points.back().followed();
             for (const auto& eigenvalue : point.at.eigenvalues) fastest = std::max(fastest, eigenvalue.imag() / (2.0 * std::numbers::pi));
         }
         result.lines.push_back(std::move(line));

@@ -27,8 +27,10 @@ struct StudiedEquilibrium {
     bool edge = false; // a fold or Hopf point, at which the stability changes and its own means nothing
     /// None where no motion was followed.
     std::optional<double> growth() const { return eigenvalues.empty() ? std::nullopt : std::optional(eigenvalues.front().real()); }
-    /// Nothing grows of what was followed, but not everything was.
-    bool incomplete() const { return !edge && (lost > 0 || eigenvalues.empty()) && stability != Stability::Flutter; }
+    /// What grows without oscillating is no oscillation, and not lost.
+    bool followed() const { return lost <= (stability == Stability::Divergence ? 1 : 0); }
+    /// Nothing grows of the oscillations that were followed, but not every one was.
+    bool incomplete() const { return !edge && (!followed() || eigenvalues.empty()) && stability != Stability::Flutter; }
 };
 
 /// Equilibria of one smooth law, in their order along its branch.

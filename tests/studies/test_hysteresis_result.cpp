@@ -254,6 +254,27 @@ private slots:
         QCOMPARE(fine.marks[0].at.value, 0.5);
     }
 
+    /// Of two degrees of freedom one grows without oscillating: the other is all that oscillates.
+    void aSaddleHasOneOscillationLess()
+    {
+        FilmBranches found;
+        const FilmEquilibrium saddle{.attitude = {}, .spacing = 4e-9, .touching = true, .netContactForce = 0.0,
+                                     .eigenvalues = {{-1e4, 6.283185307179586e5}}, .stability = Stability::Divergence, .lost = 1};
+        found.branches = {{ContactRegion::Bridged, {{0.0, saddle}, {3e-3, saddle}}}};
+        HysteresisResult result;
+        result.steps = loop();
+        addFilmEquilibria(found, result);
+        QVERIFY(result.warnings.empty());
+        QVERIFY(!says(hysteresisFindings(task(), result), "Not known"));
+        found.branches[0].points[1].at.lost = 2;
+        found.branches[0].points[1].at.eigenvalues.clear();
+        HysteresisResult unknown;
+        unknown.steps = loop();
+        addFilmEquilibria(found, unknown);
+        QVERIFY(says(unknown.warnings, "could not be followed"));
+        QVERIFY(says(hysteresisFindings(task(), unknown), "Not known: at 3 mN an oscillation"));
+    }
+
     void aHopfPointWithoutAnOscillationIsNone()
     {
         FilmBranches found;
