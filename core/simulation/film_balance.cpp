@@ -96,17 +96,26 @@ Eigen::Matrix3d FilmBalance::contactStiffness(ContactRegion region)
     return toEigen(contact_.stiffness());
 }
 
-Eigen::Matrix3d FilmBalance::stiffness(ContactRegion region, const GoOn& goOn)
+Eigen::Matrix3d FilmBalance::filmStiffness(const GoOn& goOn)
 {
     Eigen::Matrix3d sum = toEigen(level_->flying.balanceStiffness(level_->pressure, goOn));
     // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
     sum.col(1) -= 0.5 * case_.slider.length * sum.col(0);
-    if (region == ContactRegion::Apart) {
-        sum(1, 1) += load_.pitchStiffness;
-        sum(2, 2) += load_.rollStiffness;
-        return sum;
-    }
-    sum += contactStiffness(region);
+    return sum;
+}
+
+Eigen::Matrix3d FilmBalance::stiffness(ContactRegion region, const GoOn& goOn)
+{
+    if (region != ContactRegion::Apart) return stiffnessWithSprings(region, goOn);
+    Eigen::Matrix3d sum = filmStiffness(goOn);
+    sum(1, 1) += load_.pitchStiffness;
+    sum(2, 2) += load_.rollStiffness;
+    return sum;
+}
+
+Eigen::Matrix3d FilmBalance::stiffnessWithSprings(ContactRegion region, const GoOn& goOn)
+{
+    Eigen::Matrix3d sum = filmStiffness(goOn) + contactStiffness(region);
     for (int i = 0; i < 3; ++i) sum(i, i) += body_.springs()[static_cast<std::size_t>(i)];
     return sum;
 }

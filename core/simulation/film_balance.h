@@ -37,6 +37,8 @@ public:
     /// Of the following all but spacing() are at the last q.
     Vector3 force(ContactRegion region);                                // G
     Eigen::Matrix3d stiffness(ContactRegion region, const GoOn& goOn);  // -dG/dq
+    /// Of small motions about q: the suspension's springs hold the slider apart, too.
+    Eigen::Matrix3d stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
     Eigen::Matrix3d contactStiffness(ContactRegion region);
     double netContactForce(ContactRegion region); // [N]
     /// |G| as a share of the preload [-].
@@ -69,6 +71,7 @@ public:
 private:
     FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
     Vector3 contactForce(ContactRegion region);
+    Eigen::Matrix3d filmStiffness(const GoOn& goOn);
 
     Case case_;
     MinimumSpacing spacing_;

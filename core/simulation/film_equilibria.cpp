@@ -118,9 +118,7 @@ FilmEquilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, 
     FilmOscillations motions = filmOscillations(balance, region, near, goOn);
     at.lost = motions.lost;
     at.eigenvalues = std::move(motions.rates);
-    Eigen::Matrix3d still = balance.stiffness(region, goOn);
-    if (!at.touching)
-        for (int i = 0; i < 3; ++i) still(i, i) += balance.body().springs()[static_cast<std::size_t>(i)];
+    const Eigen::Matrix3d still = balance.stiffnessWithSprings(region, goOn);
     const Eigen::Index n = balance.unknowns();
     const bool diverges = still.topLeftCorner(n, n).determinant() < 0.0;
     const bool grows = !at.eigenvalues.empty() && at.eigenvalues.front().real() > 0.0;

@@ -87,6 +87,25 @@ private slots:
         }
     }
 
+    /// Apart the static state knows no spring in height; those that hold the attitude count once in both.
+    void springsCountOnce()
+    {
+        Case c = withMenisci();
+        const SteadyResult free = staticStateOf(c, always);
+        c.suspension.holdsAttitude = true;
+        c.suspension.staticPitch = free.attitude.pitch;
+        c.suspension.staticRoll = free.attitude.roll;
+        const SteadyResult rest = staticStateOf(c, always);
+        const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
+        balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
+        QVERIFY(balance->solve(balance->body().coordinates(rest.attitude), always));
+        const Eigen::Matrix3d more = balance->stiffnessWithSprings(ContactRegion::Apart, always) -
+                                     balance->stiffness(ContactRegion::Apart, always);
+        // Of a stiffness of some 1e5 N/m rounding leaves 1e-11 N/m; twice the springs would leave 15 N/m and 2e-5 N m/rad.
+        QVERIFY2(std::abs(more(0, 0) - c.suspension.stiffness) < 1e-9, qPrintable(QString::number(more(0, 0))));
+        for (int i = 1; i < 3; ++i) QVERIFY2(std::abs(more(i, i)) < 1e-12, qPrintable(QString::number(more(i, i))));
+    }
+
     void knowsWhatLiesBeyondASwitch()
     {
         Case c = withMenisci();
