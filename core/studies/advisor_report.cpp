@@ -186,8 +186,10 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
     if (!result.missing.empty())
         report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent before these were tried: "
                                                : "it was stopped before these were tried: ") + listOf(result.missing));
-    else if (result.late && isJudged(result))
-        report.warnings.push_back("the budget of " + readableTime(task.budget) + " was spent before the advice was confirmed");
+    const bool confirmed = result.fullEnd && (!result.advice || result.found);
+    if (task.confirm && !confirmed && isJudged(result) && (result.late || result.status == StudyStatus::Cancelled))
+        report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent" : std::string("it was stopped")) +
+                                  " before the advice was confirmed");
     report.findings.push_back("The study took " + readableTime(result.studySeconds) + " of a processor" +
                               (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) + " what the full model takes." : "."));
 }

@@ -162,15 +162,17 @@ private:
             full_ = pilotRun(task_.start, asked, goOn);
             if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
         }, [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
-        if (!went || full_.stopped) {
+        // Stopped on the way to confirm what is known does not undo it.
+        const bool far = full_.problem.empty() && (known || full_.samples.reachEnd(duration));
+        if ((!went || full_.stopped) && !far) {
             result_.full.problem = "it was not run far enough";
             return leaveTheRest();
         }
-        if (!full_.valid()) return fail(full_.problem);
+        if (!full_.problem.empty()) return fail(full_.problem);
         if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) return fail("its samples do not tell its end");
         for (RungOutcome& rung : result_.rungs) judge(rung);
         choose();
-        return tell(0.6, "the ladder", &result_) || leaveTheRest();
+        return (went && !full_.stopped && tell(0.6, "the ladder", &result_)) || leaveTheRest();
     }
 
     bool leaveTheRest()

@@ -35,6 +35,8 @@ private slots:
     void whatIsKnownWithoutTheFullModelIsTold();
     void aBudgetEndsIt();
     void whatTheBudgetLeftOutIsTold();
+    void aStopBeforeItIsConfirmedKeepsTheAdvice();
+    void aBudgetEndsTheConfirmationAlone();
 };
 
 namespace {
@@ -352,10 +354,12 @@ void TestAdvisor::whatIsKnownIsTold()
     QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.starts_with("it was stopped before these were tried: film, "); }));
 }
 
-// Its static state was found before.
+// Its static state was found before; the full model takes many times longer than it goes on before it is stopped.
 void TestAdvisor::whatIsKnownWithoutTheFullModelIsTold()
 {
-    const StudyReport report = perform(taperFlat(), "models = [\"static\"]", [&](const StudyProgress& progress) { return progress.doing != "the full model"; });
+    Case c = taperFlat();
+    c.run.duration = 10e-3;
+    const StudyReport report = perform(c, "pilot = 1.0\nmodels = [\"static\"]", [&](const StudyProgress& progress) { return progress.doing != "the full model"; });
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY2(report.findings.at(0).starts_with("There is no advice: the full model "), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("not known"));
@@ -387,6 +391,37 @@ void TestAdvisor::whatTheBudgetLeftOutIsTold()
     QVERIFY2(report.findings.at(0).starts_with("So far there is no advice"), report.findings.at(0).c_str());
     QVERIFY(std::ranges::count(report.warnings, "the budget of 2 s was spent before these were tried: film, flat disk, film, roll held") == 1);
     QVERIFY(!report.found);
+}
+
+// A pilot of 5 % knows the end of what rests, the static state is it. It is stopped at a share of 0.15 + 0.45 * 0.3: 30 % of the run.
+void TestAdvisor::aStopBeforeItIsConfirmedKeepsTheAdvice()
+{
+    Case c = taperFlat();
+    c.run.duration = 3e-3;
+    const StudyReport report = perform(c, "pilot = 0.05\nconfirm = true\nmodels = [\"static\", \"parts\"]", [](const StudyProgress& progress) {
+        return progress.doing != "the full model" || progress.share < 0.285;
+    });
+    QCOMPARE(report.status, StudyStatus::Cancelled);
+    QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
+    QCOMPARE(verdict(report, "static state"), std::string("advised"));
+    QVERIFY(std::ranges::count(report.warnings, "it was stopped before the advice was confirmed") == 1);
+    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.starts_with("it was stopped before these were tried: film, "); }));
+}
+
+// Where nothing was to be confirmed, a budget that is spent at the end has left out nothing.
+void TestAdvisor::aBudgetEndsTheConfirmationAlone()
+{
+    AdvisorTask task;
+    task.start = taperFlat();
+    task.budget = 2.0;
+    AdvisorResult result = knownResult();
+    result.late = true;
+    for (const bool confirm : {false, true}) {
+        task.confirm = confirm;
+        StudyReport report;
+        reportAdvice(task, result, report);
+        QCOMPARE(std::ranges::count(report.warnings, "the budget of 2 s was spent before the advice was confirmed"), confirm ? 1 : 0);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestAdvisor)
