@@ -1,63 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/film_branches.h"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
-#include <optional>
 
 #include <QTest>
 
-#include "tests/support/small_slider.h"
+#include "tests/support/menisci_slider.h"
 
 using namespace touchdown;
+using namespace touchdown::test;
 
 namespace {
 
-const std::function<bool()> always = [] { return true; };
-
-/// The small slider without roll on a grid that is the same at every attitude.
-Case smallCase()
-{
-    Case c = test::smallSlider(33);
-    c.degreesOfFreedom = 2;
-    c.film.grid = GridKind::Graded;
-    c.steady.stiffness = false;
-    c.contact = ContactKind::OnoYamane;
-    return c;
-}
-
 double staticSpacing(const Case& c) { return staticStateOf(c, always).minimumSpacing; }
-
-const MarkedFilmEquilibrium* markOf(const FilmBranches& all, EquilibriumMark kind)
-{
-    const auto found = std::ranges::find(all.marks, kind, &MarkedFilmEquilibrium::kind);
-    return found == all.marks.end() ? nullptr : &*found;
-}
-
-/// Menisci from 6 nm to 1 nm below the static spacing, without asperities: nothing but them acts in contact.
-Case withMenisci(double spacing, TakeOffShape shape)
-{
-    Case c = smallCase();
-    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 0.0, .initialContactForce = 0.0, .touchDown = spacing - 6e-9,
-                   .takeOff = spacing - 1e-9, .friction = 0.0, .takeOffShape = shape};
-    return c;
-}
-
-/// Where the film holds the slider against a constant force of menisci [m], above d_s; by a search at this force alone.
-std::optional<double> spacingUnder(double force, double spacing, const SteadyResult& rest)
-{
-    Case c = withMenisci(spacing, TakeOffShape::Constant);
-    c.onoYamane.meniscusForce = force;
-    c.onoYamane.takeOff = spacing + 1e-9;
-    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.attitude, always);
-    FilmBalance& balance = *made;
-    balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
-    const TouchingPlaces places = touchingPlaces(balance, rest.attitude, {}, always);
-    for (const TouchingPlace& place : places.found)
-        if (balance.spacing(place.q) > c.onoYamane.touchDown) return balance.spacing(place.q);
-    return std::nullopt;
-}
 
 } // namespace
 
