@@ -71,9 +71,18 @@ Range defaultRange(const Case& c)
 
 std::string reasonNotToTrace(const Case& c) { return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c); }
 
+/// Its branches lie on one grid.
+std::string reasonNotToTrace(const Case& c, const std::string& key)
+{
+    if (c.model == ModelKind::Film && (key == "slider.length" || key == "slider.width"))
+        return "equilibria of a film are followed on one grid over the slider, which " + key + " would change";
+    return reasonNotToTrace(c);
+}
+
 struct Plan {
     HeldSteps steps;
     bool equilibria = true;
+    std::string notTraced; // why no equilibria are sought though nobody said so, in a sentence
 };
 
 class HysteresisPerformance {
@@ -103,6 +112,7 @@ public:
                                             ? ", and without what contact and adhesion of the surfaces remember of the way there"
                                             : ""));
         addStepWarnings();
+        if (!plan_.notTraced.empty()) result_.warnings.push_back(plan_.notTraced);
         StudyReport report = hysteresisReport(task_, result_);
         if (!whole) {
             report.status = StudyStatus::Cancelled;
@@ -261,9 +271,11 @@ StudyPerformance planHysteresis(StudyReader& reader)
     const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
     plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
     const std::optional<bool> anew = reader.boolean("anew");
-    const std::string reasonNot = reasonNotToTrace(c);
-    const bool wanted = reader.boolean("equilibria").value_or(reasonNot.empty());
+    const std::string reasonNot = reasonNotToTrace(c, plan.steps.parameter.key);
+    const std::optional<bool> asked = reader.boolean("equilibria");
+    const bool wanted = asked.value_or(reasonNot.empty());
     if (wanted && !reasonNot.empty()) reader.add("equilibria", reasonNot);
+    if (!asked && reasonNotToTrace(c).empty()) plan.notTraced = reasonNot;
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
     if (c.model == ModelKind::Film && c.steady.fixedAttitude)
         reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; a hysteresis study takes one that flies");

@@ -128,6 +128,20 @@ private slots:
         QVERIFY(says(anew, "Begun anew at each value"));
     }
 
+    /// A film's branches lie on one grid, which does not fit a slider of another length.
+    void sizesOfAFilmsSliderAreHeldAlone()
+    {
+        Case c = test::smallSlider(33);
+        c.contact = ContactKind::OnoYamane;
+        for (const std::string key : {"slider.length", "slider.width"}) {
+            const std::string range = "parameter = \"" + key + "\"\nfrom = \"1 mm\"\nto = \"1.01 mm\"\nsteps = 1\nhold = \"1 us\"\n";
+            QVERIFY(planOf(c, range).valid());
+            const StudyPlan asked = planOf(c, range + "equilibria = true\n");
+            QVERIFY(!asked.valid());
+            QVERIFY(asked.problems.front().text().find("one grid over the slider, which " + key + " would change") != std::string::npos);
+        }
+    }
+
     void filmIsHeld()
     {
         Case c = test::smallSlider(33);
