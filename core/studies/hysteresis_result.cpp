@@ -15,18 +15,18 @@ namespace {
 
 constexpr double rounding = 1e-6; // of a span between two points of a line [-]
 
-bool isDown(const EndState& end) { return end.kind == EndKind::Contact || end.kind == EndKind::Intermittent; }
-
 /// Of two that touch, one may be seen leaving the disk while it still rings.
 bool differ(EndState a, EndState b)
 {
-    if (isDown(a) != isDown(b)) return true;
+    if (touches(a) != touches(b)) return true;
     b.kind = a.kind;
     a.spread = b.spread = 0.5 * (a.spread + b.spread); // how it rings there is no matter of the way
     return !sameEnd(a, b);
 }
 
 } // namespace
+
+bool touches(const EndState& end) { return end.kind == EndKind::Contact || end.kind == EndKind::Intermittent; }
 
 bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
 {
@@ -53,8 +53,8 @@ std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps)
     for (std::size_t i = 1; i < steps.size(); ++i) {
         const HeldStep &a = steps[i - 1], &b = steps[i];
         if (!a.done || !b.done || a.back != b.back) continue;
-        if (a.end.kind == EndKind::Failed || b.end.kind == EndKind::Failed || isDown(a.end) == isDown(b.end)) continue;
-        list.push_back({isDown(b.end), b.back, a.value, b.value, a.end.spacing, b.end.spacing});
+        if (a.end.kind == EndKind::Failed || b.end.kind == EndKind::Failed || touches(a.end) == touches(b.end)) continue;
+        list.push_back({touches(b.end), b.back, a.value, b.value, a.end.spacing, b.end.spacing});
     }
     return list;
 }
@@ -104,10 +104,11 @@ std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& line
             if (last && std::abs(share - 1.0) < rounding) share = 1.0;
             if (share < 0.0 || share > 1.0 || (share == 1.0 && !last)) continue;
             const StudiedEquilibrium& nearer = a.edge != b.edge ? (a.edge ? b : a) : share < 0.5 ? a : b;
-            list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete()});
+            list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete(), line.flies()});
         }
         if (line.points.size() == 1 && line.points[0].value == value)
-            list.push_back({line.points[0].spacing, line.points[0].stability, line.outside, line.points[0].incomplete()});
+            list.push_back({line.points[0].spacing, line.points[0].stability, line.outside, line.points[0].incomplete(),
+                            line.flies()});
     }
     return list;
 }

@@ -38,6 +38,7 @@ struct EquilibriumLine {
     std::string state;    // "flying", "in contact", "rear spring lost"
     bool outside = false; // of what the model means: with a spring lost, or the pad below the mean plane of the disk
     std::vector<StudiedEquilibrium> points;
+    bool flies() const { return state.starts_with("flying"); }
 };
 
 struct StudiedMark {
@@ -73,6 +74,9 @@ struct ParameterText {
 };
 ParameterText parameterText(const DesignKey& key);
 
+/// In contact, at every sample or at some.
+bool touches(const EndState& end);
+
 /// A change of the end's kind between neighbouring values of one way.
 struct Transition {
     bool down = false; // touch-down; else take-off
@@ -104,6 +108,7 @@ struct EquilibriumAt {
     Stability stability = Stability::Stable;
     bool outside = false;
     bool incomplete = false; // its stability is not known
+    bool flying = false;     // without contact
 };
 std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& lines, double value);
 

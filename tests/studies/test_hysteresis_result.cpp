@@ -6,49 +6,10 @@
 
 #include <QTest>
 
+#include "tests/support/held_loop.h"
+
 using namespace touchdown;
-
-namespace {
-
-HeldStep step(double value, bool back, EndKind kind, double spacing)
-{
-    HeldStep held;
-    held.value = value;
-    held.back = back;
-    held.done = true;
-    held.end = {kind, spacing, 0.0};
-    held.spacing = {.mean = spacing, .std = 0.0, .min = spacing, .max = spacing};
-    return held;
-}
-
-/// f_m from 0 to 3 mN and back: touches at 2 mN, lets go at 0.
-std::vector<HeldStep> loop()
-{
-    using enum EndKind;
-    return {step(0.0, false, Flying, 7e-9),   step(1e-3, false, Flying, 7e-9),  step(2e-3, false, Contact, 3e-9),
-            step(3e-3, false, Contact, 2e-9), step(3e-3, true, Contact, 2e-9),  step(2e-3, true, Contact, 3e-9),
-            step(1e-3, true, Contact, 4e-9),  step(0.0, true, Flying, 7e-9)};
-}
-
-HeldSteps task()
-{
-    HeldSteps steps;
-    steps.parameter = std::get<DesignKey>(designKey(steps.start, "ono_yamane.meniscus_force"));
-    steps.values = {0.0, 1e-3, 2e-3, 3e-3};
-    return steps;
-}
-
-StudiedEquilibrium at(double value, double spacing, Stability stability, double growth)
-{
-    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}, 0, false};
-}
-
-bool says(const std::vector<std::string>& findings, const std::string& part)
-{
-    return std::ranges::any_of(findings, [&](const std::string& each) { return each.find(part) != std::string::npos; });
-}
-
-} // namespace
+using namespace touchdown::test;
 
 class TestHysteresisResult : public QObject {
     Q_OBJECT
@@ -113,58 +74,6 @@ private slots:
         QVERIFY(!says(findings, "Forced"));
     }
 
-    void forcedWhereAllIsStable()
-    {
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
-        const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(findings.front().starts_with("Forced"));
-        QVERIFY(says(findings, "fades by a factor of e within 100 us"));
-    }
-
-    void selfExcitedWhereAnOscillationGrows()
-    {
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
-        result.marks = {{EquilibriumMark::Hopf, "Hopf point", at(1.5e-3, 3e-9, Stability::Neutral, 0.0), false}};
-        const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(findings.front().starts_with("Self-excited"));
-        QVERIFY(says(findings, "Hopf point at 1.5 mN (3 nm spacing, 100 kHz)"));
-        QVERIFY(!says(findings, "Forced"));
-    }
-
-    void selfExcitedWhereThereIsNoEquilibrium()
-    {
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
-        result.steps[2].end.kind = result.steps[4].end.kind = EndKind::Intermittent;
-        const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(says(findings, "Self-excited: from 2 mN to 3 mN the slider ends in and out of contact"));
-        QVERIFY(!says(findings, "Forced"));
-    }
-
-    /// At 2 and 3 mN it comes to rest without a known equilibrium: that is no reason to bounce.
-    void aMissingEquilibriumIsNoReasonByItself()
-    {
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
-        std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(says(findings, "From 2 mN to 3 mN no equilibrium was found"));
-        QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
-        result.unsought = true;
-        findings = hysteresisFindings(task(), result);
-        QVERIFY(says(findings, "Not known: from 2 mN to 3 mN the search"));
-        QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
-    }
-
     void whatWasNotFollowedIsNotCalledStable()
     {
         FilmBranches found;
@@ -222,18 +131,6 @@ private slots:
         QVERIFY(says(hysteresisFindings(task(), result), "the flying equilibrium ends at 1.4 mN"));
     }
 
-    void aCoarseGridDoesNotKnow()
-    {
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.resolved = 99e3; // the oscillation has 100 kHz
-        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
-        const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(findings.front().starts_with("Not known on this grid: at 3 mN"));
-        QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
-    }
-
     /// A crossing at 596 kHz on a grid that knows signs up to 200 kHz is none.
     void aHopfPointThatTheGridDoesNotKnowIsNotMarked()
     {
@@ -284,22 +181,6 @@ private slots:
         QVERIFY(result.marks.empty());
     }
 
-    /// Stable flying up to 1.5, in contact from 0.5 on, unstable between 1 and 1.2: more than one from 0.5 to 1 and from 1.2 to 1.5.
-    void coexistenceBetweenHeldValues()
-    {
-        using enum Stability;
-        HysteresisResult result;
-        result.steps = loop();
-        result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stable, -1e4), at(1.5e-3, 7e-9, Stable, -1e4)}},
-                        {"in contact", false,
-                         {at(0.5e-3, 3e-9, Stable, -1e4), at(1.0e-3, 3e-9, Stable, -1e4), at(1.01e-3, 3e-9, Flutter, 1e4),
-                          at(1.19e-3, 3e-9, Flutter, 1e4), at(1.2e-3, 3e-9, Stable, -1e4), at(3e-3, 3e-9, Stable, -1e4)}}};
-        // Between a stable and an unstable point the nearer one counts: to the middle of the span.
-        QVERIFY(says(hysteresisFindings(task(), result), "More than one equilibrium is stable from 0.5 mN to 1"));
-        QVERIFY(says(hysteresisFindings(task(), result), " mN to 1.5 mN: which one"));
-    }
-
     void saysWhatWasSeenWhereNothingSwitches()
     {
         HysteresisResult result;
@@ -310,6 +191,40 @@ private slots:
         QVERIFY(says(hysteresisFindings(task(), result), "goes in and out of contact at every value from 0 mN to 3 mN and back"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Flying, 7e-9, 0.0};
         QVERIFY(says(hysteresisFindings(task(), result), "flies at every value from 0 mN to 3 mN and back: no touch-down was seen"));
+    }
+
+    /// It touches down while 3 mN is held again, and takes off on the way back.
+    void aChangeAtTheTurnIsAChange()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.steps[2].end = result.steps[3].end = {EndKind::Flying, 7e-9, 0.0};
+        const std::vector<std::string> back = hysteresisFindings(task(), result);
+        QVERIFY(says(back, "Take-off at 0.5 mN"));
+        result.steps[7].end = {EndKind::Contact, 4e-9, 0.0};
+        const std::vector<std::string> stays = hysteresisFindings(task(), result);
+        QVERIFY(!says(stays, "at every value"));
+        QVERIFY(says(stays, "it changed only while the last value was held a second time"));
+        result.steps = loop();
+        for (const std::size_t i : {4, 5, 6}) result.steps[i].end = {EndKind::Flying, 7e-9, 0.0};
+        const std::vector<std::string> flies = hysteresisFindings(task(), result);
+        QVERIFY(!says(flies, "From there on"));
+        QVERIFY(says(flies, "It also changed while the last value was held a second time"));
+    }
+
+    /// It leaves its branch between 1 and 2 mN, which ends at 2.5 mN.
+    void noReasonIsNamedThatNobodySaw()
+    {
+        HysteresisResult result;
+        result.steps = loop();
+        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.marks = {{EquilibriumMark::Switch, "touch-down", at(2.5e-3, 7e-9, Stability::Stable, -1e4), false}};
+        QVERIFY(says(hysteresisFindings(task(), result), "ends only at 2.5 mN: the step set the slider swinging"));
+        HeldSteps wavy = task();
+        wavy.start.diskSurface.kind = DiskSurfaceKind::Waves;
+        QVERIFY(says(hysteresisFindings(wavy, result), "ends only at 2.5 mN."));
+        result.lines[0].points[1].lost = 1;
+        QVERIFY(says(hysteresisFindings(task(), result), "ends only at 2.5 mN."));
     }
 
     void saysThatOneWayIsAll()
