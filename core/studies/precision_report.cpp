@@ -22,11 +22,12 @@ std::string endText(const PrecisionPoint& point)
     return std::string(point.summary.status == RunStatus::Completed ? name(point.end.kind) : name(point.summary.failure));
 }
 
-std::string verdictText(const PrecisionPoint& point)
+std::string verdictText(const PrecisionPoint& point, const ProvenReference& reference)
 {
     if (!point.ran) return "not run";
     if (point.kind == PointKind::Failed) return "failed";
-    return point.kind == PointKind::WrongState ? "other end" : "agrees";
+    if (!reference.endKnown) return "not determined";
+    return point.kind == PointKind::WrongState ? "other end" : "same end";
 }
 
 StudyValue valueOf(const std::vector<TrajectoryError>& errors, std::size_t quantity, ErrorMeasure measure)
@@ -71,7 +72,7 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
         for (std::size_t i = 0; i < task.also.size(); ++i) row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
         const auto number = [&](double value) { return point.ran ? StudyValue(value) : StudyValue(); };
         row.insert(row.end(), {number(point.fastest()), number(point.median()), number(static_cast<double>(point.seconds.size())),
-                               number(point.work), number(static_cast<double>(point.summary.steps)), verdictText(point), endText(point),
+                               number(point.work), number(static_cast<double>(point.summary.steps)), verdictText(point, runs.reference), endText(point),
                                point.ran && point.end.kind != EndKind::Failed ? StudyValue(point.end.spacing) : StudyValue(),
                                std::string(setting.chosen ? "yes" : ""), point.summary.message});
         table.rows.push_back(std::move(row));
