@@ -140,6 +140,12 @@ private slots:
             QVERIFY(!asked.valid());
             QVERIFY(asked.problems.front().text().find("one grid over the slider, which " + key + " would change") != std::string::npos);
         }
+        c.degreesOfFreedom = 2;
+        c.initial.state = InitialState::Static;
+        const StudyReport report = performed(c, "parameter = \"slider.width\"\nfrom = \"0.8 mm\"\nto = \"0.81 mm\"\nsteps = 1\nhold = \"1 us\"\n");
+        QCOMPARE(report.status, StudyStatus::Completed);
+        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) { return each.starts_with("equilibria of a film are followed on one grid"); }));
+        QVERIFY(!hasSeries(report, "stable equilibria"));
     }
 
     void filmIsHeld()
