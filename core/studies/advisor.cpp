@@ -65,7 +65,7 @@ pilot = 0.3               # least part of the run that the full model is given, 
 confirm = false           # true: also take the full model and the advice to the end, and say what was claimed rightly
 all = false               # true: also measure models that take too long to be the advice
 budget = "3600 s"         # after which the study ends with what it knows by then
-models = ["static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"] # the ladder, any of: the static state; where it rests in contact; what it answers to waves of the disk; that and its modes; two springs fitted to the film; the film without one part each; without several
+models = ["static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"] # the ladder, any of: the static state; where it rests in contact; what it answers to waves of the disk; that and its modes; two springs fitted to the film; the film without one part each; without several, and those
 )";
 }
 

@@ -116,7 +116,7 @@ std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
             if (rung.kind == RungKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
             if (wanted(task, rung.kind) && applySettings(on.c, grid.settings).empty()) ladder.push_back(std::move(on));
         }
-    if (!wanted(task, RungKind::Part)) return ladder;
+    if (!wanted(task, RungKind::Part) && !wanted(task, RungKind::Sum)) return ladder;
     for (const LadderPart& part : partsOf(c, roll)) {
         Rung rung{RungKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
         if (applySettings(rung.c, part.settings).empty()) ladder.push_back(std::move(rung));

@@ -29,7 +29,7 @@ struct AdvisorTask {
     bool confirm = false;          // take full model and advice to the end
     bool all = false;              // measure models, too, that take too long to be the advice
     double budget = 3600.0;        // wall time after which the study ends with what it knows [s]
-    std::vector<std::string> models; // to be tried: "static", ...; empty: all
+    std::vector<std::string> models; // to be tried: "static", ...; empty: all. Sums are built from parts, and have them tried, too
 };
 
 enum class RungKind : std::uint8_t { Full, Static, ContactRest, WaveAnswer, SmallMotion, Springs, Part, Sum };

@@ -78,8 +78,12 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
         return;
     }
     if (!result.advice) {
-        report.findings.push_back(all ? "The scene needs the full model: no cheaper one is within the tolerance."
-                                      : "So far there is no advice: no cheaper model that was tried is within the tolerance.");
+        const std::string tried = result.rungs.empty() ? "no other model was tried."
+                                                       : "none of the models that were tried is known to be within the tolerance and takes at most 1/" +
+                                                             fewDigits(worthwhile, "") + " of the full model's time.";
+        report.findings.push_back(result.advisesFull() ? "Advice: the full model; " + tried
+                                  : all ? "There is no advice: " + tried
+                                        : "So far there is no advice: " + tried);
     } else {
         const RungOutcome& advice = result.rungs[*result.advice];
         report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.rung.name + ". It leaves out " + advice.rung.leavesOut + ", and takes " +
@@ -145,7 +149,9 @@ void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport
                     saving(result.full.seconds / rung.seconds);
         report.findings.push_back(text + ".");
     }
-    if (givenUp > 0)
+    if (givenUp == 1)
+        report.findings.push_back("1 model in time was given up as soon as it had taken too long to be the advice; all = true measures it.");
+    if (givenUp > 1)
         report.findings.push_back(std::to_string(givenUp) + " models in time were given up as soon as they had taken too long to be the advice; "
                                   "all = true measures them.");
 }
@@ -221,7 +227,7 @@ StudyChart chartOf(const AdvisorResult& result)
             const bool inTime = rung.rung.kind == RungKind::Part || rung.rung.kind == RungKind::Sum;
             add(inTime ? film : reduced, rung, result.advice == k);
         }
-        add(full, result.full, !result.advice);
+        add(full, result.full, result.advisesFull());
         panel.series = {reduced, film, full};
         panel.bands.push_back({.alongX = false, .lower = -std::numeric_limits<double>::infinity(),
                                .upper = spread ? result.allowed.spread : result.allowed.mean, .label = "tolerance"});
@@ -269,7 +275,7 @@ StudyTable tableOf(const AdvisorResult& result)
     };
     for (std::size_t k = 0; k < result.rungs.size(); ++k)
         row(result.rungs[k], result.advice == k ? "advised" : wordFor(result.rungs[k]));
-    if (judged) row(result.full, result.advice ? "reference" : "advised");
+    if (judged) row(result.full, result.advisesFull() ? "advised" : "reference");
     return table;
 }
 
@@ -291,7 +297,7 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
     if (!result.rungs.empty() || judged) report.tables.push_back(tableOf(result));
     if (!judged) return;
     if (result.advice) report.found = result.rungs[*result.advice].found;
-    else if (result.missing.empty()) report.found = task.start;
+    else if (result.advisesFull()) report.found = task.start;
 }
 
 } // namespace touchdown

@@ -17,8 +17,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double knownTo = 0.25;   // of what is allowed, for the pilot to end
-constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
+constexpr double knownTo = 0.25; // of what is allowed, for the pilot to end
 
 bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind == RungKind::Sum; }
 
@@ -70,7 +69,8 @@ private:
     {
         bool went = runRungs(rests_, 0.6, 0.65);
         went = runRungs(parts_, 0.65, 0.85, went);
-        went = went && runSums();
+        if (went) went = runSums();
+        else leaveSums();
         choose();
         return went && (!task_.confirm || confirm());
     }
@@ -163,8 +163,7 @@ private:
             if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
         }, [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
         // Stopped on the way to confirm what is known does not undo it.
-        const bool far = full_.problem.empty() && (known || full_.samples.reachEnd(duration));
-        if ((!went || full_.stopped) && !far) {
+        if ((!went || full_.stopped) && !known && !full_.samples.reachEnd(duration)) {
             result_.full.problem = "it was not run far enough";
             return leaveTheRest();
         }
@@ -175,10 +174,22 @@ private:
         return (went && !full_.stopped && tell(0.6, "the ladder", &result_)) || leaveTheRest();
     }
 
+    /// Where the study ends before them, and some might have been tried.
+    void leaveSums()
+    {
+        std::vector<LadderPart> parts; // one of a family
+        for (const Rung& rung : parts_)
+            if (std::ranges::find(parts, rung.parts[0].family, &LadderPart::family) == parts.end()) parts.push_back(rung.parts[0]);
+        std::ptrdiff_t kept = 0; // none of all of them may be left out: there is no sum
+        for (const RungOutcome& rung : result_.rungs) kept += rung.rung.kind == RungKind::Part && !rung.within();
+        if (kept < std::ranges::ssize(parts_) && sumOf(task_, parts)) result_.missing.push_back("film without several parts");
+    }
+
     bool leaveTheRest()
     {
         for (const auto* rungs : {&rests_, &parts_})
             for (const Rung& rung : *rungs) result_.missing.push_back(rung.name);
+        leaveSums();
         return false;
     }
 

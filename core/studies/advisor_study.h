@@ -17,6 +17,8 @@
 
 namespace touchdown {
 
+constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
+
 struct RungOutcome {
     Rung rung;
     std::string problem;       // why it has no answer, in a sentence
@@ -48,7 +50,8 @@ struct AdvisorResult {
     std::vector<RungOutcome> rungs;
     std::vector<std::string> missing;  // models that were not tried, as the study was stopped or its budget was spent
     bool late = false;                 // the budget was spent
-    std::optional<std::size_t> advice; // among rungs; none: the full model
+    std::optional<std::size_t> advice; // among rungs; none: the full model, where any were tried and none is missing
+    bool advisesFull() const { return !advice && missing.empty() && !rungs.empty(); }
     // Where it was confirmed:
     std::optional<TailEstimate> fullEnd;
     std::optional<RungErrors> found;   // of the advice, from both at their ends

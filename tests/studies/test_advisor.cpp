@@ -37,6 +37,8 @@ private slots:
     void whatTheBudgetLeftOutIsTold();
     void aStopBeforeItIsConfirmedKeepsTheAdvice();
     void aBudgetEndsTheConfirmationAlone();
+    void theFullModelIsAdvisedAgainstWhatWasTried();
+    void sumsHaveTheirPartsTried();
 };
 
 namespace {
@@ -129,10 +131,12 @@ void TestAdvisor::aQuietSceneNeedsItsStaticState()
 }
 
 // A wave of 2 nm passes: the static state has no spread at all, and the linear film answers as the full one. The spectrum of the second
-// half of 0.3 ms resolves 1.5/0.15 ms = 10 kHz, a peak's place a tenth of that.
+// half of 0.9 ms resolves 1.5/0.45 ms = 3.3 kHz, a peak's place a tenth of that. The run takes many times longer than the answer.
 void TestAdvisor::overWavesTheStaticStateIsWrong()
 {
-    const StudyReport report = perform(overWaves(), "pilot = 1.0\nconfirm = true\nmodels = [\"static\", \"wave-answer\"]");
+    Case c = overWaves();
+    c.run.duration = 0.9e-3;
+    const StudyReport report = perform(c, "pilot = 1.0\nconfirm = true\nmodels = [\"static\", \"wave-answer\"]");
     QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
     QCOMPARE(verdict(report, "static state"), std::string("too far"));
     QCOMPARE(verdict(report, "answer to the waves"), std::string("advised"));
@@ -422,6 +426,43 @@ void TestAdvisor::aBudgetEndsTheConfirmationAlone()
         reportAdvice(task, result, report);
         QCOMPARE(std::ranges::count(report.warnings, "the budget of 2 s was spent before the advice was confirmed"), confirm ? 1 : 0);
     }
+}
+
+// A model that takes 1/1.1 of the full model's time is within, and no advice.
+void TestAdvisor::theFullModelIsAdvisedAgainstWhatWasTried()
+{
+    AdvisorTask task;
+    task.start = taperFlat();
+    AdvisorResult result = knownResult();
+    StudyReport none;
+    reportAdvice(task, result, none);
+    QCOMPARE(none.findings.at(0), std::string("There is no advice: no other model was tried."));
+    QCOMPARE(verdict(none, {}), std::string("reference"));
+    QVERIFY(!none.found);
+    RungOutcome little = result.full, late = result.full;
+    little.rung.name = "little";
+    little.seconds = 1.0 / 1.1;
+    late.givenUp = true;
+    result.rungs = {little, late};
+    StudyReport tried;
+    reportAdvice(task, result, tried);
+    QCOMPARE(tried.findings.at(0), std::string("Advice: the full model; none of the models that were tried is known to be within the tolerance and takes "
+                                               "at most 1/1.2 of the full model's time."));
+    QVERIFY(tried.found);
+    QVERIFY(std::ranges::any_of(tried.findings, [](const std::string& text) { return text.starts_with("1 model in time was given up "); }));
+}
+
+// Stopped after its parts began, or before: what is built from them is missing.
+void TestAdvisor::sumsHaveTheirPartsTried()
+{
+    AdvisorTask task;
+    task.start = overWaves();
+    task.models = {"sums"};
+    const std::vector<Rung> ladder = ladderOf(task, 0.0);
+    QVERIFY(ladder.size() > 1 && std::ranges::all_of(ladder, [](const Rung& rung) { return rung.kind == RungKind::Part; }));
+    const StudyReport report = perform(overWaves(), "models = [\"sums\"]", [](const StudyProgress& progress) { return progress.soFar == nullptr; });
+    QCOMPARE(report.status, StudyStatus::Cancelled);
+    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.ends_with(", film without several parts"); }));
 }
 
 QTEST_GUILESS_MAIN(TestAdvisor)
