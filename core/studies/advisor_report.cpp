@@ -113,13 +113,14 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
     const RungErrors& found = *result.found;
     const Claim mean = advice.errors.claimedMean(), spread = advice.errors.claimedSpread();
     const bool meanCame = confirms(mean, found.mean), spreadCame = confirms(spread, found.spread);
-    const bool came = found.sameEnd && meanCame && spreadCame;
+    const bool came = found.sameEnd && found.samePeak && meanCame && spreadCame;
     const auto one = [](const Claim& claim, double error, bool held) {
         return nm(error) + " (claimed " + textOf(claim) + (held ? ")" : ": missed)");
     };
     report.findings.insert(report.findings.begin() + 2,
                            std::string(came ? "Confirmed" : "NOT confirmed") + " by the full model to its end: error of the mean spacing " +
                                one(mean, found.mean, meanCame) + ", of the spread " + one(spread, found.spread, spreadCame) +
+                               (found.samePeak ? "" : ", its largest peak elsewhere: missed") +
                                (found.sameEnd ? "" : ", and it ends otherwise: missed") + "; " + readableTime(result.adviceSeconds) + " instead of " +
                                readableTime(result.fullSeconds) + ", " + lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
     if (!came) report.warnings.push_back("the full model's whole run does not confirm what the pilot claims; give a longer pilot");

@@ -39,6 +39,7 @@ private slots:
     void aBudgetEndsTheConfirmationAlone();
     void theFullModelIsAdvisedAgainstWhatWasTried();
     void sumsHaveTheirPartsTried();
+    void aPeakElsewhereIsNotConfirmed();
 };
 
 namespace {
@@ -463,6 +464,23 @@ void TestAdvisor::sumsHaveTheirPartsTried()
     const StudyReport report = perform(overWaves(), "models = [\"sums\"]", [](const StudyProgress& progress) { return progress.soFar == nullptr; });
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.ends_with(", film without several parts"); }));
+}
+
+void TestAdvisor::aPeakElsewhereIsNotConfirmed()
+{
+    AdvisorTask task;
+    task.start = taperFlat();
+    AdvisorResult result = knownResult();
+    result.rungs = {result.full};
+    result.advice = 0;
+    result.fullEnd = result.full.tail;
+    for (const bool same : {true, false}) {
+        result.found = RungErrors{.samePeak = same};
+        StudyReport report;
+        reportAdvice(task, result, report);
+        QVERIFY2(report.findings.at(2).starts_with(same ? "Confirmed" : "NOT confirmed"), report.findings.at(2).c_str());
+        QCOMPARE(report.findings.at(2).find("its largest peak elsewhere: missed") == std::string::npos, same);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestAdvisor)
