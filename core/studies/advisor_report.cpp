@@ -58,7 +58,8 @@ std::string applyText(const RungOutcome& advice)
 {
     if (advice.found && advice.command == "steady") return "Its case (--apply FILE) has this answer as its static state: touchdown steady FILE.";
     if (advice.found && advice.rung.kind == RungKind::ContactRest)
-        return "Its case (--apply FILE) begins at this rest, over a flat disk, and stays there: touchdown run FILE.";
+        return "Its case (--apply FILE) begins at this rest, over a flat disk, and stays there: touchdown run FILE. "
+               "That run checks the rest in a film over a tenth of the duration, and takes about a tenth of the full model's time.";
     if (advice.found) return "Its case (--apply FILE) is to be run: touchdown run FILE.";
     return "No case has this answer alone: its numbers stand in the table below, touchdown modes tells the modes, and --option models=" +
            std::string(name(advice.rung.kind)) + " makes this model the only one that is tried.";

@@ -44,7 +44,7 @@ void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     outcome.command = "steady";
 }
 
-/// A run that begins where the slider rests in contact, and stays there.
+/// A run that begins where the slider rests in contact, and stays there: it checks the rest, which is known without it.
 Case startedAtRest(Case c, const Attitude& attitude)
 {
     InitialCase& start = c.initial = InitialCase{};
