@@ -33,10 +33,6 @@ public:
             if (look.flies && ask()) follow({look.p, placeOf(look.rest), ContactRegion::Apart});
             done();
         }
-        // The flying states tell where the suspension exerts its load, more closely than the looks.
-        for (const Traced& each : traced_)
-            for (std::size_t i = 0; i < each.places.size(); ++i)
-                if (each.region == ContactRegion::Apart) path_.addRest(each.places[i].second, each.attitudes[i]);
         for (const FilmPath::Look& look : all) {
             if (ask()) seekTouching(look);
             done();
@@ -55,7 +51,6 @@ private:
     struct Traced {
         ContactRegion region;
         std::vector<std::pair<Vector, double>> places; // x, p
-        std::vector<Attitude> attitudes;
     };
 
     bool ask()
@@ -126,11 +121,10 @@ private:
         const Branch forth = closed || !ask() ? Branch{} : followBranch(problem, x, seed.p, true, options, goOn_);
 
         FilmBranch branch{region, {}};
-        Traced traced{region, {}, {}};
+        Traced traced{region, {}};
         const auto add = [&](const BranchPoint& point) {
             branch.points.push_back(path_.describe(point.x, point.p, region));
             traced.places.emplace_back(point.x, point.p);
-            traced.attitudes.push_back(branch.points.back().at.attitude);
         };
         for (auto point = back.points.rbegin(); point != back.points.rend() && ask(); ++point) add(*point);
         for (std::size_t i = back.points.empty() ? 0 : 1; i < forth.points.size() && ask(); ++i) add(forth.points[i]);

@@ -10,7 +10,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double difference = 1e-3; // of p, for dG/dp, and of static states that are told apart, in shares of its range
+constexpr double difference = 1e-3; // of p, for dG/dp, in shares of its range
 constexpr double unmoved = 1e-9;    // of x, for which the film is not solved again [-]
 constexpr double far = 1e6;         // an end that a law's interval does not have [-]
 constexpr double shortest = 1e-9;   // unit of x [m]
@@ -46,12 +46,6 @@ std::vector<FilmPath::Look> FilmPath::look(int looks, std::vector<std::string>& 
         startAmbient_ = airOf(c->air).pressure;
     }
     return found;
-}
-
-void FilmPath::addRest(double p, const Attitude& rest)
-{
-    if (std::ranges::any_of(rests_, [&](const auto& other) { return std::abs(other.first - p) < difference; })) return;
-    rests_.insert(std::ranges::lower_bound(rests_, p, {}, &std::pair<double, Attitude>::first), {p, rest});
 }
 
 Attitude FilmPath::restAt(double p) const
