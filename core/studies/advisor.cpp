@@ -42,6 +42,8 @@ StudyPerformance planAdvisor(StudyReader& reader)
         reader.add("case", "must be of model \"film\": the ladder leaves out what a film has; springs are its last step");
     else if (const std::string reason = reasonNotToRun(task.start); !reason.empty())
         reader.add("case", "cannot be run in time: " + reason);
+    else if (task.start.steady.fixedAttitude)
+        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; advice is of one that flies");
     task.tolerance = reader.number("tolerance", "", "", 1e-5, 0.5).value_or(task.tolerance);
     task.spreadTolerance = reader.number("spread_tolerance", "", "", 1e-5, 2.0).value_or(task.spreadTolerance);
     task.pilot = reader.number("pilot", "", "", 0.05, 1.0).value_or(task.pilot);

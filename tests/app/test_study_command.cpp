@@ -144,6 +144,7 @@ private slots:
         row("a pad", {"study", "stability", "contact_hertz"}, "contact_hertz: case: ");
         row("a case to design", {"study", "design", "fig10a"}, "fig10a: is a case; a design needs the file of a study");
         row("a list of tables as option", {"study", "hysteresis", "fig10a", "--option", "method.name=a"}, "--option: method");
+        row("advice on a slider that is held", {"advise", "film_plane"}, "film_plane: case: is meant for one attitude alone (steady.fixed_attitude = true)");
         row("advice on springs", {"advise", "fig10a"}, "fig10a: case: must be of model \"film\"");
         row("advice without a case", {"advise", "--tolerance", "1%"}, "advise: FILE");
         row("a bad tolerance", {"advise", "film_pico", "--tolerance", "few"}, "--option: tolerance: ");

@@ -138,7 +138,7 @@ private slots:
                                   .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}}, .stability = Stability::Flutter, .lost = 0};
         FilmBranches found;
         found.branches = {{ContactRegion::Bridged, {{0.0, one}, {1.0, one}}}};
-        found.marks = {{EquilibriumMark::Hopf, {0.5, one}, "Hopf point"}};
+        found.marks.push_back({EquilibriumMark::Hopf, {0.5, one}, "Hopf point"}); // GCC 12 takes a list of it for uninitialised
         found.resolved = 60e3; // ten cells a wave: the sign is known from three
         HysteresisResult coarse;
         addFilmEquilibria(found, coarse);
