@@ -25,7 +25,7 @@ public:
         const std::vector<Transition> transitions = transitionsOf(result_.steps);
         for (const Transition& each : transitions)
             say(std::string(each.down ? "Touch-down" : "Take-off") + " at " + text_.of(each.middle()) + " +- " +
-                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) + ", " +
+                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) + (&each == &transitions.front() ? " of " + text_.inSentence() : "") + ", " +
                 (each.after > each.before ? "rising" : "falling") + equilibriumEnd(each));
         const auto first = std::ranges::find_if(result_.steps, ended);
         if (first == result_.steps.end()) return;
@@ -36,8 +36,9 @@ public:
         if (std::ranges::all_of(result_.steps, [&](const HeldStep& step) { return !ended(step) || touches(step.end) != flies; }))
             say(seenThroughout(flies) + (whole ? " at every value " : " at every value with a valid end ") + ways + throughout(flies));
         else if (transitions.size() == 1 && flies != transitions.front().down)
-            say(std::string("From there on the slider ") + (flies ? "flies" : "stays in contact") + ": on the way back, to " +
-                text_.of(task_.values.front()) + ", " + (flies ? "it does not touch down again" : "it does not take off again"));
+            say(std::string("From there on the slider ") + (flies ? "flies" : last->end.kind == EndKind::Contact ? "stays in contact" : "keeps touching the disk") +
+                ": on the way back, to " + text_.of(task_.values.front()) + ", " +
+                (flies ? "it does not touch down again" : last->end.kind == EndKind::Contact ? "it does not take off again" : "it does not come to fly again"));
         else if (transitions.size() <= 1)
             say((transitions.empty() ? "The slider does not end in one state throughout " + ways + ", but it changed only " : "It also changed ") +
                 (whole ? "while the last value was held a second time" : "beside runs without a valid end, or while the last value was held again") +
@@ -54,7 +55,7 @@ public:
         const std::string begins = "Begun anew at each value the slider ends ";
         const auto where = [&](const std::vector<double>& values) { return " (" + text(rangesAmong(task_.values, values), text_) + ")"; };
         if (flying.empty() || contact.empty())
-            say(begins + (flying.empty() ? "touching the disk" : "flying") + " in " +
+            say(begins + (flying.empty() ? "touching the disk, some of the time or all of it," : "flying") + " in " +
                 (all == 1 ? "its one run" : "all " + std::to_string(all) + " runs"));
         else
             say(begins + "flying in " + std::to_string(flying.size()) + " of " + std::to_string(all) + " runs" + where(flying) +
@@ -89,7 +90,7 @@ public:
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            say(counted(count, "run still moves", "runs still move") + " by more than 0.1 nm at the end of " + fewDigitsOfTime(task_.hold, 3) +
+            say(counted(count, "run has", "runs have") + " not come to rest, by more than 0.1 nm since the middle of " + fewDigitsOfTime(task_.hold, 3) +
                 "; a longer hold tells more");
     }
 

@@ -17,13 +17,6 @@ using Ordinate = std::function<std::optional<double>(const StudiedEquilibrium&)>
 using StepOrdinate = std::function<ChartPoint(const HeldStep&)>;
 
 /// A label within a sentence, but for one that begins with an abbreviation.
-std::string inSentence(std::string label)
-{
-    if (label.size() > 1 && std::islower(static_cast<unsigned char>(label[1])))
-        label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
-    return label;
-}
-
 double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi); }
 
 std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
@@ -92,7 +85,7 @@ ChartPoint spacingPoint(const HeldStep& step)
 
 StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Spacing over " + inSentence(text.label), .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Spacing over " + text.inSentence(), .caption = {}, .panels = {}};
     const ChartAxis x{.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     ChartPanel& spacing = chart.panels.emplace_back();
     spacing.x = x;
@@ -121,7 +114,7 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
 
 StudyChart pitchChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Pitch over " + inSentence(text.label), .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Pitch over " + text.inSentence(), .caption = {}, .panels = {}};
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     panel.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};

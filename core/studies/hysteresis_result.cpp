@@ -34,6 +34,14 @@ bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
            std::abs(at.eigenvalues.front().imag()) > 2.0 * std::numbers::pi * resolved;
 }
 
+std::string ParameterText::inSentence() const
+{
+    std::string text = label;
+    if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])))
+        text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
 std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
 
 ParameterText parameterText(const DesignKey& key)
@@ -80,9 +88,11 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
         loop.whole = loop.whole && known;
         differences.push_back(known ? std::abs(there.end.spacing - back.end.spacing) : 0.0);
         if (known) ++loop.known;
-        if (known && differ(there.end, back.end)) {
+        const bool moving = stillMoves(there) || stillMoves(back);
+        // Two that fly, or touch, and have not come to rest are no two states.
+        if (known && differ(there.end, back.end) && !(moving && touches(there.end) == touches(back.end))) {
             loop.values.push_back(there.value);
-            if (stillMoves(there) || stillMoves(back)) ++loop.moving;
+            if (moving) ++loop.moving;
         }
         if (i > 0 && known) loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
     }

@@ -68,6 +68,7 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result);
 /// The parameter as charts and sentences name it.
 struct ParameterText {
     std::string label;       // "Static flying height"
+    std::string inSentence() const; // "static flying height"
     std::string unit, displayUnit;
     /// Three digits.
     std::string of(double value) const;

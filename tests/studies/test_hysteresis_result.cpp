@@ -67,7 +67,7 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(says(findings, "Touch-down at 1.5 mN +- 0.5 mN, rising"));
+        QVERIFY(says(findings, "Touch-down at 1.5 mN +- 0.5 mN of maximum meniscus force f_m, rising"));
         QVERIFY(says(findings, "Take-off at 0.5 mN +- 0.5 mN, falling"));
         QVERIFY(says(findings, "Hysteresis at 1 mN: there and back"));
         QVERIFY(says(findings, "3 nm mN"));
@@ -138,7 +138,11 @@ private slots:
                                   .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}}, .stability = Stability::Flutter, .lost = 0};
         FilmBranches found;
         found.branches = {{ContactRegion::Bridged, {{0.0, one}, {1.0, one}}}};
-        found.marks.push_back({EquilibriumMark::Hopf, {0.5, one}, "Hopf point"}); // GCC 12 takes a list of it for uninitialised
+        MarkedFilmEquilibrium mark;
+        mark.kind = EquilibriumMark::Hopf;
+        mark.at.parameter = 0.5;
+        mark.at.at = one;
+        found.marks.push_back(mark);
         found.resolved = 60e3; // ten cells a wave: the sign is known from three
         HysteresisResult coarse;
         addFilmEquilibria(found, coarse);
