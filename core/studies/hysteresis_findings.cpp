@@ -90,8 +90,8 @@ public:
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            say(counted(count, "run has", "runs have") + " not come to rest, by more than 0.1 nm since the middle of " + fewDigitsOfTime(task_.hold, 3) +
-                "; a longer hold tells more");
+            say(counted(count, "run has", "runs have") + " not come to rest (more than 0.1 nm since the middle of " + fewDigitsOfTime(task_.hold, 3) +
+                "); a longer hold tells more");
     }
 
     void addFailures()
