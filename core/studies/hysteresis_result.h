@@ -70,7 +70,7 @@ struct ParameterText {
     std::string label;       // "Static flying height"
     std::string inSentence() const; // "static flying height"
     std::string unit, displayUnit;
-    /// Three digits.
+    /// Four digits.
     std::string of(double value) const;
 };
 ParameterText parameterText(const DesignKey& key);
