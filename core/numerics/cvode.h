@@ -178,6 +178,10 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
 
 inline constexpr bool haveCvode = false;
 
+/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called, so never defined.
+template <SwitchedSystem System, class Recorder>
+IntegrationResult integrateCvode(const System& system, Start<System> start, double until, const AdaptiveOptions& options, Recorder& recorder);
+
 #endif
 
 } // namespace touchdown
