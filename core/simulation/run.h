@@ -3,102 +3,13 @@
 // One run of a case: case -> model -> integrator -> batches of samples -> Summary.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/physics/characteristic_fit.h"
-#include "core/simulation/case.h"
-#include "core/simulation/field_snapshot.h"
-#include "core/simulation/quantity.h"
+#include "core/case/case.h"
+#include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
-
-enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
-std::string_view name(RunStatus status);
-
-/// What went wrong in a run that did not complete; the message tells it for a person.
-enum class RunFailure : std::uint8_t {
-    None,
-    Diverged,       // beyond all bounds
-    NegativeEnergy, // where springs.potential is "as-printed"
-    Chattering,     // switches without end
-    FrontSpringLost, // for good: outside the model
-    RearSpringLost,
-    Tunnelled,      // through the wall of an air spring
-    NoStep,         // is short enough for what is asked
-    NotConverged,   // an implicit step, or film and slider
-    Other
-};
-/// Without where, when and what to do about it: "the rear air spring is lost for good"; "" of None.
-std::string_view name(RunFailure failure);
-
-/// A switch: a spring lost or caught, the pad touching down or taking off.
-struct RunEvent {
-    double time = 0.0; // [s]
-    std::string name;  // "touch-down", "rear spring lost"
-};
-
-/// What the core tells while it runs. Sent at least every 20 ms of wall time.
-struct RunUpdate {
-    double time = 0.0;     // reached [s]
-    double duration = 0.0; // of the whole run [s]
-    const SampleBatch& samples;           // since the last update; may be empty
-    const std::vector<RunEvent>& events;  // since the last update
-    const std::vector<FieldSnapshot>& fields; // since the last update; of recordedFields
-};
-/// Return false to stop the run; may block to pause it. Called on the thread of `run`.
-using RunCallback = std::function<bool(const RunUpdate&)>;
-
-struct Statistics {
-    double mean = 0.0, std = 0.0, min = 0.0, max = 0.0; // [unit of the quantity]
-};
-
-struct SpectrumPeak {
-    double frequency = 0.0; // [Hz]
-    double amplitude = 0.0; // of a sine with that peak [unit of the quantity]
-};
-
-/// What halving a fixed step changes.
-struct StepCheck {
-    double step = 0.0;         // the halved one [s]
-    double flyingHeight = 0.0; // at the end, with that step [m]
-    double pitch = 0.0;        // [rad]
-    bool sameEndState = true;
-    std::string message;       // a sentence
-};
-
-/// What one reads off a run: "pull_off_force".
-struct RunFigure {
-    Quantity quantity;
-    double value = 0.0; // [unit of the quantity]; finite
-};
-
-struct Summary {
-    RunStatus status = RunStatus::Completed;
-    RunFailure failure = RunFailure::None;
-    std::string message;       // why it ended, for a person
-    double endTime = 0.0;      // [s]
-    long long steps = 0;       // accepted
-    long long rejectedSteps = 0;
-    long long evaluations = 0; // of the right-hand side
-    double solverSeconds = 0.0; // integration and dense output alone, of wall time
-    double wallSeconds = 0.0;   // with samples, callback and statistics
-    std::string model;
-    std::string integrator;
-    std::vector<std::pair<std::string, double>> final; // quantity name -> value; only finite ones
-    std::vector<std::pair<std::string, Statistics>> tail; // over the last 10 % of the duration
-    std::vector<RunEvent> events;     // the first 100 000
-    bool bouncing = false;
-    std::string bouncingRule;         // the rule that decided, with its figures
-    std::vector<SpectrumPeak> peaks;  // of the minimum spacing, largest first
-    std::optional<StepCheck> stepCheck;
-    std::vector<std::string> warnings;
-    std::vector<RunFigure> figures;            // models film and contact; springs with their energy's books
-    std::optional<CharacteristicFit> fit;      // contact multi-asperity
-};
 
 /// Why a valid case cannot be run in time, in a sentence; "" when it can.
 std::string reasonNotToRun(const Case& c);
@@ -108,10 +19,6 @@ std::vector<Quantity> recordedQuantities(const Case& c);
 
 /// The sets of fields of which this case's run records snapshots, none of them empty.
 std::vector<RecordedFields> recordedFields(const Case& c);
-
-struct RunOptions {
-    bool energyBooks = false; // springs: how much energy the integrator makes, as figure "energy_balance"; film runs always tell
-};
 
 /// Runs a valid case to its end. Never throws for numerics: see Summary::status.
 Summary run(const Case& c, const RunCallback& callback = {}, const RunOptions& options = {});

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/simulation/fields.h"
-#include "core/studies/key_path.h"
+#include "core/case/fields.h"
+#include "core/studies/study/key_path.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {

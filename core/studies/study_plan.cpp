@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/simulation/cml_case.h"
-#include "core/simulation/fields.h"
-#include "core/simulation/nearest_name.h"
-#include "core/simulation/quotation.h"
-#include "core/simulation/text_file.h"
-#include "core/studies/advisor.h"
-#include "core/studies/hysteresis.h"
-#include "core/studies/sample_study.h"
-#include "core/studies/stability.h"
-#include "core/studies/study_head.h"
-#include "core/studies/study_options.h"
-#include "core/studies/study_reader.h"
-#include "core/studies/work_precision.h"
+#include "core/case_files/cml_case.h"
+#include "core/case/fields.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/formats/text_file.h"
+#include "core/studies/advice/advisor.h"
+#include "core/studies/hysteresis/hysteresis.h"
+#include "core/studies/study/sample_study.h"
+#include "core/studies/stability/stability.h"
+#include "core/studies/study/study_head.h"
+#include "core/studies/study/study_options.h"
+#include "core/studies/study/study_reader.h"
+#include "core/studies/precision/work_precision.h"
 
 namespace touchdown {
 

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/case_file.h"
-#include "core/studies/study.h"
-#include "core/studies/study_reader.h"
+#include "core/case_files/case_file.h"
+#include "core/studies/study/study.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 

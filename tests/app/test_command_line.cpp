@@ -2,8 +2,9 @@
 
 #include <QtTest>
 
-#include "core/simulation/fields.h"
+#include "core/case/fields.h"
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -257,5 +258,5 @@ void TestCommandLine::describeStudies()
     QVERIFY(folder_->touchdown({"describe", "study.hysteresys"}).err.contains("allowed is one of work-precision, "));
 }
 
-QTEST_GUILESS_MAIN(TestCommandLine)
+TOUCHDOWN_TEST(TestCommandLine)
 #include "test_command_line.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -69,5 +70,5 @@ private:
     std::unique_ptr<CommandFolder> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestConvergenceCommand)
+TOUCHDOWN_TEST(TestConvergenceCommand)
 #include "test_convergence_command.moc"

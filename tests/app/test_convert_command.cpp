@@ -2,9 +2,10 @@
 
 #include <QtTest>
 
-#include "core/simulation/fields.h"
+#include "core/case/fields.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -111,5 +112,5 @@ private:
     std::unique_ptr<CommandFolder> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestConvertCommand)
+TOUCHDOWN_TEST(TestConvertCommand)
 #include "test_convert_command.moc"

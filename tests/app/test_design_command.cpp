@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -84,5 +85,5 @@ value = )" + force + "\n";
     std::unique_ptr<CommandFolder> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestDesignCommand)
+TOUCHDOWN_TEST(TestDesignCommand)
 #include "test_design_command.moc"

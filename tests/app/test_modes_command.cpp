@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown modes` as a person and as a script use it. Whether the modes are right: tests/simulation/test_modes.cpp.
+// `touchdown modes` as a person and as a script use it. Whether the modes are right: tests/simulation/small_motions/test_modes.cpp.
 
 #include <QtTest>
 
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -99,5 +100,5 @@ void TestModesCommand::notConverged()
     QCOMPARE(o.errorLines().size(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestModesCommand)
+TOUCHDOWN_TEST(TestModesCommand)
 #include "test_modes_command.moc"

@@ -5,8 +5,9 @@
 
 #include <QtTest>
 
-#include "core/simulation/results_file.h"
+#include "core/results/results_file.h"
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -417,5 +418,5 @@ void TestRunCommand::progressIsSilentUnlessAskedFor()
     QVERIFY(!o.json().isEmpty());
 }
 
-QTEST_GUILESS_MAIN(TestRunCommand)
+TOUCHDOWN_TEST(TestRunCommand)
 #include "test_run_command.moc"

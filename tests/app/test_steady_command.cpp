@@ -6,8 +6,9 @@
 
 #include <csignal>
 
-#include "core/simulation/steady.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -230,5 +231,5 @@ void TestSteadyCommand::progressIsSilentUnlessAskedFor()
     QVERIFY2(o.err.contains("grid 33 x 33, iteration "), o.err);
 }
 
-QTEST_GUILESS_MAIN(TestSteadyCommand)
+TOUCHDOWN_TEST(TestSteadyCommand)
 #include "test_steady_command.moc"

@@ -3,6 +3,7 @@
 
 #include "core/studies/study_plan.h"
 #include "tests/support/command_process.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -173,5 +174,5 @@ private:
     std::unique_ptr<CommandFolder> folder_;
 };
 
-QTEST_GUILESS_MAIN(TestStudyCommand)
+TOUCHDOWN_TEST(TestStudyCommand)
 #include "test_study_command.moc"

@@ -5,6 +5,8 @@
 #include <QtEndian>
 #include <QtTest>
 
+#include "tests/support/test_program.h"
+
 namespace {
 
 struct Outcome {
@@ -154,5 +156,5 @@ void TestWorkbench::saysWhatCannotBeWritten()
     QVERIFY2(o.err.contains(file.toLocal8Bit()), o.err.constData());
 }
 
-QTEST_GUILESS_MAIN(TestWorkbench)
+TOUCHDOWN_TEST(TestWorkbench)
 #include "test_workbench.moc"

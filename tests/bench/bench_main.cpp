@@ -27,10 +27,10 @@
 #include <vector>
 
 #include "core/numerics/cvode.h"
-#include "core/simulation/case_file.h"
-#include "core/simulation/fields.h"
+#include "core/case_files/case_file.h"
+#include "core/case/fields.h"
 #include "core/simulation/run.h"
-#include "core/simulation/units.h"
+#include "core/formats/units.h"
 #include "tests/bench/contact_bench.h"
 #include "tests/bench/coupled_bench.h"
 #include "tests/bench/film_bench.h"

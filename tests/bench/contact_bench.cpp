@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/physics/elastic_contact.h"
+#include "core/physics/contact/elastic_contact.h"
 #include "tests/support/self_affine.h"
 
 namespace touchdown {

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <optional>
 
-#include "core/simulation/case_file.h"
-#include "core/simulation/fields.h"
+#include "core/case_files/case_file.h"
+#include "core/case/fields.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {

@@ -10,11 +10,11 @@
 #include <numeric>
 #include <vector>
 
-#include "core/physics/film_energy.h"
-#include "core/physics/film_step.h"
-#include "core/simulation/case_file.h"
-#include "core/simulation/film_setup.h"
-#include "core/simulation/steady.h"
+#include "core/physics/film/film_energy.h"
+#include "core/physics/film/film_step.h"
+#include "core/case_files/case_file.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 

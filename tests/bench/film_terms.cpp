@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <functional>
 
-#include "core/simulation/case_file.h"
-#include "core/simulation/film_setup.h"
-#include "core/simulation/steady.h"
+#include "core/case_files/case_file.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/bench/node_film.h"
 
 namespace touchdown {

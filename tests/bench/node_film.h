@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A static film counted as the established program counts it (its published source, CMLAir), in code of its own: a check of
-// core/physics/gas_film.h that shares no face, no gap and no quadrature with it, only slip, recess and linear algebra.
+// core/physics/film/gas_film.h that shares no face, no gap and no quadrature with it, only slip, recess and linear algebra.
 //
 // Pressures sit on nodes at the crossings of lines, those on the outline at p0; faces stand halfway between lines. A face
 // sees the recess on its own line only, not what lies before or behind it:
@@ -19,9 +19,9 @@
 #include <cstdint>
 
 #include "core/numerics/cell_grid.h"
-#include "core/physics/attitude.h"
-#include "core/physics/gas_film.h"
-#include "core/physics/recess.h"
+#include "core/physics/slider/attitude.h"
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/recess.h"
 
 namespace touchdown {
 

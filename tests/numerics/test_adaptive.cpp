@@ -7,6 +7,7 @@
 
 #include "tests/support/allocation_count.h"
 #include "tests/support/piecewise_oscillator.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -228,5 +229,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAdaptive)
+TOUCHDOWN_TEST(TestAdaptive)
 #include "test_adaptive.moc"

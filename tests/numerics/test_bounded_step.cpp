@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -76,5 +78,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoundedStep)
+TOUCHDOWN_TEST(TestBoundedStep)
 #include "test_bounded_step.moc"

@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -170,5 +172,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestContinuation)
+TOUCHDOWN_TEST(TestContinuation)
 #include "test_continuation.moc"

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -142,5 +144,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestConvection)
+TOUCHDOWN_TEST(TestConvection)
 #include "test_convection.moc"

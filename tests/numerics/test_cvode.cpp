@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/support/piecewise_oscillator.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -85,5 +86,5 @@ private slots:
 #endif
 };
 
-QTEST_GUILESS_MAIN(TestCvode)
+TOUCHDOWN_TEST(TestCvode)
 #include "test_cvode.moc"

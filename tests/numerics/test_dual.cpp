@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 class TestDual : public QObject {
@@ -54,5 +56,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDual)
+TOUCHDOWN_TEST(TestDual)
 #include "test_dual.moc"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/support/piecewise_oscillator.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -143,5 +144,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEvents)
+TOUCHDOWN_TEST(TestEvents)
 #include "test_events.moc"

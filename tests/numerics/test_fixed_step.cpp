@@ -7,6 +7,7 @@
 
 #include "tests/support/allocation_count.h"
 #include "tests/support/piecewise_oscillator.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -236,5 +237,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFixedStep)
+TOUCHDOWN_TEST(TestFixedStep)
 #include "test_fixed_step.moc"

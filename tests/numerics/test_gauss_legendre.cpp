@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -51,5 +53,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGaussLegendre)
+TOUCHDOWN_TEST(TestGaussLegendre)
 #include "test_gauss_legendre.moc"

@@ -10,6 +10,8 @@
 #include <Eigen/Dense>
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -226,5 +228,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGmres)
+TOUCHDOWN_TEST(TestGmres)
 #include "test_gmres.moc"

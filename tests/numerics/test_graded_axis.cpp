@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -149,5 +151,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGradedAxis)
+TOUCHDOWN_TEST(TestGradedAxis)
 #include "test_graded_axis.moc"

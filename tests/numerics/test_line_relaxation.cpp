@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -173,5 +175,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLineRelaxation)
+TOUCHDOWN_TEST(TestLineRelaxation)
 #include "test_line_relaxation.moc"

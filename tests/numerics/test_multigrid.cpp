@@ -13,6 +13,7 @@
 
 #include "core/numerics/convection.h"
 #include "core/numerics/gmres.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -427,5 +428,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMultigrid)
+TOUCHDOWN_TEST(TestMultigrid)
 #include "test_multigrid.moc"

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -107,5 +109,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNestedGrid)
+TOUCHDOWN_TEST(TestNestedGrid)
 #include "test_nested_grid.moc"

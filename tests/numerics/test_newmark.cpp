@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/support/piecewise_oscillator.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
@@ -72,5 +73,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNewmark)
+TOUCHDOWN_TEST(TestNewmark)
 #include "test_newmark.moc"

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/support/allocation_count.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -321,5 +322,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPeriodicSpline)
+TOUCHDOWN_TEST(TestPeriodicSpline)
 #include "test_periodic_spline.moc"

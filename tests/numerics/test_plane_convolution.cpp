@@ -6,6 +6,7 @@
 
 #include "core/numerics/plane_convolution.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -131,5 +132,5 @@ void TestPlaneConvolution::allocatesNothing()
     QCOMPARE(test::allocations.load(), before);
 }
 
-QTEST_GUILESS_MAIN(TestPlaneConvolution)
+TOUCHDOWN_TEST(TestPlaneConvolution)
 #include "test_plane_convolution.moc"

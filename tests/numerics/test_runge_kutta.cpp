@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 namespace {
@@ -101,5 +103,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRungeKutta)
+TOUCHDOWN_TEST(TestRungeKutta)
 #include "test_runge_kutta.moc"

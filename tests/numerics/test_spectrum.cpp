@@ -11,6 +11,8 @@
 #include <random>
 #include <thread>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 
 Q_DECLARE_METATYPE(touchdown::SpectrumWindow)
@@ -378,5 +380,5 @@ void TestSpectrum::threadsDoNotDisturbEachOther()
     for (std::size_t i = 0; i < 4; ++i) QCOMPARE(together[i].power, alone[i].power);
 }
 
-QTEST_GUILESS_MAIN(TestSpectrum)
+TOUCHDOWN_TEST(TestSpectrum)
 #include "test_spectrum.moc"

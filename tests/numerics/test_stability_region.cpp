@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace touchdown;
 using Complex = std::complex<double>;
 
@@ -171,5 +173,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStabilityRegion)
+TOUCHDOWN_TEST(TestStabilityRegion)
 #include "test_stability_region.moc"

@@ -8,7 +8,8 @@
 #include <QTest>
 
 #include "core/numerics/cvode.h"
-#include "core/simulation/case_file.h"
+#include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -585,5 +586,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRun)
+TOUCHDOWN_TEST(TestRun)
 #include "test_run.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "core/studies/study_plan.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -69,5 +70,5 @@ private slots:
     void noSuchKind() { QVERIFY(studyKeys("hysterese").empty()); }
 };
 
-QTEST_GUILESS_MAIN(TestStudyKeys)
+TOUCHDOWN_TEST(TestStudyKeys)
 #include "test_study_keys.moc"

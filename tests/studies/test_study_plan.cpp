@@ -3,7 +3,8 @@
 
 #include <QtTest>
 
-#include "core/studies/sample_study.h"
+#include "core/studies/study/sample_study.h"
+#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -267,5 +268,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStudyPlan)
+TOUCHDOWN_TEST(TestStudyPlan)
 #include "test_study_plan.moc"

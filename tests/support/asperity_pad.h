@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "core/physics/multi_asperity.h"
+#include "core/physics/contact/multi_asperity.h"
 
 namespace touchdown::test {
 

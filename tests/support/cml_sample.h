@@ -10,8 +10,8 @@
 
 #include <QByteArrayList>
 
-#include "core/physics/air_bearing_surface.h"
-#include "core/simulation/case_file.h"
+#include "core/physics/slider/air_bearing_surface.h"
+#include "core/case_files/case_file.h"
 
 namespace touchdown::test {
 

@@ -6,7 +6,7 @@
 #include <QtTest>
 #include <memory>
 
-#include "core/simulation/case_file.h"
+#include "core/case_files/case_file.h"
 
 namespace touchdown {
 

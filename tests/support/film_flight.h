@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/film_run.h"
+#include "core/simulation/flight/film_run.h"
 #include "tests/support/flying_slider.h"
 
 namespace touchdown::test {

@@ -5,10 +5,10 @@
 
 #include <QtTest>
 
-#include "core/simulation/case_file.h"
-#include "core/simulation/coupled_step.h"
-#include "core/simulation/film_setup.h"
-#include "core/simulation/steady.h"
+#include "core/case_files/case_file.h"
+#include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown::test {
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/studies/hysteresis_result.h"
+#include "core/studies/hysteresis/hysteresis_result.h"
 
 namespace touchdown::test {
 

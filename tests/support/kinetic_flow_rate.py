@@ -9,7 +9,7 @@ Linearised BGK equation between diffusely reflecting plates at x = -D/2, D/2, wi
 With psi = A + B x^2 the stationary value of 2 (1, psi) - (psi, psi - K psi) gives (1, psi). The products are integrals of a power of x
 times T_n, which integration by parts (T_n' = -T_(n-1)) turns into values of T_n at 0 and D.
 
-Without arguments: the rows of core/physics/kinetic_flow_rate.cpp. With numbers: Q_P at these D. Needs python3-mpmath.
+Without arguments: the rows of core/physics/film/kinetic_flow_rate.cpp. With numbers: Q_P at these D. Needs python3-mpmath.
 """
 import sys
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/simulation/film_branches.h"
+#include "core/simulation/equilibria/film_branches.h"
 #include "tests/support/small_slider.h"
 
 namespace touchdown::test {

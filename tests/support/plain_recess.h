@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/physics/air_bearing_surface.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown::test {
 

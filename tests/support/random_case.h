@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/simulation/fields.h"
+#include "core/case/fields.h"
 
 namespace touchdown::test {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/physics/air_bearing_surface.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown::test {
 

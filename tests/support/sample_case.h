@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/simulation/case_file.h"
+#include "core/case_files/case_file.h"
 
 namespace touchdown {
 

@@ -12,7 +12,7 @@
 
 #include <QString>
 
-#include "core/simulation/results_file.h"
+#include "core/results/results_file.h"
 
 namespace touchdown {
 

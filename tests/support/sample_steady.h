@@ -3,8 +3,8 @@
 // A static state whose numbers are made up and all different, for what tells and stores them.
 #pragma once
 
-#include "core/simulation/fields.h"
-#include "core/simulation/steady.h"
+#include "core/case/fields.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown::test {
 

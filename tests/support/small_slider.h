@@ -3,7 +3,7 @@
 // A slider of our own for tests of the flying attitude: 1 mm x 0.8 mm, two side rails and a rear pad on a shallow step.
 #pragma once
 
-#include "core/simulation/case.h"
+#include "core/case/case.h"
 
 namespace touchdown::test {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "ui/run_record.h"
+#include "ui/runs/run_record.h"
 
 namespace touchdown {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/simulation/steady.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/simulation/case_file.h"
-#include "core/studies/study.h"
+#include "core/case_files/case_file.h"
+#include "core/studies/study/study.h"
 
 namespace touchdown {
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/modes_command.h"
+
+#include "app/commands/case_commands.h"
+#include "app/commands/modes_report.h"
+#include "app/terminal/steady_progress_line.h"
+#include "app/commands/steady_report.h"
+#include "app/terminal/stop_signal.h"
+
+namespace touchdown {
+
+int modesCommand(const ModesArguments& arguments)
+{
+    const CaseDocument document = openFilmCaseOrComplain(arguments.caseArguments);
+    if (!document.valid()) return exitWrongInput;
+    const StopSignal stop;
+    SteadyProgressLine progress(arguments.progress, 1);
+    const ModesResult result = modes(document.value, [&](const SteadyProgress& update) {
+        progress.show(update);
+        return !stop.requested();
+    });
+    progress.end();
+    print(arguments.json ? modesJson(document.value, result) : modesText(document.value, result));
+    if (result.status == SteadyStatus::Converged) return exitDone;
+    complain(statusText(result.status, result.message));
+    return exitNoAnswer;
+}
+
+} // namespace touchdown

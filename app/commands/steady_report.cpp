@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/steady_report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/terminal/progress_line.h"
+#include "app/terminal/report_row.h"
+#include "core/case/fields.h"
+#include "core/simulation/static_state/steady_quantities.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+namespace {
+
+bool isKnown(const SteadyResult& r) { return r.grid.x.size() > 1; }
+
+Json place(const SurfacePoint& point, bool known)
+{
+    return known ? Json{jsonNumber(point.x), jsonNumber(point.y)} : Json(nullptr);
+}
+
+Json matrix(const std::array<std::array<double, 3>, 3>& rows)
+{
+    Json result = Json::array();
+    for (const auto& row : rows) result.push_back({jsonNumber(row[0]), jsonNumber(row[1]), jsonNumber(row[2])});
+    return result;
+}
+
+Json attitudeJson(const Attitude& a)
+{
+    return {{"nominal_trailing_edge_height", jsonNumber(a.height)},
+            {"pitch", jsonNumber(a.pitch)},
+            {"roll", jsonNumber(a.roll)}};
+}
+
+Json sensitivitiesJson(const std::vector<Sensitivity>& sensitivities)
+{
+    Json result = Json::array();
+    for (const Sensitivity& each : sensitivities)
+        result.push_back({{"parameter", each.parameter},
+                          {"unit", each.unit.empty() ? "1" : each.unit},
+                          {"nominal_trailing_edge_height", jsonNumber(each.height)},
+                          {"pitch", jsonNumber(each.pitch)},
+                          {"roll", jsonNumber(each.roll)},
+                          {"minimum_spacing", jsonNumber(each.minimumSpacing)}});
+    return result;
+}
+
+Json interestJson(const Case& c, const SteadyResult& r)
+{
+    Json result = Json::array();
+    const auto& points = c.surface.pointsOfInterest;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        result.push_back(
+            {{"x", points[i].x},
+             {"y", points[i].y},
+             {"spacing", i < r.interestSpacing.size() ? jsonNumber(r.interestSpacing[i]) : Json(nullptr)}});
+    return result;
+}
+
+// Every null has its reason in the message.
+std::string jsonMessage(const Case& c, const SteadyResult& r)
+{
+    std::string message = r.message;
+    const auto add = [&](const std::string& reason) { message += (message.empty() ? "" : "; ") + reason; };
+    if (const std::string reason = leftOut(c); !reason.empty()) add(reason);
+    if (!isKnown(r))
+        add("null because there is no solution");
+    else
+        add("null because a static state is of the film alone: contact_force, intermolecular_force");
+    return message;
+}
+
+// To five figures, with trailing zeros, which say how far the value was looked at.
+std::string shown(double value, const std::string& displayUnit, int digits = 5)
+{
+    if (!std::isfinite(value)) return "-";
+    char text[64];
+    std::snprintf(text, sizeof text, "%#.*g", digits, displayUnit.empty() ? value : value / unitFactor(displayUnit));
+    std::string result = text;
+    if (result.ends_with('.')) result.pop_back();
+    return displayUnit.empty() ? result : result + ' ' + displayUnit;
+}
+
+std::string matrixText(const std::string& title, const std::array<std::array<double, 3>, 3>& matrix)
+{
+    const auto number = [](double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%14.5g", value);
+        return std::string(text);
+    };
+    std::string text = reportRow(title, "        height         pitch          roll   (SI)");
+    const std::array<const char*, 3> rows{"  force", "  pitch torque", "  roll torque"};
+    for (std::size_t i = 0; i < 3; ++i)
+        text += reportRow(rows[i], number(matrix[i][0]) + number(matrix[i][1]) + number(matrix[i][2]));
+    return text;
+}
+
+std::string placeText(const SurfacePoint& point)
+{
+    return "x = " + displayed(point.x, "mm", 5) + ", y = " + displayed(point.y, "mm", 5);
+}
+
+std::string withError(double value, double error, const std::string& unit)
+{
+    return shown(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
+}
+
+// What is round-off beside the other is zero.
+std::string pairText(const std::string& first, double a, const std::string& second, double b, const std::string& unit)
+{
+    const double noise = 1e-9 * std::max(std::abs(a), std::abs(b));
+    const auto clean = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
+    return first + ' ' + shown(clean(a), unit) + ", " + second + ' ' + shown(clean(b), unit);
+}
+
+std::string forcesText(const SteadyResult& r)
+{
+    const FilmForces& f = r.forces;
+    std::string text = reportRow("net force", withError(f.net, r.discretisationError.load, "gf"));
+    text += reportRow("  above ambient", shown(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
+    if (f.negative < 0.0)
+        text += reportRow("  below ambient", shown(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
+    text += reportRow("pressure torques", pairText("pitch", f.pitchTorque, "roll", f.rollTorque, "uN m"));
+    text += reportRow("shear force", pairText("x", f.shearX, "y", f.shearY, "mN"));
+    text += reportRow("shear torques", pairText("pitch", r.shearPitchTorque, "roll", r.shearRollTorque, "uN m"));
+    text += reportRow("highest pressure", shown(f.maximumPressure, "kPa") + " at " + placeText(f.maximumAt));
+    text += reportRow("lowest pressure", shown(f.minimumPressure, "kPa") + " at " + placeText(f.minimumAt));
+    return text;
+}
+
+// In the units in which people change the parameters.
+std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
+{
+    if (sensitivities.empty()) return {};
+    const auto number = [](double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%14.4g", value);
+        return std::string(text);
+    };
+    std::string text = reportRow("sensitivity to", "   height [nm]  pitch [urad]   roll [urad]  spacing [nm]   per");
+    for (const Sensitivity& s : sensitivities) {
+        const Field* field = findField(s.parameter);
+        const std::string unit = field ? field->displayUnit : s.unit == "m" ? "nm" : s.unit;
+        const double one = unit.empty() ? 1.0 : unitFactor(unit);
+        const double nm = unitFactor("nm"), urad = unitFactor("urad");
+        std::string name = "  " + s.parameter;
+        if (name.size() > 21) name = "  " + s.parameter.substr(s.parameter.find('.') + 1); // without its table
+        text += reportRow(name, number(s.height * one / nm) + number(s.pitch * one / urad) +
+                                    number(s.roll * one / urad) + number(s.minimumSpacing * one / nm) + "   1 " + unit);
+    }
+    return text;
+}
+
+std::string oneText(const Case& c, const SteadyResult& r)
+{
+    std::string text = reportRow("status", statusText(r.status, r.message));
+    if (!isKnown(r)) return text;
+    if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
+    text += reportRow("solution", std::to_string(r.iterations) + " iterations on " + std::to_string(r.grid.x.size()) +
+                                      " x " + std::to_string(r.grid.y.size()) + " nodes, " +
+                                      displayed(r.wallSeconds, "s", 3));
+    text += reportRow("trailing edge height", shown(r.attitude.height, "nm"));
+    text += reportRow("pitch", withError(r.attitude.pitch, r.discretisationError.pitch, "urad"));
+    text += reportRow("roll", withError(r.attitude.roll, r.discretisationError.roll, "urad"));
+    text += reportRow("minimum spacing", withError(r.minimumSpacing, r.discretisationError.minimumSpacing, "nm"));
+    text += reportRow("", "at " + placeText(r.minimumAt));
+    text += forcesText(r);
+    const auto& points = c.surface.pointsOfInterest;
+    for (std::size_t i = 0; i < std::min(points.size(), r.interestSpacing.size()); ++i)
+        text += reportRow("spacing of point " + std::to_string(i + 1),
+                          shown(r.interestSpacing[i], "nm") + " at " + placeText(points[i]));
+    if (r.stiffness) text += matrixText("stiffness", *r.stiffness);
+    for (std::size_t i = 0; i < r.otherEquilibria.size(); ++i) {
+        const Attitude& a = r.otherEquilibria[i];
+        text += reportRow(i == 0 ? "other equilibria" : "",
+                          shown(a.height, "nm") + ", " + shown(a.pitch, "urad") + ", " + shown(a.roll, "urad"));
+    }
+    text += sensitivitiesText(r.sensitivities);
+    return text;
+}
+
+std::string seriesText(const std::vector<SteadyState>& states)
+{
+    std::vector<std::vector<std::string>> rows;
+    for (const SteadyState& state : states) {
+        std::vector<std::string> head, row;
+        const auto add = [&](const Quantity& quantity, double value, bool known) {
+            head.push_back(quantity.name + " [" + quantity.displayUnit + "]");
+            char text[64];
+            std::snprintf(text, sizeof text, "%.6g", value / unitFactor(quantity.displayUnit));
+            row.push_back(known ? text : "-");
+        };
+        for (const auto& [quantity, value] : seriesQuantities(state.point)) add(quantity, value, true);
+        const bool known = isKnown(state.result);
+        for (const auto& [quantity, value] : steadyQuantities(state.result))
+            for (const char* wanted : {"nominal_trailing_edge_height", "pitch", "roll", "minimum_spacing", "net_force"})
+                if (quantity.name == wanted) add(quantity, value, known && std::isfinite(value));
+        head.push_back("status");
+        row.emplace_back(name(state.result.status));
+        if (rows.empty()) rows.push_back(head);
+        rows.push_back(row);
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::size_t width = rows.front()[i].size();
+            text += (i + 1 < row.size() ? std::string(width - std::min(width, row[i].size()), ' ') : "") + row[i];
+            text += i + 1 < row.size() ? "  " : "\n";
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+SteadyStatus worstStatus(const std::vector<SteadyState>& states)
+{
+    SteadyStatus worst = SteadyStatus::Converged;
+    for (const SteadyState& state : states) worst = std::max(worst, state.result.status);
+    return worst;
+}
+
+std::string worstMessage(const std::vector<SteadyState>& states)
+{
+    const SteadyStatus worst = worstStatus(states);
+    for (const SteadyState& state : states)
+        if (state.result.status == worst) return state.result.message;
+    return {};
+}
+
+std::string statusText(SteadyStatus status, const std::string& message)
+{
+    const std::string said(name(status));
+    if (message.starts_with(said)) return message;
+    return message.empty() ? said : said + ": " + message;
+}
+
+std::string leftOut(const Case& c)
+{
+    const bool touches = c.contact != ContactKind::None;
+    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat;
+    if (!touches && flat) return {};
+    const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";
+    return "of the film alone, over a flat disk: " + what + " no part in it";
+}
+
+Json steadyObject(const Case& c, const SteadyResult& r)
+{
+    const bool known = isKnown(r);
+    const FilmForces& f = r.forces;
+    Json json{{"status", name(r.status)},
+              {"message", jsonMessage(c, r)},
+              {"iterations", r.iterations},
+              {"solves", r.solves},
+              {"wall_seconds", jsonNumber(r.wallSeconds)},
+              {"grid", known ? Json{r.grid.x.size(), r.grid.y.size()} : Json(nullptr)}};
+    for (const auto& [quantity, value] : steadyQuantities(r))
+        if (!quantity.name.ends_with("_error")) json[quantity.name] = known ? jsonNumber(value) : Json(nullptr);
+    json["minimum_spacing_at"] = place(r.minimumAt, known);
+    json["contact_force"] = nullptr;
+    json["intermolecular_force"] = nullptr;
+    json["centre_of_positive_pressure"] = place(f.centreOfPositive, known && f.positive > 0.0);
+    json["centre_of_negative_pressure"] = place(f.centreOfNegative, known && f.negative < 0.0);
+    json["maximum_pressure_at"] = place(f.maximumAt, known);
+    json["minimum_pressure_at"] = place(f.minimumAt, known);
+    json["points_of_interest"] = interestJson(c, r);
+    json["stiffness"] = r.stiffness ? matrix(*r.stiffness) : Json(nullptr);
+    const auto error = [&](double value) { return known ? jsonNumber(value) : Json(nullptr); };
+    json["discretisation_error"] = {{"minimum_spacing", error(r.discretisationError.minimumSpacing)},
+                                    {"pitch", error(r.discretisationError.pitch)},
+                                    {"roll", error(r.discretisationError.roll)},
+                                    {"load", error(r.discretisationError.load)}};
+    json["sensitivities"] = sensitivitiesJson(r.sensitivities);
+    json["other_equilibria"] = Json::array();
+    for (const Attitude& attitude : r.otherEquilibria) json["other_equilibria"].push_back(attitudeJson(attitude));
+    json["residual"] = jsonNumber(r.residual);
+    json["load_error"] = jsonNumber(r.loadError);
+    return json;
+}
+
+std::string steadyJson(const Case& c, const std::vector<SteadyState>& states, SteadyStatus status,
+                       const std::string& message)
+{
+    if (seriesOf(c).size() == 1) return jsonText(steadyObject(c, states.front().result));
+    Json series = Json::array();
+    double seconds = 0.0;
+    for (const SteadyState& state : states) {
+        Json each = Json::object();
+        for (const auto& [quantity, value] : seriesQuantities(state.point)) each[quantity.name] = jsonNumber(value);
+        each.update(steadyObject(c, state.result));
+        series.push_back(std::move(each));
+        seconds += state.result.wallSeconds;
+    }
+    return jsonText(
+        {{"status", name(status)}, {"message", message}, {"wall_seconds", jsonNumber(seconds)}, {"series", series}});
+}
+
+std::string steadyText(const Case& c, const std::vector<SteadyState>& states)
+{
+    const std::string title = c.title + "\n";
+    return title + (seriesOf(c).size() == 1 ? oneText(c, states.front().result) : seriesText(states));
+}
+
+} // namespace touchdown

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/validate_command.h"
+
+#include <algorithm>
+
+#include "app/commands/case_commands.h"
+#include "app/terminal/json_text.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/studies/design/design_file.h"
+#include "core/studies/study_plan.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr const char* designKind = "design"; // read by itself
+
+Json jsonList(const std::vector<InputProblem>& problems)
+{
+    Json list = Json::array();
+    for (const InputProblem& problem : problems)
+        list.push_back({{"file", problem.file},
+                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
+                        {"key", problem.key},
+                        {"message", problem.message}});
+    return list;
+}
+
+Json validation(const char* what, const CaseDocument& document, const std::string& title, const std::vector<InputProblem>& problems)
+{
+    return {{what, document.name},
+            {"title", title},
+            {"valid", problems.empty()},
+            {"problems", jsonList(problems)},
+            {"warnings", jsonList(document.warnings)},
+            {"unused", jsonList(document.unused)}};
+}
+
+/// What is wrong with the kind that a study names.
+std::optional<InputProblem> kindProblem(const std::string& name, const StudySource& study)
+{
+    std::vector<std::string> kinds{designKind};
+    for (const StudyKind& each : studyKinds()) kinds.push_back(each.name);
+    if (std::ranges::find(kinds, study.kind) != kinds.end()) return {};
+    std::string list;
+    for (const std::string& each : kinds) list += (list.empty() ? "" : ", ") + each;
+    const std::string said = study.kind.empty() ? "is missing, so that nothing says how to read it: it is one of " : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
+    return InputProblem{name, study.kindLine, "kind", said + list + didYouMean(nearestName(study.kind, kinds))};
+}
+
+int validateStudy(const CaseArguments& arguments, const StudySource& study, bool json)
+{
+    CaseDocument start;
+    std::string title;
+    std::vector<InputProblem> problems;
+    if (const auto problem = kindProblem(arguments.name, study)) {
+        problems.push_back(*problem);
+    } else if (study.kind == designKind) {
+        DesignDocument document = readDesign(arguments.name, arguments.settings);
+        start = std::move(document.start);
+        title = document.title;
+        problems = std::move(document.problems);
+    } else {
+        StudyPlan plan = openStudy(study.kind, arguments.name, arguments.settings);
+        start = std::move(plan.start);
+        title = plan.title;
+        problems = std::move(plan.problems);
+    }
+    start.name = arguments.name;
+    for (const auto* list : {&start.warnings, &start.unused})
+        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
+    for (const InputProblem& problem : problems) complain(problem.text());
+    if (json) {
+        Json object = validation("study", start, title, problems);
+        object["kind"] = study.kind;
+        print(jsonText(object));
+    } else if (problems.empty()) {
+        print(arguments.name + ": valid, a study of kind " + study.kind + "\n");
+    }
+    return problems.empty() ? exitDone : exitWrongInput;
+}
+
+} // namespace
+
+int validateCommand(const CaseArguments& arguments, bool json)
+{
+    if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study, json);
+    const CaseDocument document = openCaseOrComplain(arguments);
+    if (json) print(jsonText(validation("case", document, document.value.title, document.problems)));
+    else if (document.valid()) print(document.name + ": valid\n");
+    return document.valid() ? exitDone : exitWrongInput;
+}
+
+} // namespace touchdown

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Standard output carries results, standard error everything else. Exit codes of the program.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchdown {
+
+enum ExitCode : int {
+    exitDone = 0,
+    exitNoAnswer = 1,   // the calculation ended without a valid answer, and said why
+    exitWrongInput = 2, // every problem is listed
+};
+
+/// A line on standard error.
+void complain(std::string_view sentence);
+/// Text on standard output.
+void print(std::string_view text);
+
+/// What the arguments of `run` and `validate` name.
+struct CaseArguments {
+    std::string name; // a file or a sample case
+    std::vector<std::string> settings;
+};
+
+} // namespace touchdown

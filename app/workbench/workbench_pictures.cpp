@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench/workbench_pictures.h"
+
+#include <iostream>
+
+#include <QApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QRegularExpression>
+
+#include "ui/plot/plot_export.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int done = 0, noAnswer = 1, badInput = 2; // exit codes
+
+bool report(const QString& problem, const QString& file)
+{
+    if (problem.isEmpty())
+        std::cout << file.toStdString() << '\n';
+    else
+        std::cerr << problem.toStdString() << '\n';
+    return problem.isEmpty();
+}
+
+/// Lets every refresh that is due take place.
+void settle(QWidget& window)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 400) QApplication::processEvents(QEventLoop::AllEvents, 20);
+    window.repaint();
+}
+
+bool exportFilm(MainWindow& window, const QDir& directory)
+{
+    using Page = FilmView::Page;
+    bool good = true;
+    for (const auto& [page, name] : {std::pair(Page::Surface, "surface"), std::pair(Page::Pressure, "pressure"),
+                                     std::pair(Page::Gap, "gap"), std::pair(Page::Recess, "recess")}) {
+        window.film().view()->setPage(page);
+        settle(window);
+        const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
+        good = report(savePage(*window.page(), file), file) && good;
+    }
+    return good;
+}
+
+bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
+{
+    const QDir directory(folder);
+    if (!directory.mkpath(QStringLiteral(".")))
+        return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
+    if (staticState) return exportFilm(window, directory);
+    const QString page = directory.filePath(QStringLiteral("page.png"));
+    bool good = report(savePage(*window.page(), page), page);
+    for (const LivePlots::Entry& entry : window.plots().plots()) {
+        if (entry.plot->isHidden()) continue;
+        const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
+        good = report(savePicture(*entry.plot, file), file) && good;
+    }
+    for (const auto& [shown, name] : {std::pair(RunView::Page::Side, "side"), std::pair(RunView::Page::Maps, "maps"),
+                                      std::pair(RunView::Page::Disk, "disk")}) {
+        if (!window.runView().tabs()->isTabVisible(static_cast<int>(shown))) continue;
+        window.runView().setPage(shown);
+        do settle(window);
+        while (window.runView().disk()->controller().busy());
+        const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
+        good = report(savePage(*window.page(), file), file) && good;
+    }
+    window.runView().setPage(RunView::Page::Plots);
+    if (window.spectrum().isHidden()) return good;
+    const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
+    return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
+}
+
+} // namespace
+
+int takePictures(MainWindow& window, const PictureRequest& request)
+{
+    const QRegularExpressionMatch size =
+        QRegularExpression(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$")).match(request.size);
+    if (!size.hasMatch()) {
+        std::cerr << "--size is written as 1600x1000, not \"" << request.size.toStdString() << "\".\n";
+        return badInput;
+    }
+    window.resize(size.captured(1).toInt(), size.captured(2).toInt());
+    window.show();
+    settle(window);
+
+    bool valid = false;
+    QString message;
+    QEventLoop untilEnded;
+    QObject::connect(&window, &MainWindow::calculationEnded, &untilEnded, [&](bool answered, const QString& said) {
+        valid = answered;
+        message = said;
+        untilEnded.quit();
+    });
+    if (request.staticState)
+        window.solveStaticState();
+    else
+        window.startRun();
+    untilEnded.exec();
+    settle(window);
+
+    bool written = true;
+    if (!request.exportFolder.isEmpty()) written = exportPlots(window, request.exportFolder, request.staticState);
+    if (!request.screenshot.isEmpty()) {
+        const bool saved = window.grab().save(request.screenshot);
+        written = report(saved ? QString() : QStringLiteral("%1 cannot be written.").arg(request.screenshot),
+                         request.screenshot) &&
+                  written;
+    }
+    if (!written) return badInput;
+    if (valid) return done;
+    std::cerr << "The run ended without a valid answer: " << message.toStdString() << '\n';
+    return noAnswer;
+}
+
+} // namespace touchdown

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/contact_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/formats/decimal.h"
+#include "core/case/contact_patches.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+using Problems = std::vector<CaseProblem>;
+
+/// To four digits, for a message.
+std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
+std::string inMicrometres(double length) { return decimalText(length, 6, 4) + " um"; }
+
+constexpr double mostSnapshotBytes = 4e9;
+constexpr double filmFields = 2.0; // gap and pressure
+
+/// A whole number of cells to within rounding of both, and not too many.
+void checkSide(const char* key, double side, double cell, Problems& problems)
+{
+    const double cells = std::round(side / cell);
+    const std::string ofCells = inMicrometres(side) + " with elastic.cell = " + inMicrometres(cell);
+    if (cells < fewestPatchCells || cells > mostPatchCells)
+        problems.push_back({key, ofCells + " makes " + decimalText(cells, 0, 6) + " cells; from " +
+                                     std::to_string(fewestPatchCells) + " to " + std::to_string(mostPatchCells) +
+                                     " are possible"});
+    else if (std::abs(side - cells * cell) > 1e-6 * cell)
+        problems.push_back(
+            {key, ofCells + " is no whole number of cells; the nearest length is " + inMicrometres(cells * cell)});
+}
+
+void checkPad(const Case& c, Problems& problems)
+{
+    checkPatch(c, problems);
+    if (c.pad.shape == PadShape::Slider && c.elastic.periodic) {
+        problems.push_back({"elastic.periodic", "must be false with pad.shape \"slider\", whose pads do not repeat"});
+    }
+}
+
+/// The patch must see what the surface holds.
+void checkSampling(const Case& c, Problems& problems)
+{
+    const double cell = c.elastic.cell;
+    const auto refuse = [&](const std::string& than) {
+        problems.push_back({"elastic.cell", inMicrometres(cell) + " must be at most " + than});
+    };
+    if (hasRoughness(c.diskSurface) && cell > c.diskSurface.cell * (1.0 + 1e-9))
+        refuse("disk.surface.cell (" + inMicrometres(c.diskSurface.cell) + "), the cell of the surface's map");
+    if (!hasWaves(c.diskSurface)) return;
+    const double shortest = *std::ranges::min_element(c.diskSurface.waveLengths);
+    if (cell > 0.25 * shortest)
+        refuse("a quarter of the shortest wave of disk.surface.wave_lengths (" + inMicrometres(shortest) + ")");
+}
+
+/// A periodic half-space gives no way to its mean pressure, so that the mean gap must stay open.
+void checkPeriodic(const Case& c, Problems& problems)
+{
+    if (!c.elastic.periodic || c.elastic.hardness > 0.0) return;
+    const double mean = c.pad.shape == PadShape::Sphere
+                            ? (c.pad.length * c.pad.length + c.pad.width * c.pad.width) / (24.0 * c.pad.radius)
+                            : 0.0;
+    if (c.approach.closest + mean <= 0.0)
+        problems.push_back({"approach.closest", inNanometres(c.approach.closest) + " must be greater than " +
+                                                    inNanometres(0.0 - mean) +
+                                                    " with elastic.periodic: a patch that repeats can be "
+                                                    "pressed flat, but no further"});
+}
+
+/// Snapshots wait in memory for the window.
+void checkMemory(const Case& c, double values, const std::string& what, Problems& problems)
+{
+    const double bytes = values * (c.run.fieldSnapshots + 1.0) * sizeof(double);
+    if (c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
+        problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " + what + " take " +
+                                                       decimalText(bytes, -9, 3) + " GB; at most " +
+                                                       decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
+}
+
+std::string inMillions(double cells) { return decimalText(cells, -6, 3) + " million cells"; }
+
+/// Fields of a contact patch: its gap, its contact pressure, and where there are some adhesion and the disk's surface.
+double patchFields(const Case& c)
+{
+    return 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
+}
+
+void checkDiskSurface(const DiskSurface& surface, Problems& problems)
+{
+    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(surface))
+        problems.push_back({"disk.surface." + problem.key, problem.sentence});
+    if (surface.kind == DiskSurfaceKind::Combined && !hasWaves(surface) && !hasRoughness(surface) &&
+        !hasFile(surface) && !hasBumps(surface))
+        problems.push_back(
+            {"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+}
+
+void checkElasticPad(const Case& c, Problems& problems)
+{
+    const std::size_t before = problems.size();
+    checkPad(c, problems);
+    checkDiskSurface(c.diskSurface, problems);
+    if (problems.size() == before) checkSampling(c, problems);
+    // Without the surface's own heights, which take time to make: the run looks again with them.
+    if (c.pad.shape == PadShape::Slider && problems.empty())
+        if (const std::string problem = patchesOf(c, DiskTopography()).problem; !problem.empty())
+            problems.push_back({"initial.pitch", problem + "; tilt the slider more, or take a larger elastic.cell"});
+    checkPeriodic(c, problems);
+    if (c.pad.shape == PadShape::Slider) return;
+    const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
+    checkMemory(c, cells * patchFields(c), inMillions(cells), problems);
+}
+
+/// Where a slider on its film can touch; false where that is too much.
+bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
+{
+    const SliderPatches found = filmPatches(c);
+    if (!found.problem.empty()) {
+        problems.push_back({"elastic.patch_reach", found.problem +
+                                                       "; take a smaller reach, another elastic.patch_pitch or a "
+                                                       "larger elastic.cell"});
+        return false;
+    }
+    cells = static_cast<double>(found.patches.front().grid.cells());
+    return true;
+}
+
+} // namespace
+
+void checkPatch(const Case& c, Problems& problems)
+{
+    if (c.pad.shape == PadShape::Slider) return;
+    checkSide("pad.length", c.pad.length, c.elastic.cell, problems);
+    checkSide("pad.width", c.pad.width, c.elastic.cell, problems);
+}
+
+void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
+{
+    if (parameters.takeOff < parameters.touchDown)
+        problems.push_back({"ono_yamane.take_off", "d_e = " + inNanometres(parameters.takeOff) +
+                                                       " must be at least ono_yamane.touch_down (d_s = " +
+                                                       inNanometres(parameters.touchDown) + ")"});
+}
+
+void checkContact(const Case& c, Problems& problems)
+{
+    if (c.approach.closest >= c.approach.start)
+        problems.push_back({"approach.closest", inNanometres(c.approach.closest) +
+                                                    " must be less than approach.start (" +
+                                                    inNanometres(c.approach.start) + ")"});
+    switch (c.contact) {
+    case ContactKind::None:
+        problems.push_back({"contact",
+                            "must not be \"none\" with model \"contact\", which is nothing else; allowed is one of "
+                            "ono-yamane, elastic, asperity, multi-asperity"});
+        break;
+    case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
+    case ContactKind::Elastic: checkElasticPad(c, problems); break;
+    case ContactKind::Asperity: break;
+    case ContactKind::MultiAsperity:
+        if (c.meniscus.breakingLength < c.meniscus.filmThickness)
+            problems.push_back({"meniscus.breaking_length", inNanometres(c.meniscus.breakingLength) +
+                                                                " must be at least meniscus.film_thickness (" +
+                                                                inNanometres(c.meniscus.filmThickness) + ")"});
+        break;
+    }
+}
+
+void checkFilmContact(const Case& c, Problems& problems)
+{
+    const std::size_t before = problems.size();
+    checkDiskSurface(c.diskSurface, problems);
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Moving &&
+        c.disk.speed == 0.0)
+        problems.push_back({"disk.surface.motion", "is \"moving\", but disk.speed is 0; allowed is \"still\" then"});
+    const double filmCells = (c.film.nodes[0] - 1.0) * (c.film.nodes[1] - 1.0);
+    double patchCells = 0.0;
+    switch (c.contact) {
+    case ContactKind::None: break;
+    case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
+    case ContactKind::Elastic:
+        if (problems.size() == before) checkSampling(c, problems);
+        // The search takes a surface that makes sense.
+        if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
+        break;
+    case ContactKind::Asperity:
+    case ContactKind::MultiAsperity:
+        problems.push_back({"contact",
+                            "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
+                            "multi-asperity belong to model \"contact\""});
+        break;
+    }
+    const double values = filmFields * filmCells + patchFields(c) * patchCells;
+    const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";
+    checkMemory(c, values, "the film's " + inMillions(filmCells) + patch, problems);
+}
+
+} // namespace touchdown

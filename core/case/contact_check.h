@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Combinations that make no sense in a case of the model "contact", and of the contact under a film.
+#pragma once
+
+#include "core/case/fields.h"
+
+#include <vector>
+
+namespace touchdown {
+
+/// Cells of the patch, without what the surface of the disk asks of them.
+void checkPatch(const Case& c, std::vector<CaseProblem>& problems);
+
+void checkContact(const Case& c, std::vector<CaseProblem>& problems);
+
+/// Contact and disk of a slider that flies.
+void checkFilmContact(const Case& c, std::vector<CaseProblem>& problems);
+
+/// d_e >= d_s, wherever the simplified characteristic is used.
+void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);
+
+} // namespace touchdown

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/disk_setup.h"
+
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/case/fields.h"
+#include "core/formats/height_map_file.h"
+
+namespace touchdown {
+
+namespace {
+
+bool readsFile(const Case& c) { return findField("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
+
+HeightMapDocument readMap(const Case& c) { return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file); }
+
+} // namespace
+
+std::vector<InputProblem> diskFileProblems(const Case& c)
+{
+    if (!readsFile(c) || c.diskSurface.file.empty()) return {};
+    std::vector<InputProblem> problems = readMap(c).problems;
+    for (InputProblem& problem : problems)
+        if (problem.key.empty()) problem.key = "disk.surface.file";
+    return problems;
+}
+
+DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn)
+{
+    if (readsFile(c)) return DiskTopography(c.diskSurface, readMap(c).map, goOn);
+    return DiskTopography(c.diskSurface, {}, goOn);
+}
+
+} // namespace touchdown

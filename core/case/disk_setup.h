@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a case to the surface of its disk.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/physics/disk/disk_topography.h"
+#include "core/case/case.h"
+#include "core/formats/input_problem.h"
+
+namespace touchdown {
+
+/// Why the file of a measured surface cannot be used; empty where it can, or where the case has none.
+std::vector<InputProblem> diskFileProblems(const Case& c);
+
+/// `c` is valid, its file too. `goOn` is asked while roughness is made, which may take seconds.
+DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn = {});
+
+} // namespace touchdown

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/fields.h"
+
+#include "core/case/field_builders.h"
+#include "core/formats/nearest_name.h"
+
+#include <algorithm>
+
+namespace touchdown {
+
+namespace {
+
+std::vector<Field> allFields()
+{
+    std::vector<Field> all;
+    for (auto part : {descriptionFields, sliderFields, springFields, suspensionFields, padFields, contactFields, elasticFields,
+                      asperityFields, surfaceFields, airFields, diskFields, diskSurfaceFields, filmFields, steadyFields,
+                      runFields})
+        for (Field& field : part()) all.push_back(std::move(field));
+    return all;
+}
+
+std::string_view leaf(std::string_view key) { return key.substr(key.find_last_of('.') + 1); }
+
+} // namespace
+
+std::string Field::group() const
+{
+    const auto dot = key.find_last_of('.');
+    return dot == std::string::npos ? std::string() : key.substr(0, dot);
+}
+
+Case defaultsOf(ModelKind model)
+{
+    Case c;
+    c.model = model;
+    if (model == ModelKind::Film) {
+        c.contact = ContactKind::None;
+        c.degreesOfFreedom = 3;
+        c.run.duration = 0.5e-3;
+    }
+    if (model == ModelKind::Contact) {
+        c.contact = ContactKind::Elastic;
+        c.run.sampleInterval = c.run.duration / 400.0;
+    }
+    return c;
+}
+
+bool usesSliderSurface(const Case& c) { return field_builders::withSliderSurface(c); }
+
+std::span<const Field> fields()
+{
+    static const std::vector<Field> all = allFields();
+    return all;
+}
+
+const Field* findField(std::string_view key)
+{
+    const auto all = fields();
+    const auto found = std::ranges::find(all, key, &Field::key);
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string nearestKey(std::string_view key)
+{
+    std::vector<std::string> keys, leaves;
+    for (const Field& field : fields()) {
+        keys.push_back(field.key);
+        leaves.emplace_back(leaf(field.key));
+    }
+    const auto withLeaf = [&](std::string_view name) {
+        const auto found = std::ranges::find(leaves, name);
+        return found == leaves.end() ? std::string() : keys[static_cast<std::size_t>(found - leaves.begin())];
+    };
+    // The right name in no table; what is misspelt; the right name in the wrong table.
+    if (key.find('.') == std::string_view::npos)
+        if (auto right = withLeaf(key); !right.empty()) return right;
+    if (auto nearest = nearestName(key, keys); !nearest.empty()) return nearest;
+    const std::string name = nearestName(leaf(key), leaves, leaf(key).size() / 5);
+    return name.empty() ? std::string() : withLeaf(name);
+}
+
+} // namespace touchdown

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case_files/case_reader.h"
+
+#include "core/physics/slider/surface_check.h"
+#include "core/case_files/cml/cml_rail_file.h"
+#include "core/formats/cml_text.h"
+#include "core/case/disk_setup.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/case_files/surface_text.h"
+#include "core/formats/text_file.h"
+#include "core/formats/toml_quantity.h"
+
+#include <algorithm>
+#include <set>
+
+namespace touchdown {
+
+namespace {
+
+/// The usual numbers of a list, or two for their unit's sake.
+std::string exampleOf(const Field& field)
+{
+    if (field.unit.empty())
+        if (std::string usual = toText(Case{}, field); !usual.empty()) return usual;
+    const std::string one = field.unit.empty() ? "1" : "\"1 " + field.displayUnit + '"';
+    return one + ", " + one;
+}
+
+std::string needed(const Field& field)
+{
+    switch (field.kind) {
+    case FieldKind::Number:
+        return field.unit.empty() ? "a number is needed" : "a number or \"1 " + field.displayUnit + "\" is needed";
+    case FieldKind::Integer: return "a whole number is needed";
+    case FieldKind::Choice: return "allowed is " + allowedRange(field);
+    case FieldKind::Boolean: return "true or false is needed";
+    case FieldKind::Text: return "text in quotation marks is needed";
+    case FieldKind::List: return "a list such as [" + exampleOf(field) + "] is needed";
+    }
+    return {};
+}
+
+struct ValueReader {
+    Case& target;
+    const Field& field;
+    using Problem = std::optional<std::string>;
+
+    Problem operator()(std::monostate) const { return "has the wrong type; " + needed(field); }
+    Problem operator()(bool value) const
+    {
+        if (field.kind != FieldKind::Boolean) return (value ? "is true; " : "is false; ") + needed(field);
+        field.set(target, value);
+        return {};
+    }
+    Problem operator()(std::int64_t value) const { return fromNumber(static_cast<double>(value)); }
+    Problem operator()(double value) const { return fromNumber(value); }
+    Problem operator()(const std::string& text) const
+    {
+        if (field.kind == FieldKind::Text || field.kind == FieldKind::Choice) return setFromText(target, field, text);
+        if (field.kind != FieldKind::Number) return "is text; " + needed(field);
+        const auto number = parseQuantity(text, field.unit);
+        if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
+        return setFromNumber(target, field, std::get<double>(number));
+    }
+    Problem operator()(const TomlArray& array) const
+    {
+        if (field.kind != FieldKind::List) return "has the wrong type; " + needed(field);
+        std::vector<double> values;
+        for (const TomlElement& element : array.elements) {
+            if (values.size() > field.maximumCount) break;
+            const auto number = tomlQuantity(element.value, field.unit, field.displayUnit);
+            if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
+            values.push_back(std::get<double>(number));
+        }
+        return setFromNumbers(target, field, values);
+    }
+
+private:
+    Problem fromNumber(double value) const
+    {
+        if (field.kind != FieldKind::Number && field.kind != FieldKind::Integer) return "is a number; " + needed(field);
+        return setFromNumber(target, field, value);
+    }
+};
+
+std::vector<std::string> groups()
+{
+    std::vector<std::string> names;
+    for (const Field& field : fields())
+        if (!field.group().empty() && (names.empty() || names.back() != field.group())) names.push_back(field.group());
+    return names;
+}
+
+class CaseReader {
+public:
+    explicit CaseReader(CaseDocument& document) : document_(document), groups_(groups()) {}
+
+    void read()
+    {
+        const TomlDocument toml = readToml(document_.text);
+        if (!toml.problem.empty()) {
+            document_.problems.push_back({document_.name, toml.problemLine, "", toml.problem});
+            return;
+        }
+        document_.value = defaultsOf(modelOf(toml));
+        document_.value.folder = document_.folder;
+        readRailFile(toml);
+        for (const TomlTable& table : toml.tables) readTable(table);
+        for (const TomlEntry& entry : toml.entries) readEntry(entry);
+        for (const InputProblem& problem : readSurface(toml, document_.value.surface))
+            add(problem.line, problem.key, problem.message);
+        addCombinations(toml);
+        addUnused(toml);
+        if (document_.valid())
+            for (const InputProblem& problem : diskFileProblems(document_.value)) document_.problems.push_back(problem);
+        std::ranges::stable_sort(document_.problems, {}, &InputProblem::line);
+    }
+
+private:
+    void add(int line, const std::string& key, std::string message)
+    {
+        document_.problems.push_back({document_.name, line, shortenedKey(key), std::move(message)});
+        wrongKeys_.insert(key);
+    }
+
+    /// What is not written has the default of the model.
+    static ModelKind modelOf(const TomlDocument& toml)
+    {
+        Case c;
+        const auto entry = std::ranges::find(toml.entries, "model", &TomlEntry::key);
+        if (entry != toml.entries.end()) setFromToml(c, *findField("model"), entry->value);
+        return c.model;
+    }
+
+    /// The slider and its surface from a CML file; what the case says itself is read over it.
+    void readRailFile(const TomlDocument& toml)
+    {
+        const auto entry = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key);
+        if (entry == toml.entries.end()) return;
+        const auto refuse = [&](std::string message) { add(entry->line, entry->key, std::move(message)); };
+        const auto* name = std::get_if<std::string>(&entry->value);
+        if (name == nullptr) return refuse("has the wrong type; the name of a file in quotation marks is needed");
+        for (const TomlTable& table : toml.tables)
+            if (table.key == "abs.rail" || table.key == "abs.wall")
+                return refuse("rails come from a file or from [[abs.rail]], not from both");
+        if (document_.folder.empty()) return refuse("names a file, but this text stands in no folder");
+        const std::filesystem::path file = document_.folder / *name;
+        const auto content = readTextFile(file, maximumCmlFileSize);
+        if (const auto* problem = std::get_if<FileProblem>(&content))
+            return refuse(inQuotes(*name) + ' ' + problem->message);
+        CmlRails rails = readCmlRails(std::get<std::string>(content), file.string());
+        for (const InputProblem& problem : rails.problems) document_.problems.push_back(problem);
+        for (const InputProblem& warning : rails.warnings) document_.warnings.push_back(warning);
+        if (!rails.valid()) {
+            wrongKeys_.insert(entry->key);
+            return;
+        }
+        document_.value.surface = std::move(rails.surface);
+        document_.value.slider.length = rails.length;
+        document_.value.slider.width = rails.width;
+        document_.value.slider.thickness = rails.thickness;
+    }
+
+    void readTable(const TomlTable& table)
+    {
+        if (isSurfaceKey(table.key) || insideUnknown(table.key)) return;
+        if (isGroup(table.key) && table.kind != TomlTableKind::Array) return;
+        unknownTables_.insert(table.key);
+        if (isGroup(table.key)) {
+            add(table.line, table.key, "is a table, not a value; write [" + table.key + "]");
+        } else if (findField(table.key) != nullptr || table.key == railFileKey) {
+            add(table.line, table.key, "is a value, not a table");
+        } else {
+            add(table.line, table.key, "unknown table" + didYouMean(nearestName(table.key, groups_)));
+        }
+    }
+
+    void readEntry(const TomlEntry& entry)
+    {
+        if (isSurfaceKey(entry.key) || entry.key == railFileKey || insideUnknown(entry.key)) return;
+        if (isGroup(entry.key)) {
+            add(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
+        } else if (const Field* field = findField(entry.key)) {
+            if (auto problem = setFromToml(document_.value, *field, entry.value)) add(entry.line, entry.key, *problem);
+        } else {
+            // A search over all keys each; more than a few are no slips of the pen.
+            constexpr int mostSuggestions = 50;
+            add(entry.line, entry.key,
+                "unknown key" + didYouMean(suggestions_++ < mostSuggestions ? nearestKey(entry.key) : ""));
+        }
+    }
+
+    bool isGroup(const std::string& key) const { return std::ranges::find(groups_, key) != groups_.end(); }
+
+    bool insideUnknown(const std::string& key) const
+    {
+        for (auto end = key.find_first_of(".["); end != std::string::npos; end = key.find_first_of(".[", end + 1))
+            if (unknownTables_.contains(key.substr(0, end))) return true;
+        return false;
+    }
+
+    /// Only where the values that are combined were all read.
+    void addCombinations(const TomlDocument& toml)
+    {
+        const bool badSurface = std::ranges::any_of(
+            wrongKeys_, [](const std::string& key) { return key == railFileKey || isSurfaceKey(key); });
+        for (const CaseProblem& problem : checkCombinations(document_.value)) {
+            const bool follows = std::ranges::any_of(wrongKeys_, [&](const std::string& key) {
+                return key == problem.key || problem.message.find(key) != std::string::npos;
+            });
+            if (follows || (badSurface && isSurfaceKey(problem.key))) continue;
+            document_.problems.push_back({document_.name, lineOf(problem.key, toml), problem.key, problem.message});
+        }
+        const Case& c = document_.value;
+        if (!usesSliderSurface(c) || !document_.valid()) return;
+        for (const auto& [key, sentence] : surfaceWarnings(c.surface, c.slider.length, c.slider.width))
+            document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
+    }
+
+    /// What is set and has no effect; the keys of a table that want the same choice in one sentence.
+    void addUnused(const TomlDocument& toml)
+    {
+        if (!document_.valid()) return;
+        struct Unused {
+            const TomlEntry& first;
+            std::string message;
+            std::vector<std::string> others;
+        };
+        std::vector<Unused> all;
+        for (const TomlEntry& entry : toml.entries) {
+            const Field* field = findField(entry.key);
+            if (field == nullptr) continue;
+            const std::string message = unusedMessage(document_.value, *field);
+            if (message.empty()) continue;
+            const auto same = std::ranges::find_if(all, [&](const Unused& unused) {
+                return unused.message == message && findField(unused.first.key)->group() == field->group();
+            });
+            if (same == all.end()) all.push_back({entry, message, {}});
+            else same->others.push_back(entry.key);
+        }
+        for (const Unused& unused : all) {
+            std::string others;
+            for (const std::string& key : unused.others) others += (others.empty() ? "; the same holds for " : ", ") + key;
+            document_.unused.push_back({document_.name, unused.first.line, unused.first.key, unused.message + others});
+        }
+    }
+
+    /// The line of a value or a table; of the file of rails for what came from there.
+    static int lineOf(const std::string& key, const TomlDocument& toml)
+    {
+        const auto entry = std::ranges::find(toml.entries, key, &TomlEntry::key);
+        if (entry != toml.entries.end()) return entry->line;
+        const auto table = std::ranges::find(toml.tables, key, &TomlTable::key);
+        if (table != toml.tables.end()) return table->line;
+        const auto file = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key);
+        return file == toml.entries.end() || !isSurfaceKey(key) ? 0 : file->line;
+    }
+
+    CaseDocument& document_;
+    std::vector<std::string> groups_;
+    std::set<std::string, std::less<>> unknownTables_;
+    std::set<std::string, std::less<>> wrongKeys_;
+    int suggestions_ = 0;
+};
+
+} // namespace
+
+std::optional<std::string> setFromToml(Case& target, const Field& field, const TomlValue& value)
+{
+    return std::visit(ValueReader{target, field}, value);
+}
+
+std::string shortenedKey(std::string_view key)
+{
+    constexpr std::size_t longest = 80;
+    return key.size() <= longest ? std::string(key) : std::string(key.substr(0, longest)) + "...";
+}
+
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder)
+{
+    CaseDocument document;
+    document.text = std::move(text);
+    document.name = std::move(name);
+    document.folder = folder;
+    CaseReader(document).read();
+    return document;
+}
+
+} // namespace touchdown

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cases as TOML text: written anew, or with new values put into a text that somebody wrote.
+#include "core/case_files/case_file.h"
+
+#include "core/case/fields.h"
+#include "core/case_files/surface_text.h"
+#include "core/formats/toml_editor.h"
+#include "core/formats/toml_quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace touchdown {
+
+namespace {
+
+std::string_view groupComment(std::string_view group)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 20> comments{{
+        {"about", "What this case is about."},
+        {"slider", "The slider as a rigid body."},
+        {"springs", "The air bearing: two nonlinear springs with dashpots, given at the static state."},
+        {"suspension", "The suspension, about the static state."},
+        {"pad", "The pad that meets the disk."},
+        {"approach", "How the pad moves."},
+        {"ono_yamane", "Contact and adhesion: the simplified characteristic of Ono and Yamane, and the pad."},
+        {"elastic", "The two bodies, and the elastic contact of their surfaces."},
+        {"adhesion", "Intermolecular and electrostatic attraction of the surfaces."},
+        {"asperity", "The summits of a statistical surface."},
+        {"meniscus", "The lubricant's menisci on the summits."},
+        {"abs", "The air bearing surface."},
+        {"air", "The air and its slip at the walls."},
+        {"disk", "The disk's motion under the slider."},
+        {"disk.surface", "The surface of the disk."},
+        {"film", "The discretisation of the film and its solution."},
+        {"steady", "The static state."},
+        {"initial", "The start."},
+        {"run", "The integration."},
+        {"spectrum", "The power spectra."},
+    }};
+    for (const auto& [name, comment] : comments)
+        if (name == group) return comment;
+    return {};
+}
+
+std::string tomlList(const std::vector<double>& values, std::string_view displayUnit)
+{
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ", ") + formatTomlQuantity(value, displayUnit);
+    return '[' + list + ']';
+}
+
+/// The value with the quotation marks that TOML wants.
+std::string tomlValue(const Case& c, const Field& field)
+{
+    const FieldValue value = field.get(c);
+    switch (field.kind) {
+    case FieldKind::Text:
+    case FieldKind::Choice: return tomlString(std::get<std::string>(value));
+    case FieldKind::Integer:
+    case FieldKind::Boolean: return toText(c, field);
+    case FieldKind::List: return tomlList(std::get<std::vector<double>>(value), field.displayUnit);
+    case FieldKind::Number: return formatTomlQuantity(std::get<double>(value), field.displayUnit);
+    }
+    return {};
+}
+
+std::string_view leaf(const Field& field)
+{
+    return std::string_view(field.key).substr(field.key.find_last_of('.') + 1);
+}
+
+bool sameCase(const Case& a, const Case& b)
+{
+    return a.surface == b.surface &&
+           std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
+}
+
+/// The problems of single values; those of combinations were read well.
+std::vector<InputProblem> valueProblems(const CaseDocument& document)
+{
+    const std::vector<CaseProblem> combinations = checkCombinations(document.value);
+    std::vector<InputProblem> problems = document.problems;
+    std::erase_if(problems, [&](const InputProblem& problem) {
+        return std::ranges::find(combinations, problem.message, &CaseProblem::message) != combinations.end();
+    });
+    return problems;
+}
+
+/// The tables [[abs.rail]] or [[abs.wall]]: what is the same at the front and at the back stays, the rest is changed in
+/// place, and what is too many or too few goes or comes between.
+template <typename Item>
+void putTables(TomlEditor& editor, const std::string& name, const std::vector<Item>& old, const std::vector<Item>& now)
+{
+    const auto front = static_cast<std::size_t>(std::ranges::mismatch(old, now).in1 - old.begin());
+    std::size_t back = 0;
+    while (back < std::min(old.size(), now.size()) - front && old[old.size() - 1 - back] == now[now.size() - 1 - back])
+        ++back;
+    std::size_t i = front;
+    for (; i < std::min(old.size(), now.size()) - back; ++i) {
+        const auto before = surfaceRows(old[i]);
+        const auto after = surfaceRows(now[i]);
+        const std::string table = "abs." + name + '[' + std::to_string(i + 1) + "].";
+        for (std::size_t row = 0; row < after.size(); ++row)
+            if (before[row].value != after[row].value) editor.put(table + after[row].key, after[row].value);
+    }
+    for (std::size_t k = i; k < old.size() - back; ++k) editor.removeTable("abs." + name, k + 1);
+    std::string added;
+    for (std::size_t k = i; k < now.size() - back; ++k)
+        added += (added.empty() ? "" : "\n") + surfaceTable(name, surfaceRows(now[k]));
+    if (!added.empty()) editor.insertTable("abs." + name, i, added);
+}
+
+void putSurface(TomlEditor& editor, const AirBearingSurface& old, const AirBearingSurface& now)
+{
+    if (old.pointsOfInterest != now.pointsOfInterest)
+        editor.put("abs.points_of_interest", interestText(now.pointsOfInterest));
+    putTables(editor, "rail", old.rails, now.rails);
+    putTables(editor, "wall", old.walls, now.walls);
+}
+
+/// Rails, walls and points of interest, without the numbers of [abs].
+AirBearingSurface outline(const AirBearingSurface& surface)
+{
+    AirBearingSurface result;
+    result.rails = surface.rails;
+    result.walls = surface.walls;
+    result.pointsOfInterest = surface.pointsOfInterest;
+    return result;
+}
+
+std::string changedText(const std::string& text, const TomlDocument& toml, const CaseDocument& old, const Case& c)
+{
+    const bool fromFile = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key) != toml.entries.end();
+    // Rails that are no longer those of the file are written here.
+    const bool readFile =
+        fromFile && std::ranges::find(old.problems, railFileKey, &InputProblem::key) == old.problems.end();
+    const bool keepsFile = readFile && outline(old.value.surface) == outline(c.surface);
+    const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "") : old;
+    const std::vector<InputProblem> unread = valueProblems(base);
+    Case defaults = defaultsOf(c.model);
+    defaults.model = Case{}.model;
+    TomlEditor editor(text, toml);
+    if (fromFile && !keepsFile) editor.remove(railFileKey);
+    for (const Field& field : fields()) {
+        // A value that could not be read is put right even where the default that stood in for it is wanted.
+        const bool bad = editor.has(field.key) && std::ranges::any_of(unread, [&](const InputProblem& problem) {
+                             return problem.key == field.key;
+                         });
+        const bool ofFile = keepsFile && (field.group() == "abs" || field.group() == "slider");
+        const Case& before = editor.has(field.key) || ofFile ? base.value : defaults;
+        if (bad || field.get(before) != field.get(c)) editor.put(field.key, tomlValue(c, field));
+    }
+    if (!keepsFile) putSurface(editor, base.value.surface, c.surface);
+    return editor.result();
+}
+
+} // namespace
+
+std::string formatCase(const Case& c)
+{
+    const Case defaults;
+    std::string text;
+    std::string group;
+    const auto closeGroup = [&] {
+        if (group == "abs") text += formatSurface(c.surface);
+    };
+    for (const Field& field : fields()) {
+        // What the model does not use is kept where somebody set it.
+        const bool set = field.get(c) != field.get(defaults);
+        const bool wanted = field.group() == "abs" && c.surface != AirBearingSurface{};
+        if (!set && !wanted && (!field.used(c) || field.group() == "about")) continue;
+        if (field.group() != group) {
+            closeGroup();
+            group = field.group();
+            text += "\n# " + std::string(groupComment(group)) + "\n[" + group + "]\n";
+        }
+        text += std::string(leaf(field)) + " = " + tomlValue(c, field);
+        text += field.symbol.empty() ? "\n" : " # " + field.symbol + "\n";
+    }
+    closeGroup();
+    return text;
+}
+
+std::string updateCaseText(const std::string& text, const Case& c, const std::filesystem::path& folder)
+{
+    const TomlDocument toml = readToml(text);
+    if (!toml.problem.empty()) return formatCase(c);
+    const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
+    // Rather a plain text than a wrong one, should a shape of TOML have been overlooked.
+    const CaseDocument check = parseCase(updated, "", folder);
+    const bool broken =
+        std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });
+    return !broken && sameCase(check.value, c) ? updated : formatCase(c);
+}
+
+} // namespace touchdown

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case_files/cml/cml_kept_values.h"
+
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "core/case/fields.h"
+#include "core/formats/quotation.h"
+#include "core/formats/toml_document.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::string_view mark = "touchdown: ";
+
+/// Both texts of one key.
+struct KeptValue {
+    std::string was;
+    std::string is;
+};
+
+/// More than by the last digits, which units may change.
+bool differ(const FieldValue& a, const FieldValue& b)
+{
+    const auto* x = std::get_if<double>(&a);
+    const auto* y = std::get_if<double>(&b);
+    return x == nullptr || y == nullptr || std::abs(*x - *y) > 1e-12 * std::abs(*x);
+}
+
+std::map<std::string, KeptValue> readKeptValues(const std::string& toml, CmlFields& fields)
+{
+    std::map<std::string, KeptValue> values;
+    const TomlDocument document = readToml(toml);
+    if (!document.problem.empty())
+        fields.addWarning(0, "the values that the comments keep cannot be read: " + document.problem);
+    for (const TomlEntry& entry : document.entries) {
+        const auto dot = entry.key.find_last_of('.');
+        const auto* text = std::get_if<std::string>(&entry.value);
+        if (dot == std::string::npos || text == nullptr) continue;
+        KeptValue& value = values[entry.key.substr(0, dot)];
+        if (entry.key.substr(dot + 1) == "was") value.was = *text;
+        if (entry.key.substr(dot + 1) == "is") value.is = *text;
+    }
+    return values;
+}
+
+} // namespace
+
+CmlKeptValues keepValues(const Case& wanted, const Case& read)
+{
+    CmlKeptValues kept;
+    for (const Field& field : fields()) {
+        if (field.get(wanted) == field.get(read)) continue;
+        kept.comments.append(mark)
+            .append(field.key)
+            .append(" = { was = " + tomlString(toText(read, field)))
+            .append(", is = " + tomlString(toText(wanted, field)) + " }\r\n");
+        if (differ(field.get(wanted), field.get(read)) && field.used(wanted) && field.key != "title" &&
+            field.group() != "about")
+            kept.keys.push_back(field.key);
+    }
+    return kept;
+}
+
+void applyKeptValues(CmlFields& fields)
+{
+    std::string toml;
+    std::string rest;
+    CmlText lines(fields.comments);
+    while (!lines.atEnd()) {
+        const std::string_view line = lines.takeLine();
+        if (line.starts_with(mark))
+            toml.append(line.substr(mark.size())).append("\n");
+        else
+            rest.append(line).append("\n");
+    }
+    fields.comments = rest;
+    if (toml.empty()) return;
+
+    const Case read = fields.value();
+    for (const auto& [key, kept] : readKeptValues(toml, fields)) {
+        const Field* const field = findField(key);
+        if (field == nullptr)
+            fields.addWarning(0, "the comments keep a value for " + inQuotes(key) + ", an unknown key");
+        else if (toText(read, *field) != kept.was)
+            fields.addWarning(0, "the comments keep " + inQuotes(kept.is) + " for " + key + " in place of " +
+                                     inQuotes(kept.was) + ", but the files now say " + inQuotes(toText(read, *field)) +
+                                     ", which holds");
+        else
+            fields.choose(key, kept.is, fields.lineOf(key));
+    }
+}
+
+} // namespace touchdown

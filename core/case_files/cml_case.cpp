@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case_files/cml_case.h"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "core/physics/slider/surface_check.h"
+#include "core/case_files/cml/cml_dynamics_file.h"
+#include "core/case_files/cml/cml_kept_values.h"
+#include "core/case_files/cml/cml_rail_file.h"
+#include "core/case_files/cml/cml_run_file.h"
+#include "core/case/disk_setup.h"
+#include "core/case/fields.h"
+#include "core/formats/quotation.h"
+#include "core/case_files/surface_text.h"
+
+namespace touchdown {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lowerCase(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool isArchive(const fs::path& path) { return lowerCase(path.extension().string()) == ".cml"; }
+
+/// The file of a folder with this name in any case; in lower case if there are several.
+std::optional<fs::path> findMember(const fs::path& folder, const std::string& name)
+{
+    std::error_code error;
+    std::optional<fs::path> found;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
+        const std::string entry = each->path().filename().string();
+        if (lowerCase(entry) == name && (!found || entry == name)) found = each->path();
+    }
+    return found;
+}
+
+/// A sentence as it follows file and line.
+std::string asMessage(std::string sentence)
+{
+    if (!sentence.empty()) sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+    if (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
+}
+
+void readRails(const CmlFiles::File& file, CmlFields& fields)
+{
+    fields.beginFile(file.name);
+    const CmlRails rails = readCmlRails(file.text, file.name);
+    fields.problems.insert(fields.problems.end(), rails.problems.begin(), rails.problems.end());
+    fields.warnings.insert(fields.warnings.end(), rails.warnings.begin(), rails.warnings.end());
+    if (!rails.valid()) return;
+    fields.setSurface(rails);
+    for (const auto& [key, sentence] : surfaceProblems(rails.surface))
+        fields.addProblem(fields.lineOf(key), asMessage(sentence));
+    if (!fields.problems.empty()) return;
+    for (const auto& [key, sentence] : surfaceWarnings(rails.surface, rails.length, rails.width))
+        fields.addWarning(fields.lineOf(key), asMessage(sentence));
+}
+
+/// Latin-1, which the program writes, as UTF-8; what is no text becomes '?'.
+std::string commentLine(std::string_view line)
+{
+    constexpr std::size_t longest = 500;
+    const bool utf8 = findInvalidUtf8(line) == std::string_view::npos;
+    std::string text;
+    for (const char c : utf8 ? line : line.substr(0, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f) {
+            text += c == '\t' ? ' ' : '?';
+        } else if (byte < 0x80 || utf8) {
+            text += c;
+        } else {
+            text += static_cast<char>(0xc0 | (byte >> 6));
+            text += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return "# " + text + "\n";
+}
+
+/// The case as TOML, below the comments of the files.
+std::string asToml(const CaseDocument& document, const std::string& comments)
+{
+    constexpr int mostLines = 200;
+    std::string text = commentLine("From the files " + document.name);
+    CmlText lines(comments);
+    lines.skipBlanks();
+    for (int i = 0; i < mostLines && !lines.atEnd(); ++i) text += commentLine(lines.takeLine());
+    return text + "\n" + formatCase(document.value);
+}
+
+/// The files that a path leads to, or why there are none.
+class CmlFinder {
+public:
+    explicit CmlFinder(CaseDocument& document) : document_(document) {}
+
+    std::optional<CmlFiles> find(const fs::path& path)
+    {
+        if (isArchive(path)) return fromArchive(path);
+        std::error_code error;
+        const bool isFolder = fs::is_directory(path, error);
+        const fs::path folder = isFolder ? path : path.parent_path().empty() ? fs::path(".") : path.parent_path();
+        const std::string named = isFolder ? "" : lowerCase(path.filename().string());
+        std::vector<std::pair<std::string, fs::path>> found;
+        for (const std::string member : {"rail.dat", "run.dat", "dynamics.def"}) {
+            if (member == named)
+                found.emplace_back(member, path);
+            else if (auto file = findMember(folder, member))
+                found.emplace_back(member, *file);
+        }
+        return choose(found, named);
+    }
+
+private:
+    template <typename Text>
+    static const Text* textOf(const std::vector<std::pair<std::string, Text>>& found, std::string_view name)
+    {
+        for (const auto& [member, text] : found)
+            if (member == name) return &text;
+        return nullptr;
+    }
+
+    std::optional<CmlFiles> fromArchive(const fs::path& path)
+    {
+        auto bytes = readTextFile(path, maximumCmlFileSize);
+        if (const auto* problem = std::get_if<FileProblem>(&bytes)) return refuse(path.string(), problem->message);
+        auto archive = readCmlArchive(std::get<std::string>(bytes));
+        if (const auto* problem = std::get_if<FileProblem>(&archive)) return refuse(path.string(), problem->message);
+        CmlArchive& content = std::get<CmlArchive>(archive);
+        for (std::string& warning : content.warnings)
+            document_.warnings.push_back({path.string(), 0, "", std::move(warning)});
+        std::vector<std::pair<std::string, CmlFiles::File>> found;
+        for (CmlMember& member : content.members)
+            found.emplace_back(member.name, CmlFiles::File{path.string() + "/" + member.name, std::move(member.text)});
+        return pick(found, "", [](const CmlFiles::File& file) { return std::optional(file); });
+    }
+
+    std::optional<CmlFiles> choose(const std::vector<std::pair<std::string, fs::path>>& found, const std::string& named)
+    {
+        return pick(found, named, [&](const fs::path& file) -> std::optional<CmlFiles::File> {
+            auto text = readTextFile(file, maximumCmlFileSize);
+            if (auto* content = std::get_if<std::string>(&text))
+                return CmlFiles::File{file.string(), std::move(*content)};
+            refuse(file.string(), std::get<FileProblem>(text).message);
+            return {};
+        });
+    }
+
+    /// rail.dat, and run.dat or dynamics.def: the one that is named, else run.dat.
+    template <typename Found, typename Read>
+    std::optional<CmlFiles> pick(const Found& found, const std::string& named, Read read)
+    {
+        const auto* const rail = textOf(found, "rail.dat");
+        const auto* run = textOf(found, "run.dat");
+        const auto* dynamics = textOf(found, "dynamics.def");
+        if (rail == nullptr) return refuse(document_.name, "stands without a rail.dat");
+        if (run == nullptr && dynamics == nullptr)
+            warn("stands without a run.dat or a dynamics.def; all but the slider's surface has its default");
+        if (run != nullptr && dynamics != nullptr) {
+            const bool wantsDynamics = named == "dynamics.def";
+            warn(wantsDynamics ? "run.dat stands there as well, and is not read"
+                               : "dynamics.def stands there as well, and is not read");
+            (wantsDynamics ? run : dynamics) = nullptr;
+        }
+        CmlFiles files;
+        for (const auto& [from, to] :
+             {std::pair{rail, &files.rail}, std::pair{run, &files.run}, std::pair{dynamics, &files.dynamics}}) {
+            if (from == nullptr) continue;
+            auto file = read(*from);
+            if (!file) return {};
+            *to = std::move(*file);
+        }
+        return files;
+    }
+
+    std::optional<CmlFiles> refuse(const std::string& file, std::string message)
+    {
+        document_.problems.push_back({file, 0, "", std::move(message)});
+        return {};
+    }
+    void warn(std::string message) { document_.warnings.push_back({document_.name, 0, "", std::move(message)}); }
+
+    CaseDocument& document_;
+};
+
+/// The wave.def that lies with the other files, by its whole path, so that the case may stand elsewhere.
+void findTrackProfile(const fs::path& path, CmlFields& fields)
+{
+    const Case& c = fields.value();
+    if (c.diskSurface.file.empty()) return;
+    const int line = fields.lineOf("disk.surface.file");
+    std::error_code error;
+    const fs::path folder = fs::is_directory(path, error) ? path
+                            : path.parent_path().empty()  ? fs::path(".")
+                                                          : path.parent_path();
+    const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
+    if (file) {
+        fields.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
+        const auto problems = diskFileProblems(c);
+        fields.problems.insert(fields.problems.end(), problems.begin(), problems.end());
+        return;
+    }
+    if (c.diskSurface.kind == DiskSurfaceKind::File) fields.choose("disk.surface.kind", "flat", line);
+    fields.choose("disk.surface.file", "", line);
+    fields.addWarning(line, isArchive(path)
+                                ? "Disk Track Profile: not modelled: a wave.def in an archive; unpack it"
+                                : "Disk Track Profile: not modelled: there is no wave.def beside this file");
+}
+
+/// "tfc3" for tfc3, tfc3/ , tfc3/rail.dat and tfc3.cml.
+std::string titleOf(const fs::path& path)
+{
+    std::error_code error;
+    fs::path absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+    if (isArchive(path)) return absolute.stem().string();
+    if (isCmlMember(lowerCase(absolute.filename().string()))) absolute = absolute.parent_path();
+    return absolute.filename().string();
+}
+
+} // namespace
+
+bool isCmlPath(const fs::path& path)
+{
+    std::error_code error;
+    if (fs::is_directory(path, error)) return findMember(path, "rail.dat").has_value();
+    return isArchive(path) || isCmlMember(lowerCase(path.filename().string()));
+}
+
+void readCmlFiles(const CmlFiles& files, CmlFields& fields)
+{
+    readRails(files.rail, fields);
+    if (!files.run.name.empty()) {
+        fields.beginFile(files.run.name);
+        readCmlRun(files.run.text, fields);
+        applyKeptValues(fields);
+    } else if (!files.dynamics.name.empty()) {
+        fields.beginFile(files.dynamics.name);
+        readCmlDynamics(files.dynamics.text, fields);
+    }
+    if (fields.problems.empty()) fields.checkCombinations();
+}
+
+CaseDocument readCmlCase(const fs::path& path)
+{
+    CaseDocument document;
+    document.name = path.string();
+    document.value = defaultsOf(ModelKind::Film);
+    const auto files = CmlFinder(document).find(path);
+    if (!files) return document;
+    CmlFields fields(document.value);
+    readCmlFiles(*files, fields);
+    if (!files->dynamics.name.empty()) findTrackProfile(path, fields);
+    if (document.value.title == Case{}.title) fields.choose("title", titleOf(path), 0);
+    document.problems = std::move(fields.problems);
+    document.warnings.insert(document.warnings.end(), fields.warnings.begin(), fields.warnings.end());
+    document.text = asToml(document, fields.comments);
+    return document;
+}
+
+} // namespace touchdown

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The law of one cell of an adhesive contact: which total pressure q goes with which gap g.
+//
+//   contact   g = 0, f(0) <= q <= f(0) + H: the contact pressure p = q - f(0) is between zero and the hardness
+//   near      0 < g < g_peak: q = f(g), which falls with the gap: stable by itself
+//   far       g >= g_peak: q = f(g), which softens: only the half-space holds the cell
+//   flowed    g < 0, q = f(0) + H: the softer body has flowed
+//
+// The energy's part beyond g_peak is concave. Replaced by its tangent at a gap g_0 it becomes a law that falls everywhere:
+// q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its energy lies nowhere
+// below the true one, and touches it at g_0.
+//
+// A pair (g, q) that is not on that law is judged by v = g - c q, c the cell's own compliance: with all other cells at rest
+// the cell moves along g - c q = v, which meets the law once.
+#pragma once
+
+#include <cstdint>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/physics/contact/adhesion.h"
+
+namespace touchdown {
+
+class AdhesiveCell {
+public:
+    enum class State : std::uint8_t { Contact, Near, Far, Flowed };
+
+    /// The law's tangent at its point for (g, q): q = pressure - stiffness (g - gap).
+    struct Tangent {
+        State state;
+        double gap;       // [m]
+        double pressure;  // total, q [Pa]; in contact the one that was given
+        double stiffness; // -dq/dg >= 0 [Pa/m]; unused in contact, where it is infinite
+    };
+
+    /// `compliance` c [m/Pa]; `hardness` H [Pa], 0: none.
+    AdhesiveCell(const AdhesionLaw& law, double compliance, double hardness);
+
+    /// d of the law that touches at the gap g_0 [Pa].
+    double offset(double gap) const { return gap > law_.peakGap() ? law_.pressure(gap) + law_.peakAttraction() : 0.0; }
+    Tangent tangent(double gap, double pressure, double offset) const;
+
+    /// Those of many cells, field by field; the stiffness in contact is infinite.
+    struct Tangents {
+        std::vector<State> state;
+        std::vector<double> gap, pressure, stiffness;
+        explicit Tangents(std::size_t cells = 0) : state(cells), gap(cells), pressure(cells), stiffness(cells) {}
+    };
+    void tangents(std::span<const double> gap, std::span<const double> pressure, std::span<const double> offset, Tangents& out) const;
+    void offsets(std::span<const double> gap, std::span<double> offset) const;
+
+    /// phi(g), and for a gap that flowed into the body also the work against q [J/m^2].
+    double energy(double gap) const;
+    /// The gap that goes with a total pressure on the offset law [m]: zero in contact, g_peak for all pressures below.
+    double gapUnder(double pressure, double offset) const;
+    /// The pressures that the offset law takes [Pa].
+    double lowest(double offset) const { return offset - law_.peakAttraction(); }
+    double highest(double offset) const { return offset + ceiling_; }
+
+    const AdhesionLaw& law() const { return law_; }
+    double compliance() const { return compliance_; }
+    /// f(0) [Pa].
+    double closedPressure() const { return closed_; }
+
+private:
+    AdhesionLaw law_;
+    double compliance_;
+    double closed_;                                            // f(0) [Pa]
+    double ceiling_ = std::numeric_limits<double>::infinity(); // f(0) + H [Pa]
+    double farLine_;                                           // v where it is at g_peak [m]
+};
+
+} // namespace touchdown

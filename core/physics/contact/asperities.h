@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius, Gaussian heights, against a smooth
+// pad; and the liquid that forms menisci on them.
+#pragma once
+
+#include <cstdint>
+
+namespace touchdown {
+
+enum class AsperityModel : std::uint8_t { GreenwoodWilliamson, ElasticPlastic };
+
+/// Radius, density, heights and lubricant are assumed: with them and a pad of 62 x 62 um the multi-asperity model's
+/// characteristic comes near the paper's five values (core/physics/contact/characteristic_fit.h).
+struct Asperities {
+    AsperityModel model = AsperityModel::GreenwoodWilliamson;
+    double radius = 1e-6;            // R of the summits [m]
+    double density = 8.5e12;         // eta [1/m^2]
+    double heightDeviation = 0.2e-9; // sigma_s of the summits' heights [m]
+    double planeHeight = 2.1e-9;     // y_s of the summits' mean plane above the disk's mean plane [m]
+    double yieldStrength = 2e9;      // Y [Pa], elastic-plastic
+    double friction = 0.3;           // mu [-]
+};
+
+/// Of each wetted asperity: 2 pi R gamma (1 + cos theta) while the liquid bridge stands.
+struct Meniscus {
+    double surfaceTension = 0.025;   // gamma of the lubricant [N/m]
+    double contactAngle = 0.0;       // theta [rad]
+    double filmThickness = 0.5e-9;   // mobile lubricant: a meniscus forms when a summit comes this near [m]
+    double breakingLength = 1.5e-9;  // it breaks when the summit's gap exceeds this [m], >= filmThickness
+};
+
+} // namespace touchdown

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The five parameters of the simplified characteristic (core/physics/contact/ono_yamane.h) that best describe the full
+// multi-asperity model over one way in and out, and how well they do:
+//
+//   d_s, d_e    where the menisci gather and go: at the jump with the largest change of F_m, or where there is none, where F_m
+//               passes half its largest value
+//   f_m         the largest adhesion
+//   k_c, f_c0   least squares of F_cr over d <= d_s, both ways
+//   shape       F_m between d_s and d_e constant or linear, what fits better
+//
+// The characteristic describes the model if nowhere on the way, jumps included, F_m is off by more than a tenth of the
+// largest adhesion, or F_cr by more than a tenth of the largest contact force.
+#pragma once
+
+#include <string>
+
+#include "core/physics/contact/multi_asperity.h"
+#include "core/physics/contact/ono_yamane.h"
+
+namespace touchdown {
+
+struct CharacteristicError {
+    double worst = 0.0; // [-]
+    double rms = 0.0;   // [-]
+    double at = 0.0;    // d of the worst [m]
+};
+
+struct CharacteristicFit {
+    OnoYamane parameters;         // friction and padDistance as they came
+    CharacteristicError contact;  // of F_cr, against its largest value on the way
+    CharacteristicError adhesion; // of F_m, against the largest adhesion
+    bool describes = false;
+    std::string message; // a sentence: how well, or what the five parameters cannot say of this model
+};
+
+/// From beyond the model's reach, or from `start` if that is farther, to `closest`, which is less [m].
+CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, double closest,
+                                    const OnoYamane& rest = {});
+
+} // namespace touchdown

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Multi-asperity contact and meniscus adhesion with bulk deformation, after Ono and Yamane as Chen & Bogy describe them:
+// forces as functions of the spacing, given the asperities' radius, density and height deviation, the pad's area and the
+// lubricant's surface energy; the contact area does not change; menisci alone adhere. The equations were not available:
+// these are a reading.
+//
+//   s = d + F_c/k_b                    local separation of pad and the disk's mean plane; the bulk gives way to F_c
+//   F_c = F_cr + F_m
+//   F_cr = A p(s)                      p of core/physics/contact/asperity_contact.h
+//   F_m = -eta A Q((zeta - y_s)/sigma_s) 2 pi R gamma (1 + cos theta), Q(x) the share of Gaussian heights above x
+//   k_b = 1.0566 E* sqrt(A)            mean displacement of a square under uniform pressure (Love 1929)
+//
+// Heights are above the disk's mean plane, those of the summits lie about y_s. A summit of height z wets when its gap s - z
+// falls to the film's thickness t and dries when it passes the bridge's length h_b. So the wetted ones are always those above
+// one height zeta, which s drags along with play:
+//
+//   zeta <- min(max(zeta, s - h_b), s - t).
+//
+// (s, zeta) is the whole state. d moves s quasi-statically: s follows until the spacing is met. Where menisci gather faster
+// than the bulk can bear, d(s) folds, and s jumps at fixed d: touch-down on the way in, take-off on the way out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/physics/contact/asperity_contact.h"
+
+namespace touchdown {
+
+struct MultiAsperityState {
+    double separation = 0.0;  // s [m]
+    double wettedAbove = 0.0; // zeta [m]
+};
+
+struct MultiAsperityForces {
+    double contact = 0.0;      // F_cr >= 0 [N]
+    double adhesion = 0.0;     // F_m <= 0 [N]
+    double contactArea = 0.0;  // of all summits [m^2]
+    double contacts = 0.0;     // number of pressed summits
+    double menisci = 0.0;      // number of wetted summits
+    double storedEnergy = 0.0; // of the pressed summits and of the bulk [J]
+    double total() const { return contact + adhesion; } // F_c [N]
+};
+
+/// A jump at fixed pad separation.
+struct MultiAsperityJump {
+    double padSeparation = 0.0; // d [m]
+    MultiAsperityState from, to;
+};
+
+enum class PadMotion : std::uint8_t { Towards, Away };
+
+class MultiAsperity {
+public:
+    /// Radius, density, deviation, moduli and area are positive; surface tension and film thickness at least 0;
+    /// breakingLength >= filmThickness.
+    MultiAsperity(const Asperities& asperities, const Meniscus& meniscus, const ElasticPair& pair, double padArea);
+
+    /// The pad brought to d [m] from afar, for the first time.
+    MultiAsperityState start(double padSeparation) const;
+    /// The pad moved to d [m] from where `state` holds, straight and slowly. Allocates nothing.
+    MultiAsperityState advance(const MultiAsperityState& state, double padSeparation) const;
+
+    MultiAsperityForces forces(const MultiAsperityState& state) const;
+    /// d = s - F_c/k_b [m].
+    double padSeparation(const MultiAsperityState& state) const;
+    /// -dF_c/dd of a small move from `state` [N/m], k_b (d' - 1)/d' with d'(s); infinite at a fold.
+    double stiffness(const MultiAsperityState& state, PadMotion motion) const;
+    /// The first jump ahead, if there is one before all summits are wetted or dry.
+    std::optional<MultiAsperityJump> nextJump(const MultiAsperityState& state, PadMotion motion) const;
+
+    const AsperityContact& asperities() const { return contact_; }
+    double padArea() const { return area_; }                // A [m^2]
+    double summitDensity() const { return density_; }       // eta [1/m^2]
+    double bulkStiffness() const { return bulkStiffness_; } // k_b [N/m]
+    /// With every summit wetted [N].
+    double largestAdhesion() const { return meniscusForce_; }
+    /// From this pad separation on there is no force, whatever came before [m].
+    double reach() const;
+
+private:
+    struct Path;
+    double wettedShare(double wettedAbove) const;
+
+    AsperityContact contact_;
+    double sigma_ = 0.0;         // sigma_s [m]
+    double film_ = 0.0;          // t [m]
+    double bridge_ = 0.0;        // h_b [m]
+    double planeHeight_ = 0.0;   // y_s [m]
+    double area_ = 0.0;          // A [m^2]
+    double density_ = 0.0;       // eta [1/m^2]
+    double bulkStiffness_ = 0.0; // k_b [N/m]
+    double meniscusForce_ = 0.0; // eta A 2 pi R gamma (1 + cos theta) [N]
+};
+
+} // namespace touchdown

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/contact/ono_yamane.h"
+
+#include <algorithm>
+
+namespace touchdown {
+
+OnoYamaneLaw::OnoYamaneLaw(const OnoYamane& parameters)
+{
+    using enum ContactRegion;
+    const double ds = parameters.touchDown;
+    const double de = parameters.takeOff;
+    const double kc = parameters.contactStiffness;
+    const double fc0 = parameters.initialContactForce;
+    const double fm = parameters.meniscusForce;
+
+    // F_cr reaches zero at d_s + f_c0/k_c, unless the take-off height comes first.
+    release_ = fc0 <= 0.0 ? ds : kc > 0.0 ? std::min(de, ds + fc0 / kc) : de;
+
+    Row pressed{{fc0 + kc * ds, -kc}, {-fm, 0.0}, {-std::numeric_limits<double>::infinity(), ds}, Pressed, Lifting};
+    Row lifting{{fc0 + kc * ds, -kc}, {-fm, 0.0}, {ds, release_}, Pressed, Bridged};
+    Row bridged{{}, {-fm, 0.0}, {release_, de}, Lifting, Apart};
+    const Row apart{{}, {}, {ds, std::numeric_limits<double>::infinity()}, Pressed, Apart};
+
+    if (parameters.takeOffShape == TakeOffShape::Linear && de > ds) {
+        for (Row* row : {&lifting, &bridged}) { // F_m = -f_m (d_e - d)/(d_e - d_s)
+            row->adhesion = {-fm * de / (de - ds), fm / (de - ds)};
+        }
+    }
+    // Regions of no width are stepped over.
+    if (release_ >= de) lifting.above = Apart;
+    if (release_ <= ds) {
+        pressed.above = de > ds ? Bridged : Apart;
+        bridged.below = Pressed;
+    }
+    rows_ = {apart, pressed, lifting, bridged};
+}
+
+double OnoYamaneLaw::storedEnergy(ContactRegion region, double d) const
+{
+    if (region != ContactRegion::Pressed && region != ContactRegion::Lifting) return 0.0;
+    const double force = contactForce(region, d);
+    const double end = contactForce(region, release_);
+    // F_cr is affine, so the work up to its release is the mean force times the way.
+    return 0.5 * (force + end) * (release_ - d);
+}
+
+ContactRegion OnoYamaneLaw::region(ContactBranch branch, double d) const
+{
+    using enum ContactRegion;
+    if (d <= row(Pressed).interval.upper) return Pressed;
+    if (branch == ContactBranch::TouchDown || d >= row(Bridged).interval.upper) return Apart;
+    return d < release_ ? Lifting : Bridged;
+}
+
+ContactBranch OnoYamaneLaw::nextBranch(ContactBranch previous, double d) const
+{
+    if (d <= row(ContactRegion::Pressed).interval.upper) return ContactBranch::TakeOff;
+    if (d >= row(ContactRegion::Bridged).interval.upper) return ContactBranch::TouchDown;
+    return previous;
+}
+
+} // namespace touchdown

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Single bumps and pits on the disk, periodic with the track. With r = 1 on the ellipse of the base,
+//
+//   ellipsoid   h sqrt(1 - r^2), half an ellipsoid; its flank is upright at the base;
+//   cosine      h (1 + cos(pi r))/2;
+//   gaussian    h exp(-4.5 r^2): the base is six standard deviations long and wide.
+//
+// Where bumps overlap they add.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/numerics/cell_grid.h"
+#include "core/numerics/uniform_grid.h"
+#include "core/physics/disk/disk_surface.h"
+
+namespace touchdown {
+
+class Bumps {
+public:
+    Bumps() = default;
+    explicit Bumps(const DiskSurface& surface);
+
+    bool empty() const { return bumps_.empty(); }
+    double height(double x, double y) const;
+    /// Adds the heights at the grid's centres, moved by the shift, to `out`.
+    void addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// Adds the means over the grid's cells.
+    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+
+    /// Nothing is higher or lower [m]: the most that bumps which meet can add up to.
+    double highest() const { return highest_; }
+    double lowest() const { return lowest_; }
+
+private:
+    struct Bump {
+        double height;                // [m]
+        double halfLength, halfWidth; // of the base [m]
+        double x, y;                  // [m]
+    };
+    /// Calls `visit(bump, x, y)` for each copy of a bump that reaches into the rectangle, (x, y) its centre.
+    template <typename Visit>
+    void forCopies(double left, double right, double inner, double outer, const Visit& visit) const;
+    double shape(double rr) const;
+
+    BumpShape shape_ = BumpShape::Ellipsoid;
+    double reach_ = 1.0;                    // where the shape ends, in r [-]
+    double track_ = 0.0, trackWidth_ = 0.0; // [m]
+    std::vector<Bump> bumps_;
+    double highest_ = 0.0, lowest_ = 0.0;
+};
+
+} // namespace touchdown

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The disk's surface as all that samples it see it: film, contact patch, plots. w(x, y) [m] above the mean plane, in the
+// disk's coordinates, is the sum of
+//
+//   waves      analytic; they run on without end;
+//   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which lie at
+//              multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map repeats. Halfway
+//              between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its amplitude;
+//   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
+//
+// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits, wherever
+// the points lie: their positions, and on its own the shift, are rounded to 2^-30 of a cell, or to what numbers of their size
+// can hold, if that is more.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/numerics/cell_grid.h"
+#include "core/numerics/periodic_spline.h"
+#include "core/numerics/uniform_grid.h"
+#include "core/physics/disk/bumps.h"
+#include "core/physics/disk/disk_surface.h"
+#include "core/physics/disk/height_map.h"
+#include "core/physics/disk/waves.h"
+
+namespace touchdown {
+
+/// Does not change after construction: any number of threads may read it. Nothing but the constructor and what takes work space
+/// allocates.
+class DiskTopography {
+public:
+    /// Flat.
+    DiskTopography() : DiskTopography(DiskSurface{}) {}
+    /// `surface` without problems (core/physics/disk/disk_surface_check.h); `file` for the kinds that read one.
+    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map. `goOn` is asked meanwhile; where it says
+    /// false there is no roughness.
+    explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {}, const std::function<bool()>& goOn = {});
+
+    bool flat() const;
+
+    /// w [m] at a point of the disk.
+    double height(double x, double y) const;
+    /// w at the centres of the grid's cells, of the surface moved by the shift [m]. `out`: grid.cells() long.
+    void heights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// The mean of w over each cell, for cells of any width: of waves and maps exact but for rounding, of bumps to
+    /// 0.5 % of their height. What is shorter than a cell is averaged out, not aliased into a height that is not there.
+    void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// The same, again and again: `work` is allocated by the first call.
+    void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const;
+
+    /// No w is higher, or lower [m]. True bounds, a little beyond the extremes themselves: adequate to rule contact out.
+    double highest() const { return highest_; }
+    double lowest() const { return lowest_; }
+
+    /// One period of the surface, the cells' centres on the points of its map: what plots and statistics look at. The finest
+    /// map's where there are two; of waves alone, the asked track with the asked cell.
+    UniformGrid period() const { return period_; }
+    /// Whether all of it repeats with period(): waves do not in general.
+    bool repeats() const { return repeats_; }
+
+private:
+    Waves waves_;
+    std::vector<PeriodicSpline> maps_;
+    Bumps bumps_;
+    double highest_ = 0.0, lowest_ = 0.0; // [m]
+    UniformGrid period_;
+    bool repeats_ = true;
+};
+
+} // namespace touchdown

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Micro-waviness: a sum of plane waves a sin(2 pi (x cos b + y sin b)/l + c).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/numerics/cell_grid.h"
+#include "core/numerics/uniform_grid.h"
+#include "core/physics/disk/disk_surface.h"
+
+namespace touchdown {
+
+class Waves {
+public:
+    Waves() = default;
+    explicit Waves(const DiskSurface& surface);
+
+    bool empty() const { return waves_.empty(); }
+    double height(double x, double y) const;
+    /// Adds the heights at the grid's centres, moved by the shift, to `out`.
+    void addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    /// Adds the means over the cells: of a wave the height in the middle times sin(u)/u along x and y, u = k width/2.
+    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
+    double amplitude() const; // the sum of all [m]
+
+private:
+    struct Wave {
+        double amplitude, kx, ky, phase; // [m], [rad/m], [rad]
+    };
+    std::vector<Wave> waves_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/cross_feed.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/physics/film/film_gaps.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Of a recess, the gap as it may be in flight, squared [m^2].
+double conduction(double recess)
+{
+    const double gap = std::max(0.0, recess) + typicalLift;
+    return gap * gap;
+}
+
+/// A sliver of deep gap would take in a whole cell's flow at once, and the solvers' sweeps hardly follow; the rest of it is let go.
+constexpr double mostShare = 4.0;
+
+/// Of the half cells along one axis, by cell: their area and their conduction times area.
+struct CellConduction {
+    std::vector<double> area, sum; // [m^2], [m^4]
+
+    CellConduction(const FilmGaps& gaps, int axis) : area(gaps.pad.size(), 0.0), sum(gaps.pad.size(), 0.0)
+    {
+        const FilmGaps::Faces& faces = gaps.faces[static_cast<std::size_t>(axis)];
+        const std::size_t step = gaps.pad.step(axis);
+        std::vector<bool> isCut(gaps.pad.size(), false);
+        for (const CutPlace& place : faces.cut) {
+            isCut[place.at] = true;
+            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
+                for (std::uint32_t k = gaps.rows[r].pieces; k < gaps.rows[r].pieceEnd; ++k) {
+                    const GapPiece& piece = gaps.pieces[k];
+                    add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent, piece.recess);
+                }
+        }
+        for (const CutPlace& place : faces.cut) {
+            if (!isCut[place.at - step]) addSmoothHalf(gaps, place.at - step, faces.recess[place.at - step]);
+            if (!isCut[place.at + step]) addSmoothHalf(gaps, place.at, faces.recess[place.at + step]);
+        }
+    }
+
+private:
+    void add(std::size_t cell, double part, double recess)
+    {
+        area[cell] += part;
+        sum[cell] += part * conduction(recess);
+    }
+    void addSmoothHalf(const FilmGaps& gaps, std::size_t cell, double recess)
+    {
+        const int i = gaps.pad.column(cell), j = gaps.pad.row(cell);
+        if (i < 0 || j < 0 || i >= gaps.pad.nx || j >= gaps.pad.ny) return;
+        add(cell, 0.5 * gaps.grid.widthX(i) * gaps.grid.widthY(j), recess);
+    }
+};
+
+} // namespace
+
+void setCrossFeed(FilmGaps& gaps)
+{
+    for (const int axis : {0, 1}) {
+        const CellConduction cells(gaps, axis);
+        const std::size_t step = gaps.pad.step(axis);
+        for (const CutPlace& place : gaps.faces[static_cast<std::size_t>(axis)].cut)
+            for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
+                const auto setFeed = [&](GapPiece& piece, std::size_t cell) {
+                    const double share = conduction(piece.recess) * cells.area[cell] / cells.sum[cell];
+                    piece.feed = piece.extent * std::min(share, mostShare);
+                };
+                // From the face outwards, so that no rounding takes a piece to its other side.
+                const GapRow& row = gaps.rows[r];
+                double below = 0.0, above = 0.0;
+                for (std::uint32_t k = row.pieceEnd; k-- > row.pieces;) {
+                    GapPiece& piece = gaps.pieces[k];
+                    if (piece.start >= 0.0) continue;
+                    setFeed(piece, place.at - step);
+                    below += piece.feed;
+                    piece.lead = -below;
+                }
+                for (std::uint32_t k = row.pieces; k < row.pieceEnd; ++k) {
+                    GapPiece& piece = gaps.pieces[k];
+                    if (piece.start < 0.0) continue;
+                    setFeed(piece, place.at);
+                    piece.lead = above;
+                    above += piece.feed;
+                }
+            }
+    }
+}
+
+} // namespace touchdown

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The recess of a surface as the film's cells see it. A path runs from one cell centre to the next, across their face; flow
+// through it meets the gaps on its way in series, and paths side by side in parallel. Where the recess is smooth, one
+// sample in the middle stands for the whole face. Where an edge or a wall meets it, the face is divided into rows, each row at
+// its breaks into pieces, exactly where the recess jumps: this is what makes the load converge on grids that ignore the
+// rails.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/numerics/cell_grid.h"
+#include "core/numerics/padded_grid.h"
+#include "core/physics/slider/attitude.h"
+#include "core/physics/slider/recess.h"
+
+namespace touchdown {
+
+/// Gaps of flying sliders are some ten nanometres above the recess [m].
+inline constexpr double typicalLift = 20e-9;
+
+/// A part of a row in which the recess hardly changes.
+struct GapPiece {
+    double extent; // length along the path [m]; of a cell's piece, its area [m^2]
+    double recess; // [m]
+    double x, y;   // where it was taken [m]
+    double start;  // of a path's piece, from the face [m]; none lies on both sides
+    double lead = 0.0, feed = 0.0; // of the flow across, the part between face and start, along the piece; as lengths [m]
+};
+
+/// A face that an edge or a wall meets, or such a cell (whose pieces are one row).
+struct CutPlace {
+    std::size_t at;             // padded index
+    std::uint32_t rows, rowEnd; // in `rows`
+};
+struct GapRow {
+    double width;                  // [m]
+    std::uint32_t pieces, pieceEnd; // in `pieces`
+};
+
+struct FilmGaps {
+    /// `goOn` is asked at each row; where it says false the rest is missing, and it is of no use.
+    FilmGaps(const Recess& recess, CellGrid grid, const std::function<bool()>& goOn = {});
+
+    CellGrid grid;
+    PaddedGrid pad;
+    double length, width; // of the slider [m]
+
+    /// Per axis and face: middle of the path, its length, the width of the face, the recess there.
+    struct Faces {
+        std::vector<double> recess;  // padded [m]
+        std::vector<double> rise;    // of the recess from end to end of a smooth path, padded [m]
+        std::vector<double> pathMid; // along the axis, by line [m]; nx + 1 or ny + 1
+        std::vector<double> pathLength; // by line [m]
+        std::vector<double> upperShare; // by line: (face - lower centre)/path length [-]
+        std::vector<CutPlace> cut;
+    };
+    std::array<Faces, 2> faces;
+    std::vector<double> meanRecess; // of each cell, padded [m]
+    std::vector<CutPlace> cutCells;
+    std::vector<std::size_t> steppedCells; // cut cells in which a vertical step stands, padded indices
+    std::vector<GapRow> rows;
+    std::vector<GapPiece> pieces;
+
+    /// What the attitude adds to the recess at a point [m].
+    double lift(const Attitude& attitude, double x, double y) const
+    {
+        return attitude.height + attitude.pitch * (length - x) - attitude.roll * (y - 0.5 * width);
+    }
+
+private:
+    void setCutCells();
+};
+
+} // namespace touchdown

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/film_newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchdown {
+
+double residualNorm(const GasFilm& film, std::span<const double> residual)
+{
+    double sum = 0.0;
+    for (const double r : residual) sum += std::abs(r);
+    return sum / film.flowScale();
+}
+
+void addBounded(std::span<double> p, std::span<const double> step)
+{
+    for (std::size_t at = 0; at < p.size(); ++at) p[at] = std::clamp(p[at] + step[at], p[at] / 3.0, 3.0 * p[at]);
+}
+
+FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
+    : film_(film), stencil_(film.pad()), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size(), 0.0)
+{
+    work_.resize(film.pad().size());
+    for (auto* pair : {&effective_, &convection_})
+        for (auto& field : *pair) field.assign(film.pad().size(), 0.0);
+}
+
+void FilmLinearSolver::prepare(double shift)
+{
+    shift_ = shift;
+    for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
+    const auto& faces = film_.faces();
+    film_.setStencil(stencil_);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        stencil_.addStored(axis, film_.storagePerTime(), film_.volumes(), {faces[axis].effective, faces[axis].convection},
+                           effective_[axis], convection_[axis]);
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
+                            FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
+                           diagonal_);
+}
+
+void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out) const
+{
+    stencil_.apply(v, film_.storagePerTime(), film_.volumes(), out);
+    addShift(v, out);
+}
+
+void FilmLinearSolver::addShift(std::span<const double> v, std::span<double> out) const
+{
+    if (shift_ == 0.0) return;
+    for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
+}
+
+GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)
+{
+    const auto apply = [this](std::span<const double> v, std::span<double> out) {
+        film_.applyJacobian(v, out, work_);
+        addShift(v, out);
+    };
+    const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
+    return gmres_.solve(apply, precondition, b, x, options);
+}
+
+void FilmLinearSolver::prepareTransposed()
+{
+    const PaddedGrid& pad = film_.pad();
+    const auto& faces = film_.faces();
+    const std::vector<double>&x = faces[0].convection, &y = faces[1].convection;
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            diagonal_[at] = (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]) +
+                            film_.storagePerTime() * film_.volumes()[at];
+        }
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t at = 0; at < pad.size(); ++at) convection_[axis][at] = -faces[axis].convection[at];
+    }
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
+                            FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
+                           diagonal_);
+}
+
+GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options)
+{
+    const auto apply = [this](std::span<const double> v, std::span<double> out) {
+        film_.applyTransposedJacobian(v, out, work_);
+    };
+    const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
+    return gmres_.solve(apply, precondition, b, x, options);
+}
+
+FilmNewton::FilmNewton(GasFilm& film)
+    : film_(film), linear_(film), residual_(film.pad().size()), step_(film.pad().size()), right_(film.pad().size()),
+      best_(film.pad().size())
+{
+}
+
+FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor)
+{
+    FilmSolution result;
+    film_.linearise(p, residual_);
+    result.residual = residualNorm(film_, residual_);
+    // A pseudo time step of the time the disk takes to pass the slider, when one is needed.
+    const double passage = film_.flowScale() / film_.ambient() / std::max(1e-300, film_.totalVolume()); // [1/s]
+    double shift = 0.0;
+    int accepted = 0, slow = 0;
+    std::copy(p.begin(), p.end(), best_.begin());
+    const auto goOn = [&] {
+        result.cancelled = monitor && !monitor(result.iterations, result.residual);
+        return !result.cancelled;
+    };
+    while (true) {
+        if (!goOn()) return result;
+        result.converged = result.residual <= options.tolerance;
+        if (result.converged || result.iterations >= options.maximumIterations) return result;
+
+        linear_.prepare(shift);
+        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
+        std::fill(step_.begin(), step_.end(), 0.0);
+        // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks for.
+        const double deserved = std::clamp(0.1 * std::sqrt(result.residual), 1e-4, 0.03);
+        const double forcing = std::max(deserved, std::min(0.1, 0.3 * options.tolerance / result.residual));
+        const GmresResult linear = linear_.solve(right_, step_, {.tolerance = forcing, .maximumIterations = 60, .goOn = goOn});
+        if (result.cancelled) return result;
+        result.solves += linear.iterations;
+        addBounded(p, step_);
+        film_.linearise(p, residual_);
+        const double residual = residualNorm(film_, residual_);
+        ++result.iterations;
+        // The first steps may make the sum of residuals larger while the pressure finds its shape.
+        const bool acceptable = std::isfinite(residual) && residual < (accepted < 3 && shift == 0.0 ? 20.0 : 1.5) * result.residual;
+        if (acceptable) {
+            ++accepted;
+            // Three steps that hardly help: let the film settle for a few passages of the disk.
+            slow = shift == 0.0 && residual > 0.7 * result.residual ? slow + 1 : 0;
+            shift *= std::clamp(residual / result.residual, 0.1, 0.5);
+            if (shift < 0.01 * passage) shift = 0.0;
+            if (slow >= 3) {
+                shift = 10.0 * passage;
+                slow = 0;
+            }
+            result.residual = residual;
+            std::copy(p.begin(), p.end(), best_.begin());
+        } else {
+            shift = shift == 0.0 ? 10.0 * passage : 8.0 * shift;
+            std::copy(best_.begin(), best_.end(), p.begin());
+            film_.linearise(p, residual_);
+        }
+    }
+}
+
+} // namespace touchdown

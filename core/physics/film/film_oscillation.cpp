@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/film_oscillation.h"
+
+namespace touchdown {
+
+using Complex = std::complex<double>;
+
+namespace {
+
+// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again and again.
+constexpr int restart = 50;
+
+} // namespace
+
+FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
+    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size(), restart), diagonal_(film.pad().size()), right_(film.pad().size())
+{
+    work_.resize(film.pad().size());
+    film.attitudeColumns(p, columns_);
+    film.attitudeStorageColumns(p, storage_);
+    for (auto& response : response_) response.assign(film.pad().size(), Complex{});
+}
+
+void FilmOscillation::setRate(Complex s)
+{
+    for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = s * film_.volumes()[at];
+    const auto& faces = film_.faces();
+    multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
+                            FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
+                           diagonal_);
+}
+
+void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& converged)
+{
+    const auto apply = [this, s](std::span<const Complex> v, std::span<Complex> out) { film_.applyJacobian(v, out, work_, s); };
+    const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) { multigrid_.precondition(v, out); };
+    const GmresOptions options{.tolerance = 1e-8, .maximumIterations = 200, .goOn = goOn_};
+    converged = gmres_.solve(apply, precondition, right_, response, options).converged && converged;
+}
+
+ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,
+                                          const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged,
+                                          std::size_t columns)
+{
+    const std::size_t size = film_.pad().size();
+    setRate(s);
+    ComplexMatrix3 result{};
+    for (std::size_t m = 0; m < columns; ++m) {
+        for (std::size_t at = 0; at < size; ++at) right_[at] = -(columns_[m][at] + s * storage_[m][at]);
+        solve(s, response_[m], converged);
+        for (std::size_t k = 0; k < 3; ++k) {
+            Complex sum = byAttitude[k][m];
+            for (std::size_t at = 0; at < size; ++at) sum += byPressure[k][at] * response_[m][at];
+            result[k][m] = -sum;
+        }
+    }
+    return result;
+}
+
+std::array<Complex, 3> FilmOscillation::answer(Complex s, std::span<const Complex> source,
+                                               const std::array<std::vector<double>, 3>& byPressure, bool& converged)
+{
+    setRate(s);
+    for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -source[at];
+    std::vector<Complex> response(right_.size());
+    solve(s, response, converged);
+    std::array<Complex, 3> result{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t at = 0; at < response.size(); ++at) result[k] += byPressure[k][at] * response[at];
+    return result;
+}
+
+} // namespace touchdown

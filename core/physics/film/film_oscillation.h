@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A film about its steady state, linearised, for motions of the slider that grow or decay as exp(s t), s complex:
+//
+//   (J + s S) dp + (dR/da + s T) da = 0
+//
+// J the film's Jacobian, a the attitude. S and T are what the residual answers to a rate of storage d(p V)/dt = s (V dp + p dV/da
+// da) in the cells: itself, and with the complete flux scheme what it feeds the flow along each path. The dynamic stiffness is
+// what the film answers: Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure and attitude;
+// Z(i omega) = K + i omega C.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/physics/film/film_newton.h"
+
+namespace touchdown {
+
+using ComplexMatrix3 = std::array<std::array<std::complex<double>, 3>, 3>;
+
+class FilmOscillation {
+public:
+    /// The film must be linearised at p (padded), its steady state, without storage.
+    FilmOscillation(const GasFilm& film, std::span<const double> p);
+
+    /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces' derivatives.
+    /// `converged` turns false where a linear system was not solved. Each of the first `columns` takes one, the others stay zero.
+    ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
+                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged, std::size_t columns = 3);
+    /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
+    std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
+                                               const std::array<std::vector<double>, 3>& byPressure, bool& converged);
+
+    /// Asked at each iteration; where it says false nothing converges.
+    void ask(std::function<bool()> goOn) { goOn_ = std::move(goOn); }
+
+private:
+    void setRate(std::complex<double> s);
+    /// dp for the right-hand side in right_, from the guess that it holds.
+    void solve(std::complex<double> s, std::vector<std::complex<double>>& response, bool& converged);
+
+    const GasFilm& film_;
+    std::function<bool()> goOn_;
+    std::array<std::vector<double>, 3> columns_, storage_; // dR/da and T
+    Multigrid<std::complex<double>> multigrid_;
+    Gmres<std::complex<double>> gmres_;
+    FaceFlows<std::complex<double>> work_;
+    std::vector<std::complex<double>> diagonal_, right_;
+    std::array<std::vector<std::complex<double>>, 3> response_; // of the last call, the next one's guess
+};
+
+} // namespace touchdown

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sums of flows over cells, and what the film's residual answers to small changes of the pressure.
+#include <algorithm>
+#include <complex>
+
+#include "core/numerics/vector_clones.h"
+#include "core/physics/film/gas_film.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Flows through a row of faces, by the cells below and above.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void setFlows(std::size_t count, const double* lower, const double* upper, const T* below,
+                                      const T* above, T* flow)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) flow[k] = lower[k] * below[k] + upper[k] * above[k];
+}
+
+/// What a row of cells stores, perTime V v.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const double* volume, const T* v, T* stored)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * v[k];
+}
+
+/// A row of cells: what leaves the one way came the other, or out of what was stored. Both slopes in full would take a cell's
+/// storage from it twice: each axis counts what is its own of the motion's square.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross,
+                                         double shareX, double shareY, const T* flowX, const T* flowY,
+                                         const T* flowYAbove, const T* stored, T* slopeX, T* slopeY)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        slopeX[k] = (flowY[k] - flowYAbove[k]) * perWidth[k] - stored[k] * (shareX * perWidth[k]);
+        slopeY[k] = (flowX[k] - flowX[k + 1]) * perWidthAcross - stored[k] * (shareY * perWidthAcross);
+    }
+}
+
+/// Takes off the flows through a row of faces what the slopes in the cells below and above correct.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
+                                         const T* slopeBelow, const T* slopeAbove, T* flow)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) flow[k] -= slopeBelow[k] * below[k] + slopeAbove[k] * above[k];
+}
+
+/// Besides, adds the corrections' own change, by the cells below and above.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void
+completeRow(std::size_t count, const double* below, const double* above, const double* ownLower, const double* ownUpper,
+            const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k)
+        flow[k] = (flow[k] - (slopeBelow[k] * below[k] + slopeAbove[k] * above[k])) +
+                  (ownLower[k] * vBelow[k] + ownUpper[k] * vAbove[k]);
+}
+
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void divergeRow(std::size_t count, const T* flowX, const T* flowY, const T* flowYAbove,
+                                        const T* stored, T* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k)
+        out[k] = ((flowX[k + 1] - flowX[k]) + (flowYAbove[k] - flowY[k])) + stored[k];
+}
+
+} // namespace
+
+template <typename T>
+void GasFilm::setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
+                        T* slopeY) const
+{
+    setSlopeRow(static_cast<std::size_t>(gaps_.pad.nx), axes_[0].perWidth.data(),
+                axes_[1].perWidth[static_cast<std::size_t>(j)], motionShare_[0], motionShare_[1], flowX, flowY,
+                flowYAbove, stored, slopeX, slopeY);
+    // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
+    const std::size_t first = gaps_.pad.at(0, j), row = static_cast<std::size_t>(j);
+    for (std::size_t n = steppedRows_[row]; n < steppedRows_[row + 1]; ++n)
+        slopeX[gaps_.steppedCells[n] - first] = slopeY[gaps_.steppedCells[n] - first] = T{};
+}
+
+void GasFilm::setSlopes(FaceFlows<double>& flows) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        const double* flowY = &flows.flow[1][at];
+        setSlopes(j, &flows.flow[0][at], flowY, flowY + pad.stride(), storedRow(flows, j), &flows.slope[0][at],
+                  &flows.slope[1][at]);
+    }
+}
+
+void GasFilm::completeChanges(FaceFlows<double>& flows) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const FilmFaces& f = faces_[axis];
+        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+            const std::size_t at = pad.at(0, j);
+            const double* slope = &flows.slope[axis][at];
+            completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.below[at], &f.above[at],
+                        slope - pad.step(static_cast<int>(axis)), slope, &flows.flow[axis][at]);
+        }
+    }
+}
+
+template <typename T>
+void GasFilm::divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
+                         std::span<T> out) const
+{
+    divergeRow(static_cast<std::size_t>(gaps_.pad.nx), flowX, flowY, flowYAbove, stored, &out[gaps_.pad.at(0, j)]);
+}
+
+void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) const
+{
+    for (int j = 0; j < gaps_.pad.ny; ++j) {
+        const std::size_t at = gaps_.pad.at(0, j);
+        const double* flowY = &flows.flow[1][at];
+        divergence(j, &flows.flow[0][at], flowY, flowY + gaps_.pad.stride(), storedRow(flows, j), out);
+    }
+}
+
+template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*,
+                                 double*) const;
+template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
+                                  std::span<double>) const;
+
+/// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the faces
+/// above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
+template <typename T>
+void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx), ring = PaddedGrid::rings;
+    // Of the last rows: their places in the work space are used again and again.
+    const auto row = [&](std::vector<T>& field, int j) {
+        return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
+    };
+    work.stored.resize(3 * up);
+    for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})
+        std::fill_n(slope->begin(), 3 * up, T{}); // the rings'
+    const auto start = [&](std::size_t axis, int j) {
+        const FilmFaces& f = faces_[axis];
+        const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis));
+        setFlows(nx + (axis == 0), &f.lower[at], &f.upper[at], &v[at - step], &v[at], row(work.flow[axis], j));
+    };
+    const auto finish = [&](std::size_t axis, int j) {
+        if (!complete()) return;
+        const FilmFaces& f = faces_[axis];
+        const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis)), count = nx + (axis == 0);
+        T* flow = row(work.flow[axis], j);
+        const T *slope = row(work.slope[axis], j), *before = axis == 0 ? slope - 1 : row(work.slope[axis], j - 1);
+        completeRow(count, &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope, &v[at - step],
+                    &v[at], flow);
+    };
+    start(1, 0);
+    for (int j = 0; j <= pad.ny; ++j) {
+        if (j < pad.ny) {
+            const std::size_t at = pad.at(0, j);
+            start(0, j);
+            start(1, j + 1);
+            setStoredRow(nx, perTime, &volume_[at], &v[at], row(work.stored, j));
+            if (complete())
+                setSlopes(j, row(work.flow[0], j), row(work.flow[1], j), row(work.flow[1], j + 1), row(work.stored, j),
+                          row(work.slope[0], j), row(work.slope[1], j));
+            finish(0, j);
+        } else {
+            std::fill_n(row(work.slope[1], j), nx, T{});
+        }
+        finish(1, j);
+        if (j > 0)
+            divergence<T>(j - 1, row(work.flow[0], j - 1), row(work.flow[1], j - 1), row(work.flow[1], j),
+                          row(work.stored, j - 1), out);
+    }
+}
+
+template void GasFilm::applyJacobian(std::span<const double>, std::span<double>, FaceFlows<double>&, double) const;
+template void GasFilm::applyJacobian(std::span<const std::complex<double>>, std::span<std::complex<double>>,
+                                     FaceFlows<std::complex<double>>&, std::complex<double>) const;
+
+void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const
+{
+    // Backwards through applyJacobian: a face's flow leaves the cell below and enters the one above.
+    const PaddedGrid& pad = gaps_.pad;
+    std::fill(out.begin(), out.end(), 0.0);
+    for (auto& slope : work.slope) std::fill(slope.begin(), slope.end(), 0.0);
+    const auto forFaces = [&](auto&& visit) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::size_t step = pad.step(static_cast<int>(axis));
+            for (int j = 0; j < pad.ny + (axis == 1); ++j)
+                for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+                    const std::size_t at = pad.at(i, j);
+                    visit(axis, at, at - step);
+                }
+        }
+    };
+    forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
+        const FilmFaces& f = faces_[axis];
+        const double drop = v[before] - v[at];
+        work.flow[axis][at] = drop;
+        if (!complete()) return;
+        work.slope[axis][before] -= f.below[at] * drop;
+        work.slope[axis][at] -= f.above[at] * drop;
+        out[before] += f.ownLower[at] * drop;
+        out[at] += f.ownUpper[at] * drop;
+    });
+    for (const std::size_t at : gaps_.steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
+    if (complete())
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i) {
+                const std::size_t at = pad.at(i, j), up = pad.stride();
+                const double alongX = work.slope[0][at] * axes_[0].perWidth[static_cast<std::size_t>(i)];
+                const double alongY = work.slope[1][at] * axes_[1].perWidth[static_cast<std::size_t>(j)];
+                work.flow[1][at] += alongX;
+                work.flow[1][at + up] -= alongX;
+                work.flow[0][at] += alongY;
+                work.flow[0][at + 1] -= alongY;
+                out[at] -= storagePerTime_ * volume_[at] * (motionShare_[0] * alongX + motionShare_[1] * alongY);
+            }
+    forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
+        const FilmFaces& f = faces_[axis];
+        out[before] += f.lower[at] * work.flow[axis][at];
+        out[at] += f.upper[at] * work.flow[axis][at];
+    });
+    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volume_[at] * v[at];
+    clearRings(out);
+    for (auto& slope : work.slope) clearRings(slope);
+}
+
+} // namespace touchdown

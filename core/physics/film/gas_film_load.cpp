@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/vector_clones.h"
+#include "core/physics/film/gas_film.h"
+
+namespace touchdown {
+
+namespace {
+
+/// N sums over places, eight of each side by side, whatever the width of vectors.
+template <std::size_t N, typename Terms>
+std::array<double, N> sums(std::size_t count, const Terms& terms)
+{
+    constexpr std::size_t lanes = 8;
+    std::array<std::array<double, lanes>, N> side{};
+    const std::size_t whole = count / lanes * lanes;
+    for (std::size_t i = 0; i < whole; i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const std::array<double, N> term = terms(i + k);
+            for (std::size_t n = 0; n < N; ++n) side[n][k] += term[n];
+        }
+    for (std::size_t i = whole; i < count; ++i) {
+        const std::array<double, N> term = terms(i);
+        for (std::size_t n = 0; n < N; ++n) side[n][0] += term[n];
+    }
+    std::array<double, N> result;
+    for (std::size_t n = 0; n < N; ++n) {
+        const std::array<double, lanes>& s = side[n];
+        result[n] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+    }
+    return result;
+}
+
+/// Force of a row of cells per width across, and its moment about x = 0.
+TOUCHDOWN_VECTOR_CLONES std::array<double, 2> rowLoad(std::size_t count, const double* p, double ambient,
+                                                      const double* width, const double* x)
+{
+    return sums<2>(count, [=](std::size_t k) -> std::array<double, 2> {
+        const double force = (p[k] - ambient) * width[k];
+        return {force, force * x[k]};
+    });
+}
+
+/// Sum of h w (p2 - p1) of a row of faces; nothing where the gap is closed.
+TOUCHDOWN_VECTOR_CLONES double rowDrop(std::size_t count, const double* below, const double* above, const double* gap,
+                                       const double* width)
+{
+    return sums<1>(count, [=](std::size_t k) -> std::array<double, 1> {
+        const double h = gap[k] > closedGap ? gap[k] : 0.0;
+        return {h * width[k] * (above[k] - below[k])};
+    })[0];
+}
+
+/// Couette: the weights over h + s/p, s = 2 a lambda p; nothing where the gap is closed.
+TOUCHDOWN_VECTOR_CLONES std::array<double, 2> couette(std::size_t count, const double* gap, const double* p,
+                                                      const double* weightX, const double* weightY, double slip)
+{
+    return sums<2>(count, [=](std::size_t k) -> std::array<double, 2> {
+        const bool open = gap[k] > closedGap;
+        const double perGap = p[k] / ((open ? gap[k] : 1.0) * p[k] + slip), weight = open ? perGap : 0.0;
+        return {weightX[k] * weight, weightY[k] * weight};
+    });
+}
+
+TOUCHDOWN_VECTOR_CLONES void setGapsOfVolumes(std::size_t count, const double* volume, const double* perWidth,
+                                              double perWidthAcross, double* gap)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) gap[k] = volume[k] * (perWidth[k] * perWidthAcross);
+}
+
+} // namespace
+
+/// Couette's weights: viscosity times area times the disk's velocity under the cell's centre.
+void GasFilm::setCouettePlaces()
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const auto weights = [&](int i, int j) {
+        const Velocity v =
+            diskVelocity(setting_.disk, gaps_.length, gaps_.width, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+        return std::array{setting_.air.viscosity * v.x, setting_.air.viscosity * v.y};
+    };
+    for (auto& field : couette_) field.assign(pad.size(), 0.0);
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i)
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                couette_[axis][pad.at(i, j)] = weights(i, j)[axis] * area_[pad.at(i, j)];
+    for (const CutPlace& place : gaps_.cutCells) {
+        const std::array<double, 2> weight = weights(pad.column(place.at), pad.row(place.at));
+        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
+            const GapPiece& piece = gaps_.pieces[k];
+            cutPieces_.recess.push_back(piece.recess);
+            cutPieces_.x.push_back(piece.x);
+            cutPieces_.y.push_back(piece.y);
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                cutPieces_.couette[axis].push_back(weight[axis] * piece.extent);
+            cutPieces_.at.push_back(place.at);
+        }
+        for (auto& field : couette_) field[place.at] = 0.0;
+    }
+    for (auto* field : {&forceWork_.gap, &forceWork_.pressure, &forceWork_.byGap, &forceWork_.byPressure})
+        field->assign(std::max(pad.stride(), ForceWork::pieces), 0.0);
+}
+
+double GasFilm::slipLength() const
+{
+    return 2.0 * (2.0 - setting_.slip.accommodation) / setting_.slip.accommodation * setting_.air.meanFreePath *
+           ambient();
+}
+
+void GasFilm::setCellRow(int j, std::span<const double> p) const
+{
+    const std::size_t first = gaps_.pad.at(0, j), count = static_cast<std::size_t>(gaps_.pad.nx);
+    setGapsOfVolumes(count, &volume_[first], axes_[0].perWidth.data(), axes_[1].perWidth[static_cast<std::size_t>(j)],
+                     forceWork_.gap.data());
+    std::copy_n(&p[first], count, forceWork_.pressure.begin());
+}
+
+std::size_t GasFilm::setCutPieces(std::size_t first, std::span<const double> p) const
+{
+    const double base = gaps_.lift(attitude_, 0.0, 0.0);
+    const std::size_t count = std::min(ForceWork::pieces, cutPieces_.at.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t n = first + k, at = cutPieces_.at[n];
+        const double lift = base - attitude_.pitch * cutPieces_.x[n] - attitude_.roll * cutPieces_.y[n];
+        forceWork_.gap[k] = cutPieces_.recess[n] - surfaceAt(at) + lift;
+        forceWork_.pressure[k] = p[at];
+    }
+    return count;
+}
+
+void GasFilm::addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const
+{
+    for (int j = 0; j < gaps_.pad.ny; ++j) {
+        const std::array<double, 2> row = rowLoad(static_cast<std::size_t>(gaps_.pad.nx), &p[gaps_.pad.at(0, j)],
+                                                  ambient(), axes_[1].width.data(), centreX_.data());
+        const double width = gaps_.grid.widthY(j), force = width * row[0];
+        sum[0] += force;
+        sum[1] += 0.5 * gaps_.length * force - width * row[1];
+        sum[2] += (0.5 * gaps_.width - gaps_.grid.centreY(j)) * force;
+    }
+}
+
+/// A step across the motion's path makes a layer that may be thinner than a cell; where none is, kinks at edges and bends
+/// between cells cancel in the sum of cells. So of the excess only the part along the motion counts.
+void GasFilm::addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum) const
+{
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const bool hasLayers = layers && motionShare_[axis] > 0.0;
+        if (!hasLayers && !drags) continue;
+        cutPaths_[axis].forces(hasLayers, p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity,
+                               cutWork_, cutForces_);
+        double drag = 0.0;
+        std::array<double, 3> load{};
+        for (std::size_t n = 0; n < cutForces_.size(); ++n) {
+            const std::array<double, 2>& arms = axes_[axis].cutArms[n];
+            load[0] += cutForces_[n].excess;
+            load[1] += cutForces_[n].excess * arms[0];
+            load[2] += cutForces_[n].excess * arms[1];
+            drag += cutForces_[n].drag;
+        }
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += motionShare_[axis] * load[k];
+        sum[3 + axis] += drag;
+    }
+}
+
+void GasFilm::addShear(std::span<const double> p, std::array<double, 5>& sum) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const double slip = slipLength();
+    const auto addCouette = [&](const std::array<std::vector<double>, 2>& weights, std::size_t first,
+                                std::size_t count) {
+        const std::array<double, 2> drag = couette(count, forceWork_.gap.data(), forceWork_.pressure.data(),
+                                                   &weights[0][first], &weights[1][first], slip);
+        sum[3] += drag[0];
+        sum[4] += drag[1];
+    };
+    for (int j = 0; j < pad.ny; ++j) {
+        setCellRow(j, p);
+        addCouette(couette_, pad.at(0, j), static_cast<std::size_t>(pad.nx));
+    }
+    for (std::size_t first = 0; first < cutPieces_.at.size(); first += ForceWork::pieces)
+        addCouette(cutPieces_.couette, first, setCutPieces(first, p));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::size_t step = pad.step(static_cast<int>(axis)),
+                          count = static_cast<std::size_t>(pad.nx + (axis == 0));
+        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+            const std::size_t first = pad.at(0, j);
+            if (axis == 0) std::fill(rowWidth_.begin(), rowWidth_.end(), axes_[0].width[static_cast<std::size_t>(j)]);
+            const double* width = axis == 0 ? rowWidth_.data() : axes_[1].width.data();
+            sum[3 + axis] -= 0.5 * rowDrop(count, &p[first - step], &p[first], &axes_[axis].gap[first], width);
+        }
+    }
+}
+
+std::array<double, 3> GasFilm::load(std::span<const double> p) const
+{
+    std::array<double, 5> sum{};
+    addCellLoads(p, sum);
+    addCutForces(true, false, p, sum);
+    return {sum[0], sum[1], sum[2]};
+}
+
+std::array<double, 2> GasFilm::shear(std::span<const double> p) const
+{
+    std::array<double, 5> sum{};
+    addShear(p, sum);
+    addCutForces(false, true, p, sum);
+    return {sum[3], sum[4]};
+}
+
+std::array<double, 5> GasFilm::loadAndShear(std::span<const double> p) const
+{
+    std::array<double, 5> sum{};
+    addCellLoads(p, sum);
+    addShear(p, sum);
+    addCutForces(true, true, p, sum);
+    return sum;
+}
+
+FilmForces GasFilm::forces(std::span<const double> p) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const CellGrid& grid = gaps_.grid;
+    FilmForces result;
+    std::array<double, 2> px{}, py{}; // moments of the positive and of the negative part
+    result.maximumPressure = result.minimumPressure = p[pad.at(0, 0)];
+    result.maximumAt = result.minimumAt = {grid.centreX(0), grid.centreY(0)};
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            const double x = grid.centreX(i), y = grid.centreY(j), force = (p[at] - ambient()) * area_[at];
+            (force > 0.0 ? result.positive : result.negative) += force;
+            px[force > 0.0 ? 0 : 1] += force * x;
+            py[force > 0.0 ? 0 : 1] += force * y;
+            if (p[at] > result.maximumPressure) result.maximumPressure = p[at], result.maximumAt = {x, y};
+            if (p[at] < result.minimumPressure) result.minimumPressure = p[at], result.minimumAt = {x, y};
+        }
+    if (result.positive > 0.0) result.centreOfPositive = {px[0] / result.positive, py[0] / result.positive};
+    if (result.negative < 0.0) result.centreOfNegative = {px[1] / result.negative, py[1] / result.negative};
+    const std::array<double, 5> total = loadAndShear(p);
+    // What layers hold beyond the cells' pressure belongs to the rails: to the positive part.
+    result.positive += total[0] - result.positive - result.negative;
+    result.net = total[0];
+    result.pitchTorque = total[1];
+    result.rollTorque = total[2];
+    result.shearX = total[3];
+    result.shearY = total[4];
+    result.massFlow = massFlow_;
+    return result;
+}
+
+} // namespace touchdown

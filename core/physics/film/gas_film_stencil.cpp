@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a cell's outflow has from the nine cells that its faces and the corrections of their flows meet.
+#include <algorithm>
+#include <array>
+
+#include "core/numerics/vector_clones.h"
+#include "core/physics/film/film_stencil.h"
+#include "core/physics/film/gas_film.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Slopes of the flow along an axis in a row of cells, by the cells before, here and after across it.
+struct SlopeRow {
+    double *before, *here, *after;
+};
+
+/// Linearised faces before a row of cells; those after it are a cell, or a row, further on.
+struct StencilFaces {
+    const double *lower, *upper, *below, *above, *ownLower, *ownUpper;
+    StencilFaces(const FilmFaces& f, std::size_t at)
+        : lower(&f.lower[at]), upper(&f.upper[at]), below(&f.below[at]), above(&f.above[at]), ownLower(&f.ownLower[at]),
+          ownUpper(&f.ownUpper[at])
+    {
+    }
+};
+
+/// What leaves the one way came the other.
+TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, std::size_t step, const double* lower, const double* upper,
+                                         const double* perWidth, SlopeRow out)
+{
+    double *before = out.before, *here = out.here, *after = out.after;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        before[k] = lower[k] * perWidth[k];
+        here[k] = (upper[k] - lower[k + step]) * perWidth[k];
+        after[k] = -upper[k + step] * perWidth[k];
+    }
+}
+
+/// With the slopes of the flow along x in this row (sx), along y in the rows below (s), here (h), above (n).
+TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFaces x, StencilFaces y, SlopeRow sx, SlopeRow s,
+                                    SlopeRow h, SlopeRow n, std::array<float*, 8> c, float* sum)
+{
+    float *c0 = c[0], *c1 = c[1], *c2 = c[2], *c3 = c[3], *c4 = c[4], *c5 = c[5], *c6 = c[6], *c7 = c[7];
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t e = k + 1, t = k + up; // the faces east and on top
+        const double alongX = x.above[k] - x.below[e], alongY = y.above[k] - y.below[t];
+        const double southWest = x.below[k] * sx.before[k - 1] + y.below[k] * s.before[k];
+        const double south = alongX * sx.before[k] - (y.lower[k] + y.ownLower[k]) + y.below[k] * s.here[k];
+        const double southEast = -x.above[e] * sx.before[e] + y.below[k] * s.after[k];
+        const double west = -(x.lower[k] + x.ownLower[k]) + x.below[k] * sx.here[k - 1] + alongY * h.before[k];
+        const double east = (x.upper[e] + x.ownUpper[e]) - x.above[e] * sx.here[e] + alongY * h.after[k];
+        const double northWest = x.below[k] * sx.after[k - 1] - y.above[t] * n.before[k];
+        const double north = alongX * sx.after[k] + (y.upper[t] + y.ownUpper[t]) - y.above[t] * n.here[k];
+        const double northEast = -x.above[e] * sx.after[e] - y.above[t] * n.after[k];
+        const double own = (x.lower[e] + x.ownLower[e]) - (x.upper[k] + x.ownUpper[k]) + (y.lower[t] + y.ownLower[t]) -
+                           (y.upper[k] + y.ownUpper[k]) + alongX * sx.here[k] + alongY * h.here[k];
+        c0[k] = static_cast<float>(southWest);
+        c1[k] = static_cast<float>(south);
+        c2[k] = static_cast<float>(southEast);
+        c3[k] = static_cast<float>(west);
+        c4[k] = static_cast<float>(east);
+        c5[k] = static_cast<float>(northWest);
+        c6[k] = static_cast<float>(north);
+        c7[k] = static_cast<float>(northEast);
+        sum[k] = static_cast<float>(own + (southWest + south + southEast) + (west + east) + (northWest + north + northEast));
+    }
+}
+
+/// What the faces before and after a row of cells pass on of what these store.
+TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, double share, const double* perWidth,
+                                       const double* below, const double* above, float* storedBelow, float* storedAbove)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        storedAbove[k] = static_cast<float>(share * perWidth[k] * above[k]);
+        storedBelow[k + step] = static_cast<float>(share * perWidth[k] * below[k + step]);
+    }
+}
+
+} // namespace
+
+void GasFilm::setStencil(FilmStencil& out) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx);
+    const auto rows = [&](std::size_t place) {
+        double* first = stencilRows_.data() + 3 * place * up + PaddedGrid::rings;
+        return SlopeRow{first, first + up, first + 2 * up};
+    };
+    const auto along = [&](std::size_t axis, int j) { return rows(axis == 0 ? 0 : static_cast<std::size_t>(1 + (j + 3) % 3)); };
+    const auto setSlopes = [&](std::size_t axis, int j) {
+        const SlopeRow row = along(axis, j);
+        const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
+        if (j == pad.ny) {
+            for (double* part : {row.before, row.here, row.after}) std::fill_n(part, nx, 0.0);
+            return;
+        }
+        const FilmFaces &f = faces_[axis], &across = faces_[1 - axis];
+        if (axis == 1) std::fill(rowWidth_.begin(), rowWidth_.end(), axes_[1].perWidth[line]);
+        const double* perWidth = axis == 0 ? axes_[0].perWidth.data() : rowWidth_.data();
+        const std::size_t step = pad.step(static_cast<int>(axis));
+        setSlopeRow(nx, pad.step(axis == 0 ? 1 : 0), &across.lower[at], &across.upper[at], perWidth, row);
+        setPassed(nx, step, motionShare_[axis], perWidth, &f.below[at], &f.above[at], &out.storedBelow[axis][at],
+                  &out.storedAbove[axis][at]);
+        // These have no slopes.
+        for (std::size_t n = steppedRows_[line]; n < steppedRows_[line + 1]; ++n) {
+            const std::size_t cell = gaps_.steppedCells[n];
+            for (double* part : {row.before, row.here, row.after}) part[cell - at] = 0.0;
+            out.storedAbove[axis][cell] = out.storedBelow[axis][cell + step] = 0.0f;
+        }
+    };
+    std::fill(stencilRows_.begin(), stencilRows_.end(), 0.0); // below the first row and beside all of them
+    setSlopes(1, 0);
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        setSlopes(0, j);
+        setSlopes(1, j + 1);
+        std::array<float*, 8> beside;
+        for (std::size_t k = 0; k < beside.size(); ++k) beside[k] = &out.beside[k][at];
+        setRow(nx, up, StencilFaces(faces_[0], at), StencilFaces(faces_[1], at), along(0, j), along(1, j - 1), along(1, j),
+               along(1, j + 1), beside, &out.sum[at]);
+    }
+}
+
+} // namespace touchdown

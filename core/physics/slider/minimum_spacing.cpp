@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/slider/minimum_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace touchdown {
+
+MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& recess)
+    : length_(recess.length()), width_(recess.width())
+{
+    const auto add = [&](double x, double y) { candidates_.push_back({x, y, recess.at(x, y)}); };
+    // Crown and camber bend the surface by some tens of nanometres over its length: between neighbours of this lattice by less
+    // than a thousandth of that.
+    constexpr int lattice = 128;
+    for (int j = 0; j <= lattice; ++j)
+        for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
+    constexpr double beside = 1e-10; // [m], on either side of an edge
+    for (const Rail& rail : surface.rails)
+        for (std::size_t k = 0; k < rail.points.size(); ++k) {
+            const RailPoint& a = rail.points[k];
+            const RailPoint& b = rail.points[(k + 1) % rail.points.size()];
+            const double dx = b.x - a.x, dy = b.y - a.y, edge = std::hypot(dx, dy);
+            if (!(edge > 0.0)) continue;
+            const int parts = std::clamp(static_cast<int>(64 * edge / length_), 1, 64);
+            for (int m = 0; m <= parts; ++m)
+                for (const double side : {-beside, beside}) {
+                    // Away from the corners by as much, so that both sides of both edges are met.
+                    const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
+                                                    std::max(edge - beside, 0.5 * edge)) / edge;
+                    const double x = a.x + along * dx - side * dy / edge, y = a.y + along * dy + side * dx / edge;
+                    if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) add(x, y);
+                }
+        }
+    setBlocks();
+}
+
+void MinimumSpacing::setBlocks()
+{
+    for (std::size_t first = 0; first < candidates_.size(); first += blockSize) {
+        const Candidate& c = candidates_[first];
+        Block block{c.x, c.x, c.y, c.y, c.recess};
+        for (std::size_t k = first; k < std::min(first + blockSize, candidates_.size()); ++k) {
+            const auto& [x, y, recess] = candidates_[k];
+            block = {std::min(block.x0, x), std::max(block.x1, x), std::min(block.y0, y), std::max(block.y1, y),
+                     std::min(block.recess, recess)};
+        }
+        blocks_.push_back(block);
+    }
+}
+
+MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
+{
+    double spacing = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0; // of all that come so near, the first
+    const auto look = [&](std::size_t block) {
+        const std::size_t end = std::min((block + 1) * blockSize, candidates_.size());
+        for (std::size_t k = block * blockSize; k < end; ++k) {
+            const double here = above(candidates_[k], attitude);
+            if (here < spacing || (here == spacing && k < nearest)) {
+                spacing = here;
+                nearest = k;
+            }
+        }
+    };
+    // First where it seems lowest: then little is left to look at.
+    std::size_t lowest = 0;
+    double least = spacing;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (const double here = bound(blocks_[b], attitude); here < least) {
+            least = here;
+            lowest = b;
+        }
+    look(lowest);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+        if (bound(blocks_[b], attitude) <= spacing) look(b);
+    return {spacing, {candidates_[nearest].x, candidates_[nearest].y}};
+}
+
+MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
+{
+    const double least = at(attitude).spacing;
+    double weights = 0.0, x = 0.0, y = 0.0;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        if (1.0 - (bound(blocks_[b], attitude) - least) / depth <= 0.0) continue;
+        const std::size_t end = std::min((b + 1) * blockSize, candidates_.size());
+        for (std::size_t k = b * blockSize; k < end; ++k) {
+            const Candidate& c = candidates_[k];
+            const double weight = 1.0 - (above(c, attitude) - least) / depth;
+            if (weight <= 0.0) continue;
+            weights += weight;
+            x += weight * c.x;
+            y += weight * c.y;
+        }
+    }
+    return {least, {x / weights, y / weights}};
+}
+
+} // namespace touchdown

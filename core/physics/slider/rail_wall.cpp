@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/slider/rail_wall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace touchdown {
+
+namespace {
+
+// Neighbouring walls both hold on their border, and a wall holds on its own edge, so that rounding leaves no gap between.
+constexpr double overlap = 1e-15; // [m]
+// Breaks on borders are kept, and a box that a kept break touches meets the wall: far above rounding, far below features.
+constexpr double margin = 1e-13; // [m]
+constexpr double slack = 1e-12;  // [m]
+
+double spread(double sine, double cosine, double own, double neighbour)
+{
+    // Where the outline runs straight on, the offset lines are parallel: the wall ends square to the edge.
+    if (std::abs(sine) < 1e-9) return cosine > 0.0 ? 0.0 : 1e9;
+    const double halfTangent = cosine > 0.0 ? sine / (1.0 + cosine) : (1.0 - cosine) / sine;
+    return (neighbour / own - 1.0) / sine + halfTangent;
+}
+
+} // namespace
+
+WallSpread wallSpread(const SurfacePoint& own, const SurfacePoint& next, double turn, const WallShape& shape,
+                      const WallShape* neighbour)
+{
+    const double sine = turn * (own.x * next.y - own.y * next.x);
+    const double cosine = own.x * next.x + own.y * next.y;
+    const double outside = neighbour ? std::max(0.0, neighbour->outer()) : 0.0;
+    const double inside = neighbour ? std::min(0.0, neighbour->inner()) : 0.0;
+    return {shape.outer() > 0.0 ? spread(sine, cosine, shape.outer(), outside) : 0.0,
+            shape.inner() < 0.0 ? spread(sine, cosine, shape.inner(), inside) : 0.0};
+}
+
+RailWall::RailWall(const RailPoint& a, const RailPoint& b, double turn, const WallShape& shape, WallSpread start,
+                   WallSpread end, int rail)
+    : x_(a.x), y_(a.y), length_(std::hypot(b.x - a.x, b.y - a.y)), start_(start), end_(end), shape_(&shape), rail_(rail)
+{
+    ux_ = (b.x - a.x) / length_;
+    uy_ = (b.y - a.y) / length_;
+    nx_ = turn * uy_;
+    ny_ = -turn * ux_;
+}
+
+RailWall::Place RailWall::place(double x, double y) const
+{
+    return {(x - x_) * ux_ + (y - y_) * uy_, (x - x_) * nx_ + (y - y_) * ny_};
+}
+
+// Beyond the ends of the edge, to the corner.
+double RailWall::distance(Place p) const
+{
+    const double beyond = p.t < 0.0 ? p.t : p.t > length_ ? p.t - length_ : 0.0;
+    if (beyond == 0.0) return p.n;
+    return std::copysign(std::sqrt(beyond * beyond + p.n * p.n), p.n);
+}
+
+// True between the borders, from the edge to the end of the wall.
+bool RailWall::covers(Place p, WallSide side, double margin) const
+{
+    const double start = start_[side];
+    const double end = end_[side];
+    if (side == WallSide::Outside ? p.n < -margin || p.n > shape_->outer() + margin
+                                  : p.n > margin || p.n < shape_->inner() - margin)
+        return false;
+    return p.t + start * p.n >= -margin * (1.0 + std::abs(start)) &&
+           p.t - end * p.n <= length_ + margin * (1.0 + std::abs(end));
+}
+
+double RailWall::recessOutside(double x, double y) const
+{
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Place p = place(x, y);
+    if (!covers(p, WallSide::Outside, overlap)) return none;
+    p.n = std::max(0.0, p.n);
+    const double d = distance(p);
+    return d < shape_->inner() || d > shape_->outer() ? none : shape_->at(d);
+}
+
+std::optional<double> RailWall::recessInside(double x, double y) const
+{
+    Place p = place(x, y);
+    if (!covers(p, WallSide::Inside, overlap)) return {};
+    p.n = std::min(-0.0, p.n);
+    const double d = distance(p);
+    if (d < shape_->inner() || d > shape_->outer()) return {};
+    return shape_->at(d);
+}
+
+SurfaceBox RailWall::bounds() const
+{
+    const double reach = std::max({0.0, shape_->outer(), -shape_->inner()}) + slack;
+    const double x = x_ + length_ * ux_;
+    const double y = y_ + length_ * uy_;
+    return {std::min(x_, x) - reach, std::max(x_, x) + reach, std::min(y_, y) - reach, std::max(y_, y) + reach};
+}
+
+bool RailWall::meets(const SurfaceBox& box, WallSide side) const
+{
+    const Place c = place(box.centreX(), box.centreY());
+    const double halfX = box.halfX() + slack;
+    const double halfY = box.halfY() + slack;
+    const double tHalf = std::abs(ux_) * halfX + std::abs(uy_) * halfY;
+    const double nHalf = std::abs(nx_) * halfX + std::abs(ny_) * halfY;
+    const double nMin = side == WallSide::Outside ? 0.0 : shape_->inner();
+    const double nMax = side == WallSide::Outside ? shape_->outer() : 0.0;
+    const double reach = nMax - nMin;
+    if (c.n + nHalf < nMin || c.n - nHalf > nMax || c.t + tHalf < -reach || c.t - tHalf > length_ + reach) return false;
+
+    // Beyond one of the borders.
+    const double start = start_[side];
+    const double end = end_[side];
+    const double startHalf = std::abs(ux_ + start * nx_) * halfX + std::abs(uy_ + start * ny_) * halfY;
+    const double endHalf = std::abs(ux_ - end * nx_) * halfX + std::abs(uy_ - end * ny_) * halfY;
+    return c.t + start * c.n + startHalf >= 0.0 && c.t - end * c.n - endHalf <= length_;
+}
+
+double RailWall::lowestOutside(const SurfaceBox& box) const
+{
+    const Place c = place(box.centreX(), box.centreY());
+    const double nHalf = std::abs(nx_) * box.halfX() + std::abs(ny_) * box.halfY() + slack;
+    return shape_->minimumFrom(std::max(0.0, c.n - nHalf));
+}
+
+/// A line in the coordinates of the edge: the place of the point at `from + along` is (t, n) = at0 + along (tRuns, nRuns).
+struct RailWall::Crossing {
+    const ScanLine& line;
+    WallSide side;
+    Place at0;
+    double tRuns, nRuns;
+    std::vector<double>& out;
+
+    Place place(double along) const { return {at0.t + along * tRuns, at0.n + along * nRuns}; }
+};
+
+void RailWall::breaks(const ScanLine& line, WallSide side, std::vector<double>& out) const
+{
+    const bool alongX = line.along == ScanAxis::X;
+    // Measured from the first corner, not from the end of the line: rounding stays that of the wall.
+    const Place from = alongX ? place(line.from, line.fixed) : place(line.fixed, line.from);
+    const Place to = alongX ? place(line.to, line.fixed) : place(line.fixed, line.to);
+    const auto [nMin, nMax] = std::minmax(from.n, to.n);
+    const auto [tMin, tMax] = std::minmax(from.t, to.t);
+    if (side == WallSide::Outside ? nMin > shape_->outer() + margin || nMax < -margin
+                                  : nMin > margin || nMax < shape_->inner() - margin)
+        return;
+    const Place at0 = alongX ? place(x_, line.fixed) : place(line.fixed, y_);
+    const Crossing crossing{line, side, at0, line.runs(ux_, uy_), line.runs(nx_, ny_), out};
+
+    border(crossing, false);
+    border(crossing, true);
+    const bool roundStart = tMin <= 0.0 && start_[side] * end(side) > 0.0;
+    const bool roundEnd = tMax >= length_ && end_[side] * end(side) > 0.0;
+    for (const double d : shape_->distances()) {
+        if (side == WallSide::Outside ? d <= 0.0 : d >= 0.0) continue; // 0 is the edge itself
+        if (d >= nMin - margin && d <= nMax + margin) offsetLine(crossing, d);
+        if (roundStart) arc(crossing, d, false);
+        if (roundEnd) arc(crossing, d, true);
+    }
+}
+
+void RailWall::keep(const Crossing& crossing, double along) const
+{
+    const double at = crossing.line.runs(x_, y_) + along;
+    if (at <= crossing.line.from || at >= crossing.line.to) return;
+    const Place p = crossing.place(along);
+    const double reach = std::abs(end(crossing.side)) + margin; // a slanting border goes on beyond the wall
+    if (p.t >= -reach && p.t <= length_ + reach && covers(p, crossing.side, margin)) crossing.out.push_back(at);
+}
+
+void RailWall::offsetLine(const Crossing& crossing, double d) const
+{
+    if (crossing.nRuns == 0.0) return;
+    const double along = (d - crossing.at0.n) / crossing.nRuns;
+    const double t = crossing.place(along).t;
+    if (t >= -margin && t <= length_ + margin) keep(crossing, along);
+}
+
+void RailWall::arc(const Crossing& crossing, double d, bool atEnd) const
+{
+    // From the corner the line runs at the distance `across`.
+    const double cornerT = atEnd ? length_ : 0.0;
+    const Place start{crossing.at0.t - cornerT, crossing.at0.n};
+    const double across = start.t * crossing.nRuns - start.n * crossing.tRuns;
+    const double foot = -(start.t * crossing.tRuns + start.n * crossing.nRuns);
+    const double radius = std::abs(d);
+    if (std::abs(across) > radius) return;
+    const double half = std::sqrt((radius - across) * (radius + across));
+    for (const double along : {foot - half, foot + half}) {
+        const double t = crossing.place(along).t;
+        if (atEnd ? t >= length_ - margin : t <= margin) keep(crossing, along);
+    }
+}
+
+void RailWall::border(const Crossing& crossing, bool atEnd) const
+{
+    // t = slope n from the corner.
+    const double slope = atEnd ? end_[crossing.side] : -start_[crossing.side];
+    const double runs = crossing.tRuns - slope * crossing.nRuns;
+    if (runs == 0.0) return;
+    keep(crossing, ((atEnd ? length_ : 0.0) - crossing.at0.t + slope * crossing.at0.n) / runs);
+}
+
+} // namespace touchdown

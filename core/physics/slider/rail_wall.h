@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The wall on one edge of a rail. In the coordinates of the edge, t along it from its first corner and n outwards, the
+// wall covers -start n <= t <= length + end n, where `start` and `end` are its spreads: how far it goes on beyond the
+// corner per unit of n. The border of two walls runs from their corner to the meeting point of the two outer offset lines;
+// inside the polygon, to that of the two inner ones.
+//
+// With d the distance of the own offset line, d' that of the neighbour (0: no wall) and theta the angle by which the outline
+// turns at the corner (positive: convex), the offset lines meet at t = length + (d' - d cos theta)/sin theta, n = d:
+//
+//   spread = (d'/d - 1)/sin theta + tan(theta/2)
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/physics/slider/air_bearing_surface.h"
+#include "core/physics/slider/scan_line.h"
+#include "core/physics/slider/wall_shape.h"
+
+namespace touchdown {
+
+/// The part of a wall outside its polygon (n >= 0), and the one inside it (n <= 0).
+enum class WallSide : std::uint8_t { Outside, Inside };
+
+/// [-]
+struct WallSpread {
+    double outside, inside;
+    double operator[](WallSide side) const { return side == WallSide::Outside ? outside : inside; }
+};
+
+/// The spread at the corner between the edges with unit vectors `own` and `next`; `turn` is +1 in an anticlockwise
+/// outline, else -1; `neighbour` is null for an edge without a wall. At the first corner of an edge, mirrored: -1 times
+/// both, and the own edge first.
+WallSpread wallSpread(const SurfacePoint& own, const SurfacePoint& next, double turn, const WallShape& shape,
+                      const WallShape* neighbour);
+
+class RailWall {
+public:
+    /// From corner `a` to corner `b`; `turn` as above. Keeps a reference to the shape.
+    RailWall(const RailPoint& a, const RailPoint& b, double turn, const WallShape& shape, WallSpread start,
+             WallSpread end, int rail);
+
+    int rail() const { return rail_; }
+    const WallShape& shape() const { return *shape_; }
+    bool has(WallSide side) const { return side == WallSide::Outside ? shape_->outer() > 0.0 : shape_->inner() < 0.0; }
+
+    /// The recess of the wall at a point outside its polygon; infinity where it has none [m].
+    double recessOutside(double x, double y) const;
+    /// The recess of the wall at a point inside its polygon.
+    std::optional<double> recessInside(double x, double y) const;
+
+    /// A box that holds all of the wall.
+    SurfaceBox bounds() const;
+    /// False when no point of the box is in that part of the wall; may be true for a box just beside it.
+    bool meets(const SurfaceBox& box, WallSide side) const;
+    /// A lower bound of the recess of the outside part in the box [m].
+    double lowestOutside(const SurfaceBox& box) const;
+
+    /// Appends where the line crosses the borders of that part and the offset lines and arcs of the points of its profile;
+    /// the edge itself, which belongs to the outline, is left out.
+    void breaks(const ScanLine& line, WallSide side, std::vector<double>& out) const;
+
+private:
+    struct Place {
+        double t, n; // [m]
+    };
+    Place place(double x, double y) const;
+    double distance(Place p) const;
+    double end(WallSide side) const { return side == WallSide::Outside ? shape_->outer() : shape_->inner(); }
+    bool covers(Place p, WallSide side, double margin) const;
+
+    struct Crossing;
+    void offsetLine(const Crossing& crossing, double distance) const;
+    void arc(const Crossing& crossing, double distance, bool atEnd) const;
+    void border(const Crossing& crossing, bool atEnd) const;
+    void keep(const Crossing& crossing, double along) const;
+
+    double x_, y_;   // the first corner [m]
+    double ux_, uy_; // along the edge
+    double nx_, ny_; // outwards
+    double length_;  // [m]
+    WallSpread start_, end_;
+    const WallShape* shape_;
+    int rail_;
+};
+
+} // namespace touchdown

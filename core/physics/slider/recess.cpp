@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/slider/recess.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/slider/surface_bins.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double slack = 1e-11; // [m] a box is smooth only this far from anything that is not
+
+SurfacePoint direction(const RailPoint& a, const RailPoint& b)
+{
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return {(b.x - a.x) / length, (b.y - a.y) / length};
+}
+
+/// The plane through the recesses at the first three points.
+RailTop topOf(const Rail& rail)
+{
+    if (rail.kind == RailKind::Step) return {rail.recess[0], 0.0, 0.0};
+    const RailPoint& p = rail.points[0];
+    const double x1 = rail.points[1].x - p.x, y1 = rail.points[1].y - p.y, r1 = rail.recess[1] - rail.recess[0];
+    const double x2 = rail.points[2].x - p.x, y2 = rail.points[2].y - p.y, r2 = rail.recess[2] - rail.recess[0];
+    const double area = x1 * y2 - x2 * y1;
+    const double cx = (r1 * y2 - r2 * y1) / area;
+    const double cy = (x1 * r2 - x2 * r1) / area;
+    return {rail.recess[0] - cx * p.x - cy * p.y, cx, cy};
+}
+
+void addWalls(const Rail& rail, int index, double baseRecess, SurfaceParts& parts)
+{
+    if (rail.kind == RailKind::Ramp || rail.recess[0] >= baseRecess) return;
+    const std::vector<RailPoint> points = withoutRepetitions(rail.points);
+    const std::size_t count = points.size();
+    const double turn = signedArea(points) < 0.0 ? -1.0 : 1.0;
+    const auto shapeOf = [&](std::size_t i) -> const WallShape* {
+        return points[i].wall > 0 ? &parts.shapes[static_cast<std::size_t>(points[i].wall - 1)] : nullptr;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const WallShape* shape = shapeOf(i);
+        if (!shape) continue;
+        const std::size_t before = (i + count - 1) % count;
+        const std::size_t after = (i + 1) % count;
+        const SurfacePoint previous = direction(points[before], points[i]);
+        const SurfacePoint own = direction(points[i], points[after]);
+        const SurfacePoint next = direction(points[after], points[(i + 2) % count]);
+        const WallSpread start = wallSpread(previous, own, turn, *shape, shapeOf(before));
+        const WallSpread end = wallSpread(own, next, turn, *shape, shapeOf(after));
+        parts.walls.emplace_back(points[i], points[after], turn, *shape, start, end, index);
+    }
+}
+
+SurfaceParts partsOf(const AirBearingSurface& surface, double length, double width)
+{
+    SurfaceParts parts{length, width, surface.baseRecess, {}, {}, {}, {}};
+    for (const WallProfile& profile : surface.walls) parts.shapes.emplace_back(profile);
+    for (const Rail& rail : surface.rails) {
+        const int index = static_cast<int>(parts.tops.size());
+        parts.tops.push_back(topOf(rail));
+        parts.outlines.emplace_back(rail.points, SurfaceBins::rows, width);
+        addWalls(rail, index, surface.baseRecess, parts);
+    }
+    return parts;
+}
+
+} // namespace
+
+struct Recess::Prepared {
+    SurfaceParts parts;
+    SurfaceBins bins;
+    double crown, camber, twist;    // [m]
+    double taperLength, taperAngle; // [m], [rad]
+    std::vector<double> taperEnds;  // x where the taper ends, at its length or in a level top; ascending [m]
+
+    Prepared(const AirBearingSurface& surface, double length, double width);
+
+    int topRail(std::size_t bin, double x, double y) const;
+    double raised(std::size_t bin, double x, double y) const;
+    bool smooth(std::size_t bin, const SurfaceBox& box, int row) const;
+    void breaks(std::size_t bin, const ScanLine& line, int row, std::vector<double>& out) const;
+    double form(double x, double y) const;
+
+    // To the nearest point of the slider. A number that is none stays so.
+    double onSliderX(double x) const { return std::min(std::max(x, 0.0), parts.length); }
+    double onSliderY(double y) const { return std::min(std::max(y, 0.0), parts.width); }
+};
+
+Recess::Prepared::Prepared(const AirBearingSurface& s, double length, double width)
+    : parts(partsOf(s, length, width)),
+      bins(parts),
+      crown(s.crown),
+      camber(s.camber),
+      twist(s.twist),
+      taperLength(s.taperLength),
+      taperAngle(s.taperAngle)
+{
+    if (taperLength <= 0.0 || taperAngle == 0.0) return;
+    // angle (length - x) = recess
+    const auto add = [&](double recess) { taperEnds.push_back(taperLength - recess / taperAngle); };
+    taperEnds.push_back(taperLength);
+    add(parts.baseRecess);
+    for (const RailTop& top : parts.tops) {
+        if (top.cx == 0.0 && top.cy == 0.0) add(top.c);
+    }
+    std::erase_if(taperEnds, [&](double x) { return x < 0.0 || x > taperLength; });
+    std::sort(taperEnds.begin(), taperEnds.end());
+    taperEnds.erase(std::unique(taperEnds.begin(), taperEnds.end()), taperEnds.end());
+}
+
+int Recess::Prepared::topRail(std::size_t bin, double x, double y) const
+{
+    const int cover = bins.cover(bin);
+    for (const int rail : bins.rails(bin)) {
+        if (rail < cover) break;
+        if (parts.outlines[static_cast<std::size_t>(rail)].contains(x, y)) return rail;
+    }
+    return cover;
+}
+
+/// The tops, then the walls.
+double Recess::Prepared::raised(std::size_t bin, double x, double y) const
+{
+    const int rail = topRail(bin, x, y);
+    double recess = rail < 0 ? parts.baseRecess : parts.tops[static_cast<std::size_t>(rail)].at(x, y);
+
+    bool cut = false; // by a wall inside its own polygon: the deepest holds
+    for (const SurfaceBins::WallPart& part : bins.walls(bin)) {
+        const RailWall& wall = parts.walls[part.wall];
+        if (part.side == WallSide::Inside) {
+            if (wall.rail() != rail) continue;
+            if (const auto inside = wall.recessInside(x, y)) {
+                recess = cut ? std::max(recess, *inside) : *inside;
+                cut = true;
+            }
+            continue;
+        }
+        if (part.lowest >= recess) break; // nor do the parts that follow
+        if (wall.rail() == rail) continue;
+        const double outside = wall.recessOutside(x, y);
+        if (outside >= recess) continue;
+        if (part.certain || !parts.outlines[static_cast<std::size_t>(wall.rail())].contains(x, y)) recess = outside;
+    }
+    return recess;
+}
+
+double Recess::Prepared::form(double x, double y) const
+{
+    const double X = x / parts.length;
+    const double Y = y / parts.width;
+    return 4.0 * (crown * X * (1.0 - X) + camber * Y * (1.0 - Y) + twist * (X - 0.5) * (Y - 0.5));
+}
+
+void Recess::Prepared::breaks(std::size_t bin, const ScanLine& line, int row, std::vector<double>& out) const
+{
+    for (const int rail : bins.rails(bin)) parts.outlines[static_cast<std::size_t>(rail)].breaks(line, row, out);
+    for (const SurfaceBins::WallPart& part : bins.walls(bin)) parts.walls[part.wall].breaks(line, part.side, out);
+}
+
+bool Recess::Prepared::smooth(std::size_t bin, const SurfaceBox& box, int row) const
+{
+    for (const int rail : bins.rails(bin)) {
+        for (const OutlineEdge& edge : parts.outlines[static_cast<std::size_t>(rail)].edges(row)) {
+            if (edge.meets(box)) return false;
+        }
+    }
+    for (const SurfaceBins::WallPart& part : bins.walls(bin)) {
+        if (parts.walls[part.wall].meets(box, part.side)) return false;
+    }
+    return true;
+}
+
+Recess::Recess(const AirBearingSurface& surface, double length, double width)
+    : prepared_(std::make_shared<const Prepared>(surface, length, width))
+{}
+
+double Recess::length() const { return prepared_->parts.length; }
+double Recess::width() const { return prepared_->parts.width; }
+
+double Recess::at(double x, double y) const
+{
+    const Prepared& p = *prepared_;
+    x = p.onSliderX(x);
+    y = p.onSliderY(y);
+    double recess = p.raised(SurfaceBins::index(p.bins.column(x), p.bins.row(y)), x, y);
+    if (x < p.taperLength) recess = std::max(recess, p.taperAngle * (p.taperLength - x));
+    return recess - p.form(x, y);
+}
+
+void Recess::breaksAlongX(double y, double x0, double x1, std::vector<double>& out) const
+{
+    const Prepared& p = *prepared_;
+    const auto before = static_cast<std::ptrdiff_t>(out.size());
+    y = p.onSliderY(y);
+    const int row = p.bins.row(y);
+    const int last = p.bins.column(x1);
+    for (int column = p.bins.column(x0); column <= last; ++column) {
+        const SurfaceBox box = p.bins.box(column, row);
+        const ScanLine line{ScanAxis::X, y, std::max(x0, box.x0), std::min(x1, box.x1)};
+        p.breaks(SurfaceBins::index(column, row), line, row, out);
+    }
+    for (const double x : p.taperEnds) {
+        if (x > x0 && x < x1) out.push_back(x);
+    }
+    std::sort(out.begin() + before, out.end());
+    out.erase(std::unique(out.begin() + before, out.end()), out.end());
+}
+
+void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& out) const
+{
+    const Prepared& p = *prepared_;
+    const auto before = static_cast<std::ptrdiff_t>(out.size());
+    x = p.onSliderX(x);
+    const int column = p.bins.column(x);
+    const int last = p.bins.row(y1);
+    for (int row = p.bins.row(y0); row <= last; ++row) {
+        const SurfaceBox box = p.bins.box(column, row);
+        const ScanLine line{ScanAxis::Y, x, std::max(y0, box.y0), std::min(y1, box.y1)};
+        p.breaks(SurfaceBins::index(column, row), line, row, out);
+    }
+    std::sort(out.begin() + before, out.end());
+    out.erase(std::unique(out.begin() + before, out.end()), out.end());
+}
+
+bool Recess::isSmooth(double x0, double x1, double y0, double y1) const
+{
+    const Prepared& p = *prepared_;
+    const SurfaceBox box{p.onSliderX(x0) - slack, p.onSliderX(x1) + slack, p.onSliderY(y0) - slack,
+                         p.onSliderY(y1) + slack};
+    const auto end = std::lower_bound(p.taperEnds.begin(), p.taperEnds.end(), box.x0);
+    if (end != p.taperEnds.end() && *end <= box.x1) return false;
+    const int lastRow = p.bins.row(box.y1);
+    const int lastColumn = p.bins.column(box.x1);
+    for (int row = p.bins.row(box.y0); row <= lastRow; ++row) {
+        for (int column = p.bins.column(box.x0); column <= lastColumn; ++column) {
+            const std::size_t bin = SurfaceBins::index(column, row);
+            if (!p.smooth(bin, box, row)) return false;
+            const int top = p.bins.cover(bin);
+            const bool level = top < 0 || (p.parts.tops[static_cast<std::size_t>(top)].cx == 0.0 &&
+                                           p.parts.tops[static_cast<std::size_t>(top)].cy == 0.0);
+            if (!level && box.x0 < p.taperLength) return false;
+        }
+    }
+    return true;
+}
+
+} // namespace touchdown

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/slider/surface_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "core/physics/slider/rail_outline.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double touching = 1e-12; // [m] closer than this, points and lines meet
+constexpr double straight = 1e-6;  // sine of the angle below which a line runs straight on
+
+using Problems = std::vector<SurfaceProblem>;
+
+/// A rail or a wall profile, as a sentence and as a case file name it.
+struct Part {
+    std::string name; // "Rail 3"
+    std::string key;  // "abs.rail[3]"
+};
+
+std::string text(std::size_t number) { return std::to_string(number); }
+
+/// "point 3", or "points 3, 4 and 7 more" for long lists; from indices.
+std::string pointList(const std::vector<std::size_t>& indices)
+{
+    constexpr std::size_t most = 5;
+    const std::size_t named = indices.size() > most ? most - 1 : indices.size();
+    std::string list = indices.size() == 1 ? "point " : "points ";
+    for (std::size_t i = 0; i < named; ++i) {
+        if (i > 0) list += i + 1 == indices.size() ? " and " : ", ";
+        list += text(indices[i] + 1);
+    }
+    if (named < indices.size()) list += " and " + text(indices.size() - named) + " more";
+    return list;
+}
+
+/// The indices below `count` for which `holds` is true.
+std::vector<std::size_t> indicesWhere(std::size_t count, const std::function<bool(std::size_t)>& holds)
+{
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (holds(i)) indices.push_back(i);
+    }
+    return indices;
+}
+
+std::string_view verb(const std::vector<std::size_t>& indices, std::string_view one, std::string_view several)
+{
+    return indices.size() == 1 ? one : several;
+}
+
+double distance(const RailPoint& a, const RailPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+/// The cross product of b - a and c - a [m^2].
+double cross(const RailPoint& a, const RailPoint& b, const RailPoint& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+enum class Meeting { Apart, Touching, Crossing };
+
+/// How the edges a-b and c-d meet.
+Meeting meeting(const RailPoint& a, const RailPoint& b, const RailPoint& c, const RailPoint& d)
+{
+    const auto apart = [](double a0, double a1, double b0, double b1) {
+        return std::max(a0, a1) + touching < std::min(b0, b1) || std::max(b0, b1) + touching < std::min(a0, a1);
+    };
+    if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) return Meeting::Apart;
+    const double ab = distance(a, b);
+    const double cd = distance(c, d);
+    const double offC = cross(a, b, c) / ab, offD = cross(a, b, d) / ab; // distances from the other's line
+    const double offA = cross(c, d, a) / cd, offB = cross(c, d, b) / cd;
+    const auto sameSide = [](double p, double q) {
+        return (p > touching && q > touching) || (p < -touching && q < -touching);
+    };
+    const auto acrossClearly = [](double p, double q) {
+        return (p > touching && q < -touching) || (p < -touching && q > touching);
+    };
+    if (sameSide(offC, offD) || sameSide(offA, offB)) return Meeting::Apart;
+    return acrossClearly(offC, offD) && acrossClearly(offA, offB) ? Meeting::Crossing : Meeting::Touching;
+}
+
+/// The first two edges of the outline, without repeated points, that meet so; neighbours are left out.
+bool meetsItself(const std::vector<RailPoint>& points, Meeting how)
+{
+    const std::size_t count = points.size();
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+        for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j) {
+            if (meeting(points[i], points[i + 1], points[j], points[(j + 1) % count]) == how) return true;
+        }
+    }
+    return false;
+}
+
+bool finite(const Rail& rail, const Part& part, Problems& problems)
+{
+    const auto points = indicesWhere(rail.points.size(), [&](std::size_t i) {
+        return !std::isfinite(rail.points[i].x) || !std::isfinite(rail.points[i].y);
+    });
+    if (!points.empty()) {
+        problems.push_back({part.key, part.name + ": " + pointList(points) +
+                           std::string(verb(points, " has a coordinate that is no number.",
+                                            " have coordinates that are no numbers."))});
+    }
+    const std::size_t count = rail.kind == RailKind::Step ? 1 : 3;
+    const auto recesses = indicesWhere(count, [&](std::size_t i) { return !std::isfinite(rail.recess[i]); });
+    if (!recesses.empty()) problems.push_back({part.key, part.name + ": the recess is no number."});
+    return points.empty() && recesses.empty();
+}
+
+void checkRail(const Rail& rail, const Part& part, std::size_t walls, Problems& problems)
+{
+    const auto missing = indicesWhere(rail.points.size(), [&](std::size_t i) {
+        const int wall = rail.points[i].wall;
+        return wall < 0 || static_cast<std::size_t>(wall) > walls;
+    });
+    if (!missing.empty()) {
+        problems.push_back({part.key, part.name + ": " + pointList(missing) + std::string(verb(missing, " names", " name")) +
+                           " a wall profile that does not exist; there " +
+                           (walls == 1 ? "is 1." : "are " + text(walls) + ".")});
+    }
+    const bool finiteRail = finite(rail, part, problems);
+    if (rail.points.size() < 3) {
+        problems.push_back({part.key, part.name + " has " + text(rail.points.size()) +
+                           (rail.points.size() == 1 ? " point" : " points") + "; it needs three or more."});
+        return;
+    }
+    if (!finiteRail) return;
+
+    const RailPoint& first = rail.points[0];
+    const double area = std::abs(cross(first, rail.points[1], rail.points[2]));
+    const double reach = std::max(distance(first, rail.points[1]), distance(first, rail.points[2]));
+    if (rail.kind == RailKind::Ramp && area <= straight * reach * reach) {
+        problems.push_back({part.key, part.name + ": the first three points lie on a line, so that no ramp goes through them."});
+    }
+    const std::vector<RailPoint> points = withoutRepetitions(rail.points);
+    double size = 0.0;
+    for (const RailPoint& p : points) size = std::max(size, distance(points[0], p));
+    if (meetsItself(points, Meeting::Crossing)) {
+        problems.push_back({part.key, part.name + ": the outline crosses itself."});
+    } else if (std::abs(signedArea(points)) <= 1e-12 * size * size) {
+        problems.push_back({part.key, part.name + " has no area."});
+    }
+}
+
+void checkWall(const WallProfile& wall, const Part& part, Problems& problems)
+{
+    const std::size_t count = wall.distance.size();
+    if (wall.recess.size() != count) {
+        problems.push_back({part.key, part.name + " has " + text(count) + " distances but " + text(wall.recess.size()) + " recesses."});
+        return;
+    }
+    if (count < 2) {
+        problems.push_back({part.key, part.name + " has " + text(count) + (count == 1 ? " point" : " points") +
+                           "; it needs two or more."});
+        return;
+    }
+    const auto bad = indicesWhere(
+        count, [&](std::size_t i) { return !std::isfinite(wall.distance[i]) || !std::isfinite(wall.recess[i]); });
+    if (!bad.empty()) {
+        problems.push_back({part.key, part.name + ": " + pointList(bad) +
+            std::string(verb(bad, " has a value that is no number.", " have values that are no numbers."))});
+    }
+    const auto back =
+        indicesWhere(count, [&](std::size_t i) { return i > 0 && wall.distance[i] < wall.distance[i - 1]; });
+    if (!back.empty()) {
+        problems.push_back({part.key, part.name + ": the distances must ascend; " + pointList(back) +
+                           std::string(verb(back, " lies", " lie")) + " before the point ahead of it."});
+    }
+}
+
+void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double length, double width,
+                Problems& warnings)
+{
+    const std::size_t count = rail.points.size();
+    const auto next = [&](std::size_t i) -> const RailPoint& { return rail.points[(i + 1) % count]; };
+    const auto outside = indicesWhere(count, [&](std::size_t i) {
+        const RailPoint& p = rail.points[i];
+        return p.x < -touching || p.x > length + touching || p.y < -touching || p.y > width + touching;
+    });
+    if (!outside.empty()) {
+        warnings.push_back({part.key, part.name + ": " + pointList(outside) + std::string(verb(outside, " lies", " lie")) +
+                           " outside the slider."});
+    }
+    const auto repeated =
+        indicesWhere(count, [&](std::size_t i) { return distance(rail.points[i], next(i)) <= touching; });
+    if (!repeated.empty()) {
+        warnings.push_back({part.key, part.name + ": " + pointList(repeated) + std::string(verb(repeated, " is", " are")) +
+                           " repeated by the point after."});
+    }
+    const std::vector<RailPoint> points = withoutRepetitions(rail.points);
+    if (points.size() < 3) return;
+    // The index in the list without repetitions would be of no use to the reader.
+    const auto indexOf = [&](const RailPoint& p) {
+        return static_cast<std::size_t>(std::find(rail.points.begin(), rail.points.end(), p) - rail.points.begin());
+    };
+    std::vector<std::size_t> collinear, reversing;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const RailPoint& before = points[(i + points.size() - 1) % points.size()];
+        const RailPoint& after = points[(i + 1) % points.size()];
+        const double lengths = distance(before, points[i]) * distance(points[i], after);
+        if (std::abs(cross(before, points[i], after)) > straight * lengths) continue;
+        const double along =
+            (points[i].x - before.x) * (after.x - points[i].x) + (points[i].y - before.y) * (after.y - points[i].y);
+        (along > 0.0 ? collinear : reversing).push_back(indexOf(points[i]));
+    }
+    if (!collinear.empty()) {
+        warnings.push_back({part.key, part.name + ": " + pointList(collinear) + std::string(verb(collinear, " lies", " lie")) +
+                           " on the line between the points before and after."});
+    }
+    if (!reversing.empty()) {
+        warnings.push_back({part.key, part.name + ": at " + pointList(reversing) + " the outline turns back on itself."});
+    } else if (meetsItself(points, Meeting::Touching)) {
+        warnings.push_back({part.key, part.name + ": the outline touches itself."});
+    }
+    const bool hasWalls = std::any_of(points.begin(), points.end(), [](const RailPoint& p) { return p.wall > 0; });
+    if (hasWalls && rail.kind == RailKind::Ramp) {
+        warnings.push_back({part.key, part.name + " is a ramp: its walls are not used."});
+    } else if (hasWalls && rail.recess[0] >= baseRecess) {
+        warnings.push_back({part.key, part.name + " does not rise above the base recess: its walls are not used."});
+    }
+}
+
+Part railPart(std::size_t index) { return {"Rail " + text(index + 1), "abs.rail[" + text(index + 1) + "]"}; }
+
+} // namespace
+
+std::vector<SurfaceProblem> surfaceProblems(const AirBearingSurface& surface)
+{
+    Problems problems;
+    for (std::size_t i = 0; i < surface.rails.size(); ++i)
+        checkRail(surface.rails[i], railPart(i), surface.walls.size(), problems);
+    for (std::size_t i = 0; i < surface.walls.size(); ++i)
+        checkWall(surface.walls[i], {"Wall profile " + text(i + 1), "abs.wall[" + text(i + 1) + "]"}, problems);
+    const std::pair<std::string_view, double> numbers[] = {
+        {"base recess", surface.baseRecess},
+        {"crown", surface.crown},
+        {"camber", surface.camber},
+        {"twist", surface.twist},
+        {"taper length", surface.taperLength},
+        {"taper angle", surface.taperAngle},
+    };
+    for (const auto& [name, value] : numbers) {
+        if (!std::isfinite(value)) problems.push_back({"abs", "The " + std::string(name) + " is no number."});
+    }
+    return problems;
+}
+
+std::vector<SurfaceProblem> surfaceWarnings(const AirBearingSurface& surface, double length, double width)
+{
+    Problems warnings;
+    for (std::size_t i = 0; i < surface.rails.size(); ++i)
+        warnOfRail(surface.rails[i], railPart(i), surface.baseRecess, length, width, warnings);
+    const auto outside = indicesWhere(surface.pointsOfInterest.size(), [&](std::size_t i) {
+        const SurfacePoint& p = surface.pointsOfInterest[i];
+        return !(p.x >= 0.0 && p.x <= length && p.y >= 0.0 && p.y <= width);
+    });
+    if (!outside.empty()) {
+        warnings.push_back({"abs", "Points of interest: " + pointList(outside) + std::string(verb(outside, " lies", " lie")) +
+                           " outside the slider."});
+    }
+    return warnings;
+}
+
+} // namespace touchdown

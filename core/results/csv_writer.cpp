@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/results/results_file.h"
+
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "core/formats/csv_field.h"
+
+namespace touchdown {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t bufferSize = std::size_t{1} << 18; // [byte]
+constexpr std::size_t longestNumber = 32;                // [byte], "-1.2345678901234567e-308" and a comma
+
+} // namespace
+
+struct CsvWriter::File {
+    std::filesystem::path path;
+    int descriptor = -1;
+    std::vector<char> buffer = std::vector<char>(bufferSize);
+    std::size_t used = 0;
+    Clock::time_point written = Clock::now();
+    std::string problem;
+
+    ~File()
+    {
+        write();
+        if (descriptor >= 0) ::close(descriptor);
+    }
+
+    void add(double value, char separator)
+    {
+        if (used + longestNumber > buffer.size()) write();
+        // The shortest text that reads back as the same number.
+        const auto end = std::to_chars(buffer.data() + used, buffer.data() + buffer.size(), value).ptr;
+        *end = separator;
+        used = static_cast<std::size_t>(end - buffer.data()) + 1;
+    }
+    void add(const std::string& text)
+    {
+        for (char c : text) {
+            if (used == buffer.size()) write();
+            buffer[used++] = c;
+        }
+    }
+    void fail(int code)
+    {
+        if (problem.empty())
+            problem = "cannot write to " + path.string() + ": " + std::generic_category().message(code);
+    }
+    void write()
+    {
+        std::size_t done = 0;
+        while (done < used && problem.empty()) {
+            const ssize_t n = ::write(descriptor, buffer.data() + done, used - done);
+            if (n >= 0)
+                done += static_cast<std::size_t>(n);
+            else if (errno != EINTR)
+                fail(errno);
+        }
+        used = 0;
+        written = Clock::now();
+    }
+};
+
+CsvWriter::CsvWriter() = default;
+CsvWriter::~CsvWriter() = default;
+CsvWriter::CsvWriter(CsvWriter&&) noexcept = default;
+CsvWriter& CsvWriter::operator=(CsvWriter&&) noexcept = default;
+
+std::string CsvWriter::open(const std::filesystem::path& path, const std::vector<Quantity>& quantities)
+{
+    auto file = std::make_unique<File>();
+    file->path = path;
+    file->descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file->descriptor < 0) {
+        file->fail(errno);
+        return file->problem;
+    }
+    file->add("time [s]");
+    for (const Quantity& quantity : quantities)
+        file->add("," + csvField(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
+    file->add("\r\n");
+    file->write();
+    file_ = std::move(file);
+    return file_->problem;
+}
+
+std::string CsvWriter::append(const SampleBatch& batch)
+{
+    if (!file_) return "no CSV file is open";
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        file_->add(batch.time[k], batch.columns.empty() ? '\r' : ',');
+        for (std::size_t i = 0; i < batch.columns.size(); ++i)
+            file_->add(batch.columns[i][k], i + 1 < batch.columns.size() ? ',' : '\r');
+        file_->add("\n");
+    }
+    if (Clock::now() - file_->written > std::chrono::milliseconds(700)) file_->write();
+    return file_->problem;
+}
+
+std::string CsvWriter::close()
+{
+    if (!file_) return "no CSV file is open";
+    file_->write();
+    // Only closing tells of a failure on some network file systems.
+    const int descriptor = std::exchange(file_->descriptor, -1);
+    if (::close(descriptor) != 0 && errno != EINTR) file_->fail(errno);
+    const std::string problem = file_->problem;
+    file_.reset();
+    return problem;
+}
+
+} // namespace touchdown

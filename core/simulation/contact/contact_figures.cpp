@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/contact_figures.h"
+
+#include <cmath>
+
+namespace touchdown {
+
+void ContactFigures::add(const ContactForces& forces, bool away)
+{
+    largestContact_ = std::max(largestContact_, forces.contact);
+    if (!closest_ || forces.separation < closest_->separation) closest_ = forces;
+    if (away && forces.net() < strongestPull_.value_or(0.0)) {
+        strongestPull_ = forces.net();
+        strongestPullAt_ = forces.separation;
+    }
+}
+
+void ContactFigures::addJump(const ContactJump& jump)
+{
+    jumps_.push_back(jump);
+    // The force just before a pull-off lies between two samples.
+    const bool away = jump.after > jump.before;
+    if (away && jump.forceBefore < strongestPull_.value_or(0.0)) {
+        strongestPull_ = jump.forceBefore;
+        strongestPullAt_ = jump.before;
+    }
+}
+
+std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatistics>& surface) const
+{
+    std::vector<RunFigure> list;
+    const auto add = [&](const char* name, const char* unit, const char* displayUnit, const char* longName,
+                         double value) {
+        if (std::isfinite(value)) list.push_back({{name, unit, displayUnit, longName}, value});
+    };
+    add("largest_contact_force", "N", "mN", "Largest contact force", largestContact_);
+    if (strongestPull_) {
+        add("pull_off_force", "N", "mN", "Pull-off force: the strongest net pull on the way out", -*strongestPull_);
+        add("pull_off_separation", "m", "nm", "Separation of the strongest net pull on the way out", *strongestPullAt_);
+    }
+    for (const bool away : {false, true})
+        for (const ContactJump& jump : jumps_) {
+            if ((jump.after > jump.before) != away) continue;
+            if (away)
+                add("release_separation", "m", "nm", "Separation of the first jump on the way out", jump.before);
+            else
+                add("snap_in_separation", "m", "nm", "Separation of the first jump on the way in", jump.before);
+            break;
+        }
+    if (closest_ && (case_.contact != ContactKind::OnoYamane))
+        add("closest_contact_area", "m^2", "um^2", "Real area of contact at the closest approach", closest_->area);
+    if (surface) {
+        add("surface_rms", "m", "nm", "RMS height of the disk's surface, computed back", surface->rms);
+        add("surface_skewness", "", "", "Skewness of its heights", surface->skewness);
+        add("surface_kurtosis", "", "", "Kurtosis of its heights", surface->kurtosis);
+        add("surface_correlation", "m", "um", "Correlation length of the disk's surface", surface->correlationLength);
+    }
+    return list;
+}
+
+} // namespace touchdown

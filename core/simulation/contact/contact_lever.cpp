@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/contact_lever.h"
+
+#include <cmath>
+
+#include "core/simulation/contact/contact_model.h"
+
+namespace touchdown {
+
+ContactLever::ContactLever(const Case& c)
+    : length_(c.slider.length), width_(c.slider.width), disk_(c.disk), friction_(frictionOf(c))
+{
+}
+
+ContactLever::Rubbing ContactLever::rubbing(double x, double y) const
+{
+    const Velocity disk = diskVelocity(disk_, length_, width_, x, y);
+    const double sliding = std::hypot(disk.x, disk.y);
+    if (!(sliding > 0.0)) return {};
+    const double force = friction_.force(1.0, sliding);
+    const double moment = friction_.pitchMoment(1.0, sliding);
+    return {force, moment * disk.x / sliding, moment * disk.y / sliding};
+}
+
+} // namespace touchdown

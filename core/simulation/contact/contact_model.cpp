@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/contact_model.h"
+
+#include <cmath>
+
+#include "core/physics/contact/asperity_contact.h"
+#include "core/physics/contact/multi_asperity.h"
+#include "core/physics/contact/ono_yamane.h"
+#include "core/simulation/contact/elastic_pad.h"
+
+namespace touchdown {
+
+namespace {
+
+/// The simplified characteristic of Ono & Yamane.
+class CharacteristicPad final : public ContactModel {
+public:
+    explicit CharacteristicPad(const Case& c)
+        : law_(c.onoYamane),
+          touchDown_(c.onoYamane.touchDown),
+          takeOff_(c.onoYamane.takeOff),
+          separation_(c.approach.start),
+          branch_(law_.nextBranch(c.initial.branch, c.approach.start))
+    {}
+
+    const ContactForces& move(double separation, double) override
+    {
+        branch_ = law_.nextBranch(branch_, separation);
+        separation_ = separation;
+        const ContactRegion region = law_.region(branch_, separation);
+        forces_.separation = separation;
+        forces_.contact = law_.contactForce(region, separation);
+        forces_.adhesion = law_.adhesionForce(region, separation);
+        return forces_;
+    }
+    std::vector<ContactSwitch> switchesUntil(double separation) const override
+    {
+        if (branch_ == ContactBranch::TouchDown && separation_ > touchDown_ && separation <= touchDown_)
+            return {{touchDown_, "touch-down"}};
+        if (branch_ == ContactBranch::TakeOff && separation_ < takeOff_ && separation >= takeOff_)
+            return {{takeOff_, "take-off"}};
+        return {};
+    }
+
+private:
+    OnoYamaneLaw law_;
+    double touchDown_, takeOff_, separation_;
+    ContactBranch branch_;
+    ContactForces forces_;
+};
+
+/// A statistical surface, which keeps no memory.
+class AsperityPad final : public ContactModel {
+public:
+    explicit AsperityPad(const Case& c)
+        : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width)
+    {}
+
+    const ContactForces& move(double separation, double) override
+    {
+        forces_.separation = separation;
+        forces_.contact = padArea_ * contact_.pressure(separation);
+        forces_.area = padArea_ * contact_.contactArea(separation);
+        return forces_;
+    }
+
+private:
+    AsperityContact contact_;
+    double padArea_; // [m^2]
+    ContactForces forces_;
+};
+
+/// The full model of Ono & Yamane beside the five parameters fitted to it.
+class MultiAsperityPad final : public ContactModel {
+public:
+    explicit MultiAsperityPad(const Case& c)
+        : model_(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width),
+          separation_(c.approach.start),
+          state_(model_.start(c.approach.start)),
+          fit_(fitCharacteristic(model_, c.approach.start, c.approach.closest, {.friction = c.asperity.friction})),
+          fitted_(fit_.parameters),
+          fittedBranch_(fitted_.nextBranch(ContactBranch::TouchDown, c.approach.start))
+    {}
+
+    const ContactForces& move(double separation, double) override
+    {
+        state_ = model_.advance(state_, separation);
+        separation_ = separation;
+        const MultiAsperityForces full = model_.forces(state_);
+        forces_.separation = separation;
+        forces_.contact = full.contact;
+        forces_.adhesion = full.adhesion;
+        forces_.area = full.contactArea;
+        fittedBranch_ = fitted_.nextBranch(fittedBranch_, separation);
+        const ContactRegion region = fitted_.region(fittedBranch_, separation);
+        forces_.fittedContact = fitted_.contactForce(region, separation);
+        forces_.fittedAdhesion = fitted_.adhesionForce(region, separation);
+        return forces_;
+    }
+    std::vector<ContactSwitch> switchesUntil(double separation) const override
+    {
+        const PadMotion motion = separation < separation_ ? PadMotion::Towards : PadMotion::Away;
+        const auto passed = [&](double d) { return motion == PadMotion::Towards ? d >= separation : d <= separation; };
+        std::vector<ContactSwitch> list;
+        MultiAsperityState state = state_;
+        for (auto jump = model_.nextJump(state, motion); jump && passed(jump->padSeparation);
+             jump = model_.nextJump(state, motion)) {
+            list.push_back({jump->padSeparation, motion == PadMotion::Towards ? "touch-down" : "take-off"});
+            state = jump->to;
+        }
+        return list;
+    }
+    std::optional<CharacteristicFit> fit() const override { return fit_; }
+
+private:
+    MultiAsperity model_;
+    double separation_;
+    MultiAsperityState state_;
+    CharacteristicFit fit_;
+    OnoYamaneLaw fitted_;
+    ContactBranch fittedBranch_;
+    ContactForces forces_;
+};
+
+bool adheres(const Case& c)
+{
+    return c.contact == ContactKind::OnoYamane || c.contact == ContactKind::MultiAsperity ||
+           (c.contact == ContactKind::Elastic && c.adhesion.acts());
+}
+
+} // namespace
+
+std::vector<ContactSwitch> ContactModel::switchesUntil(double) const { return {}; }
+
+void ContactModel::observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
+
+std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn)
+{
+    switch (c.contact) {
+    case ContactKind::None: break;
+    case ContactKind::OnoYamane: return std::make_unique<CharacteristicPad>(c);
+    case ContactKind::Elastic: return std::make_unique<ElasticPad>(c, goOn);
+    case ContactKind::Asperity: return std::make_unique<AsperityPad>(c);
+    case ContactKind::MultiAsperity: return std::make_unique<MultiAsperityPad>(c);
+    }
+    return nullptr;
+}
+
+std::vector<Quantity> contactQuantities(const Case& c)
+{
+    const bool surfaces = c.contact == ContactKind::Elastic;
+    const bool summits = c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity;
+    std::vector<Quantity> list{
+        {"minimum_spacing", "m", "nm", "Separation of the pad's lowest point and the disk's mean plane"},
+        {"contact_force", "N", "mN", "Real contact force"},
+    };
+    if (adheres(c)) list.push_back({"adhesion_force", "N", "mN", "Adhesion force"});
+    list.push_back({"net_contact_force", "N", "mN", "Net contact force"});
+    list.push_back({"friction_force", "N", "mN", "Friction force, in the disk's direction"});
+    list.push_back({"friction_torque", "N m", "uN m", "Pitch torque of the friction about the mass centre, nose up"});
+    if (surfaces || summits) list.push_back({"contact_area", "m^2", "um^2", "Real area of contact"});
+    if (surfaces) {
+        list.push_back({"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"});
+        list.push_back({"minimum_gap", "m", "nm", "Smallest gap of the deformed surfaces"});
+    }
+    if (c.contact == ContactKind::MultiAsperity) {
+        list.push_back({"fitted_contact_force", "N", "mN", "Real contact force of the fitted characteristic"});
+        list.push_back({"fitted_adhesion_force", "N", "mN", "Adhesion force of the fitted characteristic"});
+    }
+    return list;
+}
+
+CoulombFriction frictionOf(const Case& c)
+{
+    CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
+    if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
+    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity) friction.coefficient = c.asperity.friction;
+    return friction;
+}
+
+void contactValues(const Case& c, const ContactForces& forces, double* values)
+{
+    double* const first = values;
+    *values++ = forces.separation;
+    *values++ = forces.contact;
+    if (adheres(c)) *values++ = forces.adhesion;
+    *values++ = forces.net();
+    const CoulombFriction friction = frictionOf(c);
+    const Velocity disk = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    const double sliding = std::hypot(disk.x, disk.y);
+    *values++ = friction.force(forces.contact, sliding);
+    // The moment is that of the part along the slider.
+    *values++ = sliding > 0.0 ? friction.pitchMoment(forces.contact, sliding) * disk.x / sliding : 0.0;
+    if (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity ||
+        c.contact == ContactKind::MultiAsperity)
+        *values++ = forces.area;
+    if (c.contact == ContactKind::Elastic) {
+        *values++ = forces.peakPressure;
+        *values++ = forces.minimumGap;
+    }
+    if (c.contact == ContactKind::MultiAsperity) {
+        *values++ = forces.fittedContact;
+        *values++ = forces.fittedAdhesion;
+    }
+    // Adding zero turns -0 into 0.
+    for (double* value = first; value != values; ++value) *value += 0.0;
+}
+
+RecordedFields contactMaps(const Case& c)
+{
+    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticPad::fields(c) : RecordedFields{};
+}
+
+} // namespace touchdown

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pad of the model "contact" and its law, one class for each ContactKind, built with only the parts that the case needs.
+// The pad is moved to separations d, of its lowest point and the disk's mean plane, and remembers how it came there: branch,
+// menisci, adhesion.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/physics/contact/characteristic_fit.h"
+#include "core/physics/contact/coulomb_friction.h"
+#include "core/physics/disk/surface_statistics.h"
+#include "core/case/case.h"
+#include "core/simulation/recording/field_snapshot.h"
+#include "core/simulation/recording/quantity.h"
+
+namespace touchdown {
+
+/// What acts on the pad at one separation. What a law does not know is zero.
+struct ContactForces {
+    double separation = 0.0;                          // d [m]
+    double contact = 0.0;                             // >= 0, away from the disk [N]
+    double adhesion = 0.0;                            // <= 0 [N]
+    double area = 0.0;                                // real area of contact [m^2]
+    double peakPressure = 0.0;                        // of contact [Pa]
+    double minimumGap = 0.0;                          // of the deformed surfaces [m]
+    double fittedContact = 0.0, fittedAdhesion = 0.0; // of the five parameters that were fitted [N]
+    int iterations = 0;                               // of the solution
+    std::string problem;                              // a sentence, when it did not converge; "" when it did
+    double net() const { return contact + adhesion; } // [N]
+};
+
+/// A switch or a jump of the law on the pad's way.
+struct ContactSwitch {
+    double separation = 0.0; // [m]
+    std::string name;        // "touch-down"
+};
+
+class ContactModel {
+public:
+    virtual ~ContactModel() = default;
+
+    /// Moves the pad straight from where it is to d [m]; the disk's surface is where it is at time t [s].
+    virtual const ContactForces& move(double separation, double time) = 0;
+
+    /// The switches that a straight move to d [m] will pass, in their order.
+    virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
+    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path tells, see
+    /// core/physics/contact/contact_path.h.
+    virtual bool canJump() const { return false; }
+    virtual bool mayHaveJumped() const { return false; }
+    /// Keeps the present state, in place of what was kept before; and returns to it.
+    virtual void remember() {}
+    virtual void recall() {}
+
+    /// Fills the values of contactMaps() after a move.
+    virtual void observe(FieldSnapshot& snapshot) const;
+    /// What was assumed or left out, in sentences.
+    virtual std::vector<std::string> remarks() const { return {}; }
+    virtual std::optional<CharacteristicFit> fit() const { return std::nullopt; }
+    virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
+};
+
+/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a problem.
+std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
+
+/// The friction of the contact that the case names.
+CoulombFriction frictionOf(const Case& c);
+/// What a run of the case records, and one state as those values.
+std::vector<Quantity> contactQuantities(const Case& c);
+void contactValues(const Case& c, const ContactForces& forces, double* values);
+/// Over the patch that holds the pad's lowest point; empty where the law has no surfaces.
+RecordedFields contactMaps(const Case& c);
+
+} // namespace touchdown

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/contact_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/contact/contact_path.h"
+#include "core/simulation/contact/contact_figures.h"
+#include "core/simulation/contact/contact_model.h"
+#include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/recording/run_updates.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double jumpResolution = 1e-12; // of the separation [m]
+constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
+constexpr double suddenChange = 4.0;     // of the force over a step, against the one before: worth a search [-]
+constexpr int mostJumpsInStep = 20;
+constexpr int mostMisses = 4;
+constexpr int shortSteps = 8;
+
+/// Where the pad goes: the times of all states, and which of them are recorded.
+struct Station {
+    double time = 0.0; // [s]
+    bool sample = false;
+    bool snapshot = false;
+};
+
+std::vector<Station> stations(const Case& c)
+{
+    const double duration = c.run.duration, interval = c.run.sampleInterval;
+    const double slack = 1e-9 * interval;
+    const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1;
+    std::vector<Station> list(count);
+    for (std::size_t i = 0; i < count; ++i)
+        list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
+    if (list.back().time > duration - slack) list.back().time = duration;
+
+    const auto snapshots = static_cast<std::size_t>(c.run.fieldSnapshots);
+    for (std::size_t i = 0; i < std::min(snapshots, count); ++i)
+        list[snapshots == 1 ? 0 : i * (count - 1) / (std::min(snapshots, count) - 1)].snapshot = true;
+    // The closest approach is a state of its own where no sample falls onto it.
+    const double middle = 0.5 * duration;
+    const auto next = std::ranges::find_if(list, [&](const Station& station) { return station.time > middle - slack; });
+    if (next != list.end() && next->time < middle + slack) {
+        next->time = middle;
+        next->snapshot = snapshots > 0;
+    } else {
+        list.insert(next, {middle, false, snapshots > 0});
+    }
+    return list;
+}
+
+/// Moves the pad from station to station, and tells.
+class ContactRun {
+public:
+    ContactRun(const Case& c, const RunCallback& callback)
+        : case_(c),
+          quantities_(contactQuantities(c)),
+          statistics_(c, quantities_),
+          figures_(c),
+          updates_(quantities_.size(), c.run.duration, callback),
+          recordsFields_(!contactMaps(c).empty()),
+          values_(quantities_.size())
+    {}
+
+    Summary run()
+    {
+        const double begin = wallClock();
+        model_ = makeContactModel(case_, [this] { return lookAtClock(); });
+        for (const Station& station : stations(case_))
+            if (!lookAtClock() || !visit(station)) break;
+        flush();
+        Summary summary;
+        summary.status = status_;
+        if (status_ == RunStatus::Failed) summary.failure = RunFailure::NotConverged;
+        summary.message = message_;
+        summary.endTime = time_;
+        summary.steps = steps_;
+        summary.evaluations = iterations_;
+        summary.events = updates_.events();
+        if (haveSample_)
+            for (std::size_t i = 0; i < quantities_.size(); ++i)
+                summary.final.emplace_back(quantities_[i].name, values_[i]);
+        statistics_.finish(summary);
+        // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
+        const bool stopped = status_ == RunStatus::Cancelled;
+        summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics());
+        summary.fit = model_->fit();
+        summary.warnings = model_->remarks();
+        if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
+        if (status_ == RunStatus::Completed && isTouching() && !startsInContact_)
+            summary.warnings.push_back(
+                "the surfaces still touch back at approach.start: a greater one shows where they part");
+        if (widestBracket_ > jumpResolution)
+            summary.warnings.push_back("not every jump could be located: the separation of one is known to " +
+                                       formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
+        if (summary.fit && !summary.fit->describes) summary.warnings.push_back(summary.fit->message);
+        summary.wallSeconds = wallClock() - begin;
+        summary.solverSeconds = summary.wallSeconds - updates_.secondsOutside();
+        return summary;
+    }
+
+private:
+    /// False when the run ends here.
+    bool visit(const Station& station)
+    {
+        const double d = padSeparation(case_, station.time);
+        const bool away = station.time > 0.5 * case_.run.duration;
+        for (const ContactSwitch& known : model_->switchesUntil(d))
+            updates_.addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
+                              known.name);
+        if (!go(station.time, d)) return fail(station.time);
+        time_ = station.time;
+        if (station.time == 0.0) startsInContact_ = isTouching();
+        figures_.add(forces_, away);
+        if (station.sample) record(station.time);
+        if (station.snapshot && recordsFields_) {
+            FieldSnapshot snapshot{station.time, 0, {}};
+            model_->observe(snapshot);
+            updates_.addFields(std::move(snapshot));
+        }
+        if (updates_.full()) flush();
+        return lookAtClock();
+    }
+
+    /// Moves the pad; looks for jumps where the law may have jumped. False when a solution was not found.
+    bool go(double time, double d)
+    {
+        const double from = forces_.separation, fromTime = time_;
+        const double before = forces_.net();
+        if (started_ && model_->canJump()) model_->remember();
+        if (!move(d, time)) return false;
+        started_ = true;
+        if (steps_ == 1 || !model_->canJump()) return true;
+        const double change = std::abs(forces_.net() - before);
+        const bool sudden = change > suddenChange * lastChange_ && change > smallestJump * largestForce_;
+        lastChange_ = change;
+        if (!model_->mayHaveJumped() && !sudden) return true;
+        return findJumps(from, fromTime, before, d, time);
+    }
+
+    bool findJumps(double from, double fromTime, double before, double d, double time)
+    {
+        const auto timeAt = [&](double separation) {
+            return from == d ? time : fromTime + (time - fromTime) * (separation - from) / (d - from);
+        };
+        bool good = true;
+        const ContactPath path{[&](double separation) {
+                                   good = move(separation, timeAt(separation)) && good;
+                                   return forces_.net();
+                               },
+                               [&] { model_->remember(); }, [&] { model_->recall(); }};
+        const double change = std::abs(forces_.net() - before);
+        model_->recall();
+        double at = from, force = before;
+        int misses = 0;
+        for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
+            ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
+            if (!good) return false;
+            if (jump.found)
+                takeJump(jump, timeAt);
+            else if (++misses > mostMisses)
+                break;
+            // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on this side
+            // of it, and goes on from there.
+            at = jump.after;
+            force = path.force(at);
+            model_->remember();
+            const double ahead = std::abs(path.force(d) - force);
+            if (!good) return false;
+            if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return true; // it is at d
+            model_->recall();
+        }
+        return goInShortSteps(at, force, d, change, timeAt);
+    }
+
+    /// The rest of a way on which a jump was suspected and not located: a short step tells a jump from a steep way.
+    bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
+    {
+        for (int i = 1; i <= shortSteps; ++i) {
+            const double next = i == shortSteps ? d : at + (d - at) / (shortSteps + 1 - i);
+            if (!move(next, timeAt(next))) return false;
+            if (model_->mayHaveJumped() && std::abs(forces_.net() - force) > 0.5 * change)
+                takeJump({true, at, next, force, forces_.net()}, timeAt);
+            at = next;
+            force = forces_.net();
+        }
+        return true;
+    }
+
+    void takeJump(const ContactJump& jump, const std::function<double(double)>& timeAt)
+    {
+        updates_.addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
+        figures_.addJump(jump);
+        widestBracket_ = std::max(widestBracket_, std::abs(jump.after - jump.before));
+    }
+
+    bool move(double d, double time)
+    {
+        forces_ = model_->move(d, time);
+        ++steps_;
+        if (status_ == RunStatus::Completed) iterations_ += forces_.iterations; // one that was stopped counts none
+        largestForce_ = std::max({largestForce_, forces_.contact, -forces_.adhesion});
+        return forces_.problem.empty();
+    }
+
+    /// Of surfaces; the summits of a statistical one reach as far as one likes.
+    bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
+
+    void record(double time)
+    {
+        contactValues(case_, forces_, values_.data());
+        haveSample_ = true;
+        updates_.addSample(time, values_);
+    }
+
+    /// Within a long solution, too. False when somebody stopped the run.
+    bool lookAtClock()
+    {
+        if (updates_.silent()) flush();
+        return status_ == RunStatus::Completed;
+    }
+
+    bool fail(double time)
+    {
+        if (status_ != RunStatus::Completed) return false; // stopped within the solution
+        status_ = RunStatus::Failed;
+        message_ = "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
+                   ", where the separation is " +
+                   formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " + forces_.problem +
+                   "; the samples end with the last good state";
+        return false;
+    }
+
+    void flush()
+    {
+        const double begin = wallClock();
+        statistics_.add(updates_.samples());
+        if (!updates_.send(time_, begin) && status_ == RunStatus::Completed) {
+            status_ = RunStatus::Cancelled;
+            message_ = "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us");
+        }
+    }
+
+    const Case& case_;
+    std::vector<Quantity> quantities_;
+    RunStatistics statistics_;
+    ContactFigures figures_;
+    RunUpdates updates_;
+    std::unique_ptr<ContactModel> model_;
+    bool recordsFields_;
+    std::vector<double> values_; // of the newest sample
+    bool haveSample_ = false, started_ = false, startsInContact_ = false;
+    ContactForces forces_;
+    double time_ = 0.0;          // of the last good state [s]
+    double largestForce_ = 0.0;  // so far [N]
+    double widestBracket_ = 0.0; // of a jump [m]
+    double lastChange_ = 0.0;    // of the net force over the last step [N]
+    long long steps_ = 0, iterations_ = 0;
+    RunStatus status_ = RunStatus::Completed;
+    std::string message_;
+};
+
+} // namespace
+
+double padSeparation(const Case& c, double time)
+{
+    const double half = 0.5 * c.run.duration;
+    const double share = std::min(std::abs(time - half) / half, 1.0); // 0 at the closest, 1 at both ends
+    return share == 1.0 ? c.approach.start : c.approach.closest + share * (c.approach.start - c.approach.closest);
+}
+
+double approachTime(const Case& c, double separation)
+{
+    return 0.5 * c.run.duration * (c.approach.start - separation) / (c.approach.start - c.approach.closest);
+}
+
+double retractionTime(const Case& c, double separation) { return c.run.duration - approachTime(c, separation); }
+
+Summary runContact(const Case& c, const RunCallback& callback) { return ContactRun(c, callback).run(); }
+
+} // namespace touchdown

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/elastic_pad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/case/contact_patches.h"
+#include "core/case/disk_setup.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+/// With fewer cells in the zone where adhesion lets go, edges of a contact hang on cells.
+constexpr double cellsOfZone = 2.0;
+
+HalfSpaceEdges edgesOf(const Case& c) { return c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free; }
+
+std::vector<double> lines(double first, double step, int count)
+{
+    std::vector<double> result;
+    for (int i = 0; i <= count; ++i) result.push_back(first + i * step);
+    return result;
+}
+
+} // namespace
+
+ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn)
+    : case_(c), topography_(diskTopography(c, goOn)), modulus_(contactModulus(c.elastic.pair))
+{
+    if (c.diskSurface.motion == SurfaceMotion::Moving && !topography_.flat())
+        velocity_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    for (ContactPatch& patch : patchesOf(c, topography_).patches) {
+        HalfSpace space(patch.grid, modulus_, edgesOf(c), goOn);
+        const std::size_t cells = patch.grid.cells();
+        std::vector<double> surface(topography_.flat() ? 0 : cells);
+        const auto add = [&](auto contact) {
+            parts_.push_back({std::move(patch), std::move(contact), std::move(surface), std::vector<double>(cells)});
+        };
+        if (c.adhesion.acts())
+            add(AdhesiveContact(std::move(space), c.adhesion,
+                                {.tolerance = c.elastic.tolerance,
+                                 .maximumIterations = c.elastic.maximumIterations,
+                                 .hardness = c.elastic.hardness,
+                                 .goOn = goOn}));
+        else
+            add(ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
+                                                  .maximumIterations = c.elastic.maximumIterations,
+                                                  .hardness = c.elastic.hardness,
+                                                  .goOn = goOn}));
+    }
+}
+
+std::size_t ElasticPad::cells() const
+{
+    std::size_t count = 0;
+    for (const Part& part : parts_) count += part.patch.grid.cells();
+    return count;
+}
+
+const ContactForces& ElasticPad::move(double separation, double time)
+{
+    forces_ = {};
+    forces_.separation = separation;
+    forces_.minimumGap = std::numeric_limits<double>::infinity();
+    jumped_ = false;
+    for (Part& part : parts_) solve(part, separation, time);
+    return forces_;
+}
+
+void ElasticPad::solve(Part& part, double separation, double time)
+{
+    const bool moves = velocity_.x != 0.0 || velocity_.y != 0.0;
+    if (!part.surface.empty() && (part.surfaceTime < 0.0 || (moves && part.surfaceTime != time))) {
+        topography_.heights(part.patch.grid, velocity_.x * time, velocity_.y * time, part.surface);
+        part.surfaceTime = time;
+    }
+    for (std::size_t i = 0; i < part.separation.size(); ++i)
+        part.separation[i] = separation + part.patch.height[i] - (part.surface.empty() ? 0.0 : part.surface[i]);
+
+    const double cell = part.patch.grid.cellArea();
+    const auto take = [&](const auto& summary, std::span<const double> pressure, std::span<const double> gap) {
+        forces_.iterations += summary.iterations;
+        if (!summary.converged && forces_.problem.empty()) forces_.problem = summary.message;
+        for (const double p : pressure) {
+            if (p <= 0.0) continue;
+            forces_.contact += p * cell;
+            forces_.area += cell;
+            forces_.peakPressure = std::max(forces_.peakPressure, p);
+        }
+        const double least = *std::ranges::min_element(gap);
+        // Where nothing flows, a gap below zero is what the solver's tolerance left.
+        forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
+    };
+    if (auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
+        const ElasticContactSummary summary = elastic->solve(part.separation);
+        take(summary, elastic->pressure(), elastic->gap());
+    } else if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
+        const AdhesiveContactSummary summary = adhesive->solve(part.separation);
+        take(summary, adhesive->pressure(), adhesive->gap());
+        for (const double p : adhesive->adhesion()) forces_.adhesion += p * cell;
+        jumped_ = jumped_ || summary.jumped;
+    }
+}
+
+void ElasticPad::remember()
+{
+    for (Part& part : parts_)
+        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->remember();
+}
+
+void ElasticPad::recall()
+{
+    for (Part& part : parts_)
+        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->recall();
+}
+
+void ElasticPad::observe(FieldSnapshot& snapshot) const
+{
+    const Part& part = parts_.front();
+    snapshot.values.clear();
+    const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
+    if (const auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
+        add(elastic->gap());
+        add(elastic->pressure());
+    } else if (const auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
+        add(adhesive->gap());
+        add(adhesive->pressure());
+        add(adhesive->adhesion());
+    }
+    if (!part.surface.empty()) add(part.surface);
+}
+
+std::vector<std::string> ElasticPad::remarks() const
+{
+    std::vector<UniformGrid> grids;
+    for (const Part& part : parts_) grids.push_back(part.patch.grid);
+    return elasticRemarks(case_, grids);
+}
+
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches)
+{
+    const double modulus = contactModulus(c.elastic.pair);
+    std::vector<std::string> list;
+    if (c.adhesion.acts()) {
+        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy (Maugis 1992).
+        const AdhesionLaw law(c.adhesion);
+        const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
+        if (zone < cellsOfZone * c.elastic.cell)
+            list.push_back("elastic.cell is " + formatQuantity(c.elastic.cell, "um") +
+                           ", but adhesion parts the surfaces over a zone of " +
+                           formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
+                           " at the edges of a contact: where they are smooth, these hang on the cells and "
+                           "jump from one to the next; cells of half that length follow them smoothly");
+    }
+    if (c.adhesion.kind == AdhesionKind::VanDerWaals && c.adhesion.hamakerB > 0.0)
+        list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "
+                       "adhesion force, and bears no "
+                       "friction");
+    if (patches.size() < 2) return list;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        for (std::size_t k = i + 1; k < patches.size(); ++k) nearest = std::min(nearest, patchDistance(patches[i], patches[k]));
+    // Boussinesq: F/(pi E* r).
+    const double perNewton = 1.0 / (std::numbers::pi * modulus * nearest);
+    list.push_back(std::to_string(patches.size()) + " patches are solved as if each were alone; the nearest two are " +
+                   formatQuantity(std::round(nearest * 1e7) / 1e7, "um") +
+                   " apart, so that a force of 1 mN on one would lower the disk under the other by " +
+                   formatQuantity(std::round(perNewton * 1e-3 * 1e13) / 1e13, "nm") + ", which is left out");
+    return list;
+}
+
+std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
+{
+    if (topography_.flat()) return std::nullopt;
+    return touchdown::surfaceStatistics(topography_);
+}
+
+RecordedFields ElasticPad::fields(const Case& c)
+{
+    const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
+    return elasticFields(c, patchesOf(c, surface));
+}
+
+RecordedFields elasticFields(const Case& c, const SliderPatches& patches)
+{
+    RecordedFields fields;
+    if (patches.patches.empty()) return fields;
+    const UniformGrid& grid = patches.patches.front().grid;
+    fields.grid = {lines(grid.x0, grid.dx, grid.nx), lines(grid.y0, grid.dy, grid.ny)};
+    fields.quantities = {{"gap", "m", "nm", "Gap of the deformed surfaces"},
+                         {"contact_pressure", "Pa", "MPa", "Contact pressure"}};
+    if (c.adhesion.acts()) fields.quantities.push_back({"adhesion_pressure", "Pa", "MPa", "Adhesion pressure"});
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat)
+        fields.quantities.push_back({"disk_surface", "m", "nm", "Height of the disk's surface"});
+    return fields;
+}
+
+} // namespace touchdown

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A pad and a disk whose surfaces are given point by point: s = d + pad height - w, w the disk's surface, on patches of an
+// elastic half-space, with adhesion where there is one.
+#pragma once
+
+#include <span>
+#include <variant>
+
+#include "core/physics/contact/adhesive_contact.h"
+#include "core/physics/contact/contact_patch.h"
+#include "core/physics/disk/disk_topography.h"
+#include "core/physics/disk/disk_velocity.h"
+#include "core/physics/contact/elastic_contact.h"
+#include "core/simulation/contact/contact_model.h"
+
+namespace touchdown {
+
+/// What was assumed or left out for these patches, in sentences.
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches);
+/// Of the first patch; empty without one.
+RecordedFields elasticFields(const Case& c, const SliderPatches& patches);
+
+class ElasticPad final : public ContactModel {
+public:
+    explicit ElasticPad(const Case& c, const std::function<bool()>& goOn = {});
+
+    /// Of all patches.
+    std::size_t cells() const;
+
+    const ContactForces& move(double separation, double time) override;
+    bool canJump() const override { return case_.adhesion.acts(); }
+    bool mayHaveJumped() const override { return jumped_; }
+    void remember() override;
+    void recall() override;
+    void observe(FieldSnapshot& snapshot) const override;
+    std::vector<std::string> remarks() const override;
+    std::optional<SurfaceStatistics> surfaceStatistics() const override;
+
+    static RecordedFields fields(const Case& c);
+
+private:
+    using Contact = std::variant<ElasticContact, AdhesiveContact>;
+    /// One patch and all that is solved on it.
+    struct Part {
+        ContactPatch patch;
+        Contact contact;
+        std::vector<double> surface;    // w [m]; empty: flat
+        std::vector<double> separation; // s [m]
+        double surfaceTime = -1.0;      // of `surface` [s]
+    };
+    void solve(Part& part, double separation, double time);
+
+    Case case_;
+    DiskTopography topography_;
+    Velocity velocity_; // of the surface under the pad [m/s]
+    double modulus_;    // E* [Pa]
+    std::vector<Part> parts_;
+    ContactForces forces_;
+    bool jumped_ = false;
+};
+
+} // namespace touchdown

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/elastic_slider_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/physics/disk/surface_statistics.h"
+#include "core/case/contact_patches.h"
+#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/elastic_pad.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+namespace {
+
+/// What of the preload may be missed where adhesion counts as out of reach [-].
+constexpr double leastPull = 1e-5;
+/// Nothing reaches farther [m].
+constexpr double farthest = 1e-6;
+/// How far the surface moves in one step, against the length over which it changes by as much as its own RMS height [-]: a wave
+/// is met 4 pi times a period.
+constexpr double movedPerStep = 0.5;
+
+/// The gap at which the attraction is below a pressure [m].
+double reachOf(const AdhesionLaw& law, double pressure)
+{
+    double near = law.peakGap(), far = farthest;
+    if (-law.pressure(near) <= pressure) return near;
+    if (-law.pressure(far) > pressure) return far;
+    while (far - near > 1e-3 * far) {
+        const double middle = 0.5 * (near + far);
+        (-law.pressure(middle) > pressure ? near : far) = middle;
+    }
+    return far;
+}
+
+double longestStepOf(const DiskTopography& surface, Velocity velocity, double cell, const std::function<bool()>& goOn)
+{
+    const double speed = std::hypot(velocity.x, velocity.y);
+    if (!(speed > 0.0)) return std::numeric_limits<double>::infinity();
+    const SurfaceStatistics statistics = surfaceStatistics(surface, goOn);
+    const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
+    // What changes from cell to cell acts through the mean over many.
+    const double length = slope > 0.0 ? std::max(statistics.rms / slope, cell) : std::numeric_limits<double>::infinity();
+    return movedPerStep * length / speed;
+}
+
+} // namespace
+
+ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
+                                           const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn)
+    : case_(c), spacing_(spacing), pad_(pad), highest_(surface.highest()), lever_(c)
+{
+    const Velocity velocity = surfaceVelocity(c, surface);
+    longestStep_ = longestStepOf(surface, velocity, c.elastic.cell, goOn);
+    for (ContactPatch& patch : filmPatches(c, goOn).patches) {
+        if (goOn && !goOn()) return;
+        const double area = static_cast<double>(patch.grid.cells()) * patch.grid.cellArea();
+        double reach = highest_;
+        if (c.adhesion.acts()) reach += reachOf(AdhesionLaw(c.adhesion), leastPull * std::abs(c.suspension.preload) / area);
+        parts_.push_back({SliderPatch(c, std::move(patch), surface, velocity, goOn), reach});
+        parts_.back().patch.overlap(grid);
+    }
+}
+
+std::size_t ElasticSliderContact::cells() const
+{
+    std::size_t count = 0;
+    for (const Part& part : parts_) count += part.patch.grid().cells();
+    return count;
+}
+
+const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, double time)
+{
+    forces_ = {};
+    stiffness_ = {};
+    for (Part& part : parts_) {
+        part.near = part.patch.clearance(attitude) <= part.reach;
+        if (!part.near) {
+            part.patch.part(attitude, time);
+            continue;
+        }
+        const PatchForces& patch = part.patch.solve(attitude, time);
+        forces_.contact += patch.contact[0];
+        forces_.adhesion += patch.adhesion[0];
+        forces_.pitchTorque += patch.contact[1] + patch.adhesion[1];
+        forces_.rollTorque += patch.contact[2] + patch.adhesion[2];
+        const UniformGrid& grid = part.patch.grid();
+        const ContactLever::Rubbing rubbing = lever_.rubbing(grid.x0 + 0.5 * grid.nx * grid.dx, grid.y0 + 0.5 * grid.ny * grid.dy);
+        forces_.friction += rubbing.force * patch.contact[0];
+        forces_.pitchTorque += rubbing.pitchTorque * patch.contact[0];
+        forces_.rollTorque += rubbing.rollTorque * patch.contact[0];
+        forces_.area += patch.area;
+        forces_.peakPressure = std::max(forces_.peakPressure, patch.peakPressure);
+        forces_.storedEnergy += patch.storedEnergy;
+        forces_.iterations += patch.iterations;
+        if (forces_.problem.empty()) forces_.problem = patch.problem;
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t m = 0; m < 3; ++m) stiffness_[k][m] += patch.stiffness[k][m];
+    }
+    return forces_;
+}
+
+bool ElasticSliderContact::outOfReach(const Attitude& attitude) const
+{
+    return std::ranges::none_of(parts_, [&](const Part& part) { return part.patch.clearance(attitude) <= part.reach; });
+}
+
+void ElasticSliderContact::accept()
+{
+    for (Part& part : parts_) part.patch.accept();
+}
+
+bool ElasticSliderContact::deform(std::span<double> height) const
+{
+    bool any = false;
+    for (const Part& part : parts_) {
+        if (part.near) part.patch.deform(pad_, height);
+        any = any || part.near;
+    }
+    return any;
+}
+
+void ElasticSliderContact::observe(FieldSnapshot& snapshot) const
+{
+    snapshot.values.clear();
+    if (!parts_.empty()) parts_.front().patch.observe(snapshot);
+}
+
+std::vector<std::string> ElasticSliderContact::remarks() const
+{
+    std::vector<UniformGrid> grids;
+    for (const Part& part : parts_) grids.push_back(part.patch.grid());
+    return elasticRemarks(case_, grids);
+}
+
+std::string ElasticSliderContact::problemAt(const Attitude& attitude) const
+{
+    const MinimumSpacing::Place place = spacing_.at(attitude);
+    if (place.spacing >= highest_) return {};
+    const double cell = case_.elastic.cell; // by which a patch may miss the slider's own edge
+    for (const Part& part : parts_) {
+        const UniformGrid& grid = part.patch.grid();
+        if (place.at.x >= grid.x0 - cell && place.at.x <= grid.x0 + grid.nx * grid.dx + cell && place.at.y >= grid.y0 - cell &&
+            place.at.y <= grid.y0 + grid.ny * grid.dy + cell)
+            return {};
+    }
+    const auto micrometres = [](double length) { return formatQuantity(std::round(length * 1e7) / 1e7, "um"); };
+    return "The slider came down to " + formatQuantity(std::round(place.spacing * 1e12) / 1e12, "nm") + " over the disk's mean plane at x = " +
+           micrometres(place.at.x) + ", y = " + micrometres(place.at.y) +
+           ", where no contact is modelled: give elastic.patch_pitch the pitch at which it touches, or take a greater elastic.patch_reach";
+}
+
+RecordedFields ElasticSliderContact::fields(const Case& c, const std::function<bool()>& goOn)
+{
+    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
+    fields.group = "contact_fields";
+    return fields;
+}
+
+} // namespace touchdown

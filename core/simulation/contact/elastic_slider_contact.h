@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Elastic contact and adhesion between the disk and those parts of a flying slider that can touch it: patches, known before the run,
+// of all that lies within elastic.patch_reach of the lowest point at elastic.patch_pitch and no roll. Only patches in reach are
+// solved: beyond the disk's highest point, or where adhesion could pull all of the patch by no more than 1e-5 of the preload.
+#pragma once
+
+#include <vector>
+
+#include "core/physics/slider/minimum_spacing.h"
+#include "core/simulation/contact/contact_lever.h"
+#include "core/simulation/contact/slider_contact.h"
+#include "core/simulation/contact/slider_patch.h"
+
+namespace touchdown {
+
+class ElasticSliderContact final : public SliderContact {
+public:
+    /// Spacing, surface and pad must last. Without sense where `goOn` says false.
+    ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface, const CellGrid& grid,
+                         const PaddedGrid& pad, const std::function<bool()>& goOn);
+
+    const SliderContactForces& at(const Attitude& attitude, double time) override;
+    Matrix3 stiffness() const override { return stiffness_; }
+    bool outOfReach(const Attitude& attitude) const override;
+    void accept() override;
+
+    double longestStep() const override { return longestStep_; }
+    bool deform(std::span<double> height) const override;
+    void observe(FieldSnapshot& snapshot) const override;
+    std::vector<std::string> remarks() const override;
+    std::string problemAt(const Attitude& attitude) const override;
+
+    /// Of all patches.
+    std::size_t cells() const;
+
+    static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
+
+private:
+    struct Part {
+        SliderPatch patch;
+        double reach;      // clearance beyond which nothing acts [m]
+        bool near = false; // at the last call
+    };
+
+    Case case_;
+    const MinimumSpacing& spacing_;
+    const PaddedGrid& pad_;
+    double highest_;         // of the disk [m]
+    double longestStep_;     // [s]
+    ContactLever lever_;
+    std::vector<Part> parts_;
+    SliderContactForces forces_;
+    Matrix3 stiffness_{};
+};
+
+} // namespace touchdown

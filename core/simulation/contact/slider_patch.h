@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A part of the slider's surface that can touch the disk, as an elastic half-space of its own, with adhesion where there is one.
+// The surfaces' separation at a cell's centre, the slider at any attitude and the disk's surface w moved for a time t, is
+//
+//   s = height + pitch (L - x) - roll (y - W/2) + recess - w(x - U t, y - V t)
+//
+// In a run of many thousand steps each is solved to 1e4 elastic.tolerance: at its default to 1e-4 of the largest pressure and
+// displacement, which leaves some 1e-5 of the force and snaps in and pulls off in the same steps as a tight tolerance does.
+//
+// A solution with adhesion depends on where it comes from. Each starts from the state that was accepted last, so that what was tried
+// in between leaves no trace; but for a try at the same time a picometre beside the last one, which starts there.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/numerics/padded_grid.h"
+#include "core/physics/contact/adhesive_contact.h"
+#include "core/physics/slider/attitude.h"
+#include "core/physics/contact/contact_patch.h"
+#include "core/physics/disk/disk_topography.h"
+#include "core/physics/disk/disk_velocity.h"
+#include "core/case/case.h"
+#include "core/simulation/contact/contact_lever.h"
+#include "core/simulation/recording/field_snapshot.h"
+
+namespace touchdown {
+
+/// Of a patch on the slider: (force, pitch torque, roll torque) about the mass centre [N], [N m].
+struct PatchForces {
+    Vector3 contact{}, adhesion{};
+    double area = 0.0;         // of contact [m^2]
+    double peakPressure = 0.0; // of contact [Pa]
+    double storedEnergy = 0.0; // of the half-space and of the attraction [J]
+    Matrix3 stiffness{};       // roughly
+    int iterations = 0;
+    std::string problem;
+};
+
+class SliderPatch {
+public:
+    /// The surface must last.
+    SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity, const std::function<bool()>& goOn);
+
+    /// The least height of its cells over the disk's mean plane [m].
+    double clearance(const Attitude& attitude) const;
+
+    const PatchForces& solve(const Attitude& attitude, double time);
+    /// Nothing acts on it at that attitude: no solution.
+    void part(const Attitude& attitude, double time);
+    void accept();
+
+    /// Prepares deform() for the cells of a film.
+    void overlap(const CellGrid& grid);
+    /// Takes the mean displacement of the disk in each cell off `height` (padded) [m].
+    void deform(const PaddedGrid& pad, std::span<double> height) const;
+    void observe(FieldSnapshot& snapshot) const;
+
+    const UniformGrid& grid() const { return grid_; }
+
+private:
+    /// The share of one of the film's columns or rows that one of the patch's takes.
+    struct Overlap {
+        int film, patch;
+        double share; // [-]
+    };
+    static std::vector<Overlap> overlaps(std::span<const double> lines, double first, double cell, int count);
+    template <typename Visit>
+    void forHeights(const Attitude& attitude, const Visit& visit) const;
+    void setSeparation(const Attitude& attitude, double time);
+    void sum(std::span<const double> pressure, std::span<const double> adhesion, std::span<const double> gap);
+
+    UniformGrid grid_;
+    std::vector<double> recess_;     // [m]
+    double length_, width_;          // of the slider [m]
+    double modulus_;                 // E* [Pa]
+    const DiskTopography& topography_;
+    Velocity velocity_;              // of the surface [m/s]
+    ContactLever lever_;
+    std::variant<ElasticContact, AdhesiveContact> contact_;
+    std::vector<double> surface_;    // w [m]; empty: flat
+    std::vector<double> separation_; // s [m]
+    double surfaceTime_;             // of surface_ [s]
+    Attitude attitude_;              // of the last call
+    double time_ = 0.0;              // of the last call [s]
+    bool acts_ = false;              // whether the last call solved
+    bool tried_ = false;             // solved since it was accepted, and converged
+    bool remembers_ = false;         // the accepted state acts
+    PatchForces forces_;
+    std::vector<Overlap> columns_, rows_;
+};
+
+} // namespace touchdown

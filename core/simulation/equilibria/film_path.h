@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case changes, as a continuation needs it:
+// G(x, p) and its derivatives, distances from the ends of a law of contact, and what an equilibrium is. All in shares and scales:
+//
+//   p  0 at one end of its range, 1 at the other
+//   x  height of the trailing edge, pitch and roll times a fifth of length and width, in units of a length near the spacing
+//   G  force and torques over length and width, as shares of the preload
+//
+// on one grid, each film started from the last one. Where the suspension exerts its load is interpolated between the
+// static states of the looks: a nanometre amiss there counts k 1e-9 m, 1e-8 N of a suspension with 10 N/m.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/numerics/continuation.h"
+#include "core/simulation/equilibria/film_equilibria.h"
+
+namespace touchdown {
+
+struct FilmBranchPoint {
+    double parameter = 0.0; // [its unit]
+    FilmEquilibrium at;
+};
+
+class FilmPath {
+public:
+    using GoOn = std::function<bool()>;
+
+    /// `goOn` must last, and once it said false stay so.
+    FilmPath(const CaseAt& caseAt, double from, double to, const GoOn& goOn) : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn) {}
+
+    struct Look {
+        double p;
+        Attitude rest;    // the static state; its spacing may be negative
+        bool flies;       // that lies above d_s
+    };
+    /// Static states at so many places of the range; grid and scales from the one next to its middle. Empty where there is none.
+    std::vector<Look> look(int looks, std::vector<std::string>& problems);
+
+    /// Forgets the last film and the rates of the last equilibrium.
+    void leave();
+    /// The case at p on the grid, with the last pressure for a start; null where it is not valid.
+    std::unique_ptr<FilmBalance> balanceAt(double p);
+
+    Eigen::VectorXd toScaled(const Vector3& q, Eigen::Index unknowns) const;
+    double parameter(double p) const { return std::lerp(from_, to_, p); }
+    double length() const { return length_; } // unit of x [m]
+    double sliderLength() const { return slider_.length; } // [m]
+
+    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G goes on along its slope.
+    bool linearise(const Eigen::VectorXd& x, double p, ContactRegion region, ContinuationProblem::Linearised& at);
+    /// From the lower and the upper end of the law's interval, and from the disk.
+    std::vector<double> distances(const Eigen::VectorXd& x, double p, ContactRegion region);
+    /// Its rates are followed from those of the last one.
+    FilmBranchPoint describe(const Eigen::VectorXd& x, double p, ContactRegion region);
+    void followRatesOf(const FilmBranchPoint& point) { near_ = {point.at.eigenvalues, point.at.lost}; }
+    struct Crossing {
+        FilmBalance::Beyond beyond;
+        Vector3 q;
+    };
+    std::optional<Crossing> cross(const Eigen::VectorXd& x, double p, ContactRegion region, bool upper);
+    /// Least one of the equilibria described so far [Hz]; 0: none.
+    double resolved() const { return resolved_; }
+
+private:
+    Attitude restAt(double p) const;
+    Vector3 toPlace(const Eigen::VectorXd& x) const;
+    Eigen::Matrix3d placeSlope() const;
+    Eigen::VectorXd scaledForce(const Vector3& g, Eigen::Index unknowns) const;
+    bool moveTo(const Eigen::VectorXd& x, double p);
+
+    struct Known {
+        ContactRegion region;
+        Eigen::VectorXd x;
+        double p;
+        ContinuationProblem::Linearised at;
+    };
+
+    const CaseAt& caseAt_;
+    double from_, to_;
+    const GoOn& goOn_;
+    std::vector<std::pair<double, Attitude>> rests_;           // by p
+    double length_ = 1.0, preload_ = 1.0, startAmbient_ = 1.0; // [m], [N], [Pa]
+    SliderCase slider_;
+    CellGrid grid_;
+    std::vector<double> startPressure_; // of the static state on the grid [Pa]
+    std::unique_ptr<FilmBalance> last_; // solved at lastX_, lastP_
+    Eigen::VectorXd lastX_;
+    double lastP_ = 0.0;
+    std::optional<Known> known_;
+    FilmOscillations near_;
+    std::map<std::vector<double>, FilmBranchPoint> described_;
+    double resolved_ = 0.0;
+};
+
+} // namespace touchdown

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/film_books.h"
+
+#include <algorithm>
+
+namespace touchdown {
+
+void FilmBooks::begin(const CoupledStepper& stepper, FilmPoint& point)
+{
+    point.filmEnergy = energy_.at(stepper.pressure()).stored - rest_;
+    shear_ = stepper.shearTorques();
+    pressure_.assign(stepper.pressure().begin(), stepper.pressure().end());
+    surface_.assign(stepper.surface().begin(), stepper.surface().end());
+}
+
+double FilmBooks::power(const FilmPoint& point) const
+{
+    const Vector3 contact = point.contact.load();
+    double sum = flows_;
+    for (std::size_t k = 0; k < 3; ++k)
+        sum += (contact[k] + shear_[k] - body_.dampers()[k] * point.motion.v[k]) * point.motion.v[k];
+    return sum;
+}
+
+/// Power is integrated along a parabola through three points, or a straight line where the contact's law has just changed.
+void FilmBooks::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
+{
+    const double powerBefore = power(before), dt = point.time - before.time;
+    const FilmEnergyState air = energy_.at(stepper.pressure());
+    point.filmEnergy = air.stored - rest_;
+    flows_ = air.input - air.dissipation;
+    shear_ = stepper.shearTorques();
+    const double powerNow = power(point);
+    double gained = 0.5 * dt * (powerBefore + powerNow) + point.contact.storedEnergy - before.contact.storedEnergy;
+    if (lastDt_ > 0.0 && powerBefore == lastPower_) {
+        const double bend = ((powerNow - powerBefore) / dt - (powerBefore - earlierPower_) / lastDt_) / (dt + lastDt_);
+        gained -= dt * dt * dt / 6.0 * bend;
+    }
+    earlierPower_ = powerBefore;
+    lastPower_ = powerNow;
+    lastDt_ = dt;
+    if (!surface_.empty()) {
+        gained += energy_.surfaceWork(pressure_, stepper.pressure(), surface_, stepper.surface());
+        std::ranges::copy(stepper.pressure(), pressure_.begin());
+        std::ranges::copy(stepper.surface(), surface_.begin());
+    }
+    point.gained = before.gained + gained;
+}
+
+} // namespace touchdown

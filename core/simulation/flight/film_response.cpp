@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/film_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchdown {
+
+namespace {
+
+constexpr double sameRate = 0.5; // change of a step's rate for which a response is kept [-]
+constexpr int mostIterations = 40;
+
+} // namespace
+
+FilmResponse::FilmResponse(const GasFilm& film, const SliderBody& body) : film_(film), body_(body)
+{
+    for (auto* fields : {&columns_, &responses_})
+        for (auto& field : *fields) field.assign(film.pad().size(), 0.0);
+    for (auto& field : forces_.byPressure) field.assign(film.pad().size(), 0.0);
+}
+
+void FilmResponse::forget()
+{
+    perTime_ = 0.0;
+    stiffness_ = {};
+}
+
+bool FilmResponse::isOld() const
+{
+    return std::abs(film_.storagePerTime() - perTime_) > sameRate * perTime_ || age_ > oldest;
+}
+
+int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn)
+{
+    bool goesOn = true;
+    const auto ask = [&] { return goesOn = goesOn && (!goOn || goOn()); };
+    forget();
+    const double halfLength = 0.5 * film_.gaps().length;
+    film_.attitudeColumns(p, columns_);
+    // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
+    for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= halfLength * columns_[0][at];
+    film_.forceDerivatives(p, forces_);
+    int iterations = 0;
+    const std::size_t count = body_.holdsRoll() ? 2 : 3;
+    for (std::size_t m = 0; m < count; ++m) {
+        if (ask())
+            iterations += linear.solve(columns_[m], responses_[m], {.tolerance = tolerance, .maximumIterations = mostIterations, .goOn = ask}).iterations;
+        if (!goesOn) return iterations;
+        std::array<double, 5> slope{}; // d(load, shear)/dq
+        for (std::size_t k = 0; k < 5; ++k) {
+            double byPressure = 0.0;
+            for (std::size_t at = 0; at < responses_[m].size(); ++at) byPressure += forces_.byPressure[k][at] * responses_[m][at];
+            slope[k] = forces_.byAttitude[k][m] - byPressure;
+            if (m == 1) slope[k] -= halfLength * forces_.byAttitude[k][0];
+        }
+        stiffness_[0][m] = -slope[0];
+        stiffness_[1][m] = -slope[1] + body_.shearArm() * slope[3];
+        stiffness_[2][m] = -slope[2] + body_.shearArm() * slope[4];
+    }
+    perTime_ = film_.storagePerTime();
+    age_ = 0;
+    return iterations;
+}
+
+double FilmResponse::follow(const Vector3& dq, std::span<double> change) const
+{
+    double squares = 0.0;
+    for (std::size_t at = 0; at < change.size(); ++at) {
+        change[at] = -(responses_[0][at] * dq[0] + responses_[1][at] * dq[1] + responses_[2][at] * dq[2]);
+        squares += change[at] * change[at];
+    }
+    return tolerance * std::sqrt(squares / static_cast<double>(film_.pad().cells())) / film_.ambient();
+}
+
+} // namespace touchdown

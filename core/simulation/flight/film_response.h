@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the film answers within a step of time to a small change of the attitude: with J dp = -dR/dq dq its pressure changes by -X dq,
+// X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both lead an iteration and have no part in its result, so that they
+// are kept while a step's length is about the same, for some 200 steps, until steps tell that they are not good any more.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/physics/film/film_newton.h"
+#include "core/simulation/static_state/slider_body.h"
+
+namespace touchdown {
+
+class FilmResponse {
+public:
+    static constexpr double tolerance = 0.03; // of X [-]
+    static constexpr int oldest = 200;        // steps
+
+    /// Film and body must last.
+    FilmResponse(const GasFilm& film, const SliderBody& body);
+
+    bool known() const { return perTime_ > 0.0; }
+    void forget();
+    /// For the film's storage as it is, after so many steps.
+    bool isOld() const;
+    /// A step has been accepted.
+    void age() { ++age_; }
+    /// Steps tell that it is not good any more.
+    void outdate() { age_ = oldest + 1; }
+    /// Of the film at pressures p (padded), by its linear systems, which are those of a pressure near to it; returns the preconditioned
+    /// iterations it took. The first call allocates. `goOn` is asked at each of them; where it says false nothing is known.
+    int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
+
+    /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.
+    const Matrix3& stiffness() const { return stiffness_; }
+    /// change = -X dq (padded) [Pa]; returns by how much that may be wrong, as root mean square against ambient [-].
+    double follow(const Vector3& dq, std::span<double> change) const;
+
+private:
+    const GasFilm& film_;
+    const SliderBody& body_;
+    std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
+    GasFilm::ForceDerivatives forces_;
+    Matrix3 stiffness_{};
+    double perTime_ = 0.0; // of the film's storage that they belong to; zero: none yet [1/s]
+    int age_ = 0;          // in accepted steps
+};
+
+} // namespace touchdown

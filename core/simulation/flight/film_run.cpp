@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/film_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/numerics/events.h"
+#include "core/numerics/wall_clock.h"
+#include "core/simulation/flight/film_books.h"
+#include "core/simulation/flight/film_cost.h"
+#include "core/simulation/flight/film_scene.h"
+#include "core/simulation/flight/law_switch.h"
+#include "core/simulation/flight/step_length.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double firstStep = 2e-9;      // [s]
+constexpr double shortestStep = 1e-14;  // [s]
+constexpr double jumpStep = 1e-11;      // so short a step whose error is too large leads over a jump of the forces [s]
+constexpr double longestShare = 0.01;   // of the run, for a step
+constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
+constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
+constexpr double filmTimeShare = 0.3;   // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
+constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
+constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
+constexpr double chatterSpan = 1e-7;    // within which many switches are chattering [s]
+constexpr int mostTries = 12;           // for one switch
+constexpr double farthest = 1e-4;       // from which no slider comes back [m]
+constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
+
+std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
+
+class FilmRun {
+public:
+    FilmRun(const Case& c, const RunCallback& callback)
+        : case_(c), callback_(callback), scene_(c),
+          length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
+                  c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
+    {
+    }
+
+    Summary run()
+    {
+        const double begin = wallClock();
+        Summary summary;
+        lastCall_ = begin;
+        if (prepare()) advance();
+        if (recorder_) {
+            recorder_->flush();
+            if (recorder_->stopped() && status_ == RunStatus::Completed) stop();
+            recorder_->finish(summary);
+        }
+        summary.status = status_;
+        summary.failure = failure_;
+        summary.message = message_;
+        summary.steps = steps_;
+        summary.rejectedSteps = rejected_;
+        summary.evaluations = filmIterations_;
+        summary.warnings = scene_.warnings();
+        if (cuts_ > 0)
+            summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) + (cuts_ == 1 ? " time: " : " times, first as ") +
+                                       firstCut_ + (case_.film.coupling == FilmCoupling::Staggered ? "; film.coupling = \"monolithic\" has no such limit" : ""));
+        if (jumps_ > 0)
+            summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
+                                       " times where no law switches, as the film's do where its slip changes at once");
+        if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
+            summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
+                                       " times: the air that was left in them is lost, and in no book");
+        if (contact_)
+            for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
+        if (recorder_) addCost(summary);
+        summary.wallSeconds = wallClock() - begin;
+        summary.solverSeconds = summary.wallSeconds - (recorder_ ? recorder_->secondsOutside() : 0.0);
+        return summary;
+    }
+
+private:
+    void addCost(Summary& summary) const
+    {
+        addFigures(stepper_->cost(), summary);
+        const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
+            summary.figures.push_back({{name, unit, unit, longName}, value});
+        };
+        add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load", worstBalance_);
+        add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
+        add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient", worstFilm_);
+        add("energy_balance", "1", "Energy that the books miss, against the largest change of a part", recorder_->energyImbalance());
+    }
+
+    /// False when the run ends here.
+    bool prepare()
+    {
+        switch (scene_.prepare([this] { return goOn(); })) {
+        case FilmScene::State::Stopped: return stop();
+        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message());
+        case FilmScene::State::Ready: break;
+        }
+        contact_ = scene_.contact();
+        body_ = &scene_.body();
+        FilmLevel& level = scene_.level();
+        CoupledStepOptions stepping;
+        stepping.coupling = case_.film.coupling;
+        stepping.tolerance = positionShare * case_.run.stepError;
+        stepping.film.share = filmTimeShare;
+        stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
+                                                     (level.film.ambient() * case_.slider.length * case_.slider.width));
+        stepping.goOn = [this] { return goOn(); };
+        stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
+        if (!goOn()) return stop();
+        SliderMotion motion;
+        motion.q = body_->coordinates(scene_.start());
+        motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity, body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
+        stepper_->start(level.pressure, motion, 0.0);
+        if (stopped_) return stop();
+        if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
+            return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
+        books_.emplace(level.film, *body_, scene_.restEnergy());
+        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), callback_);
+        point_ = pointNow(0.0);
+        books_->begin(*stepper_, point_);
+        recorder_->begin(point_);
+        takeFields();
+        return true;
+    }
+
+    void advance()
+    {
+        const double duration = case_.run.duration;
+        while (stepper_->time() < duration) {
+            if (!recorder_->lookAtClock()) {
+                stop();
+                return;
+            }
+            if (!advanceOnce()) return;
+        }
+    }
+
+    double switchWidth() const { return switchShare * case_.run.stepError; }
+
+    /// No longer than the fastest motion and a moving surface allow.
+    double longestStep() const
+    {
+        double longest = longestShare * case_.run.duration;
+        if (const double rate = stepper_->fastestRate(); rate > 0.0) longest = std::min(longest, StepLength::longestPhase / rate);
+        if (contact_ && stepper_->contactInReach()) longest = std::min(longest, contact_->longestStep());
+        return longest;
+    }
+
+    /// One accepted step, however many tries it takes. False when the run ends here.
+    bool advanceOnce()
+    {
+        double dt = length_.next(point_.dt, (switched_ && !length_.fixed() ? shareAfterSwitch : 1.0) * longestStep());
+        switched_ = false;
+        while (true) {
+            const CoupledStepResult result = tryStep(dt);
+            if (recorder_->stopped()) return stop();
+            const bool jumps = dt < jumpStep && result.converged() && length_.isTooLong(result.timeError);
+            jumps_ += jumps;
+            if (!result.converged() || (length_.isTooLong(result.timeError) && !jumps)) {
+                ++rejected_;
+                if (length_.fixed() && cuts_++ == 0) firstCut_ = reasonOf(result) + " at " + timeText(point_.time);
+                dt = result.converged() ? length_.shortened(dt, result.timeError) : length_.halved(dt);
+                if (dt < shortestStep) return giveUp(result);
+                continue;
+            }
+            if (const std::optional<double> way = wayToSwitchOf(dt)) return goToSwitch(*way);
+            length_.accepted(dt, result.timeError);
+            return takeStep(dt);
+        }
+    }
+
+    CoupledStepResult tryStep(double dt)
+    {
+        const CoupledStepResult result = tried_ = stepper_->step(dt);
+        filmIterations_ += result.filmIterations;
+        recorder_->lookAtClock();
+        return result;
+    }
+
+    bool takeStep(double dt)
+    {
+        stepper_->accept();
+        ++steps_;
+        worstBalance_ = std::max(worstBalance_, tried_.forceBalance);
+        worstLeft_ = std::max(worstLeft_, tried_.positionLeft);
+        worstFilm_ = std::max(worstFilm_, tried_.filmError);
+        const FilmPoint before = point_;
+        point_ = pointNow(dt);
+        books_->add(*stepper_, before, point_);
+        recorder_->add(point_);
+        takeFields();
+        const Attitude attitude = body_->attitude(point_.motion.q);
+        if (contact_)
+            if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
+                return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
+        if (scene_.spacing().at(attitude).spacing > farthest)
+            return fail(RunFailure::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
+                                                 formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
+                                                 " above it");
+        return true;
+    }
+
+    std::optional<double> wayToSwitchOf(double dt) const
+    {
+        if (!contact_) return std::nullopt;
+        FilmPoint end = point_;
+        end.time += dt;
+        end.dt = dt;
+        end.motion = stepper_->tried();
+        return wayToSwitch(*contact_, *body_, point_, end, switchWidth(), shortestStep);
+    }
+
+    /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond. It ends beyond the switch by
+    /// no more than its width, so that the next step begins where its law holds.
+    bool goToSwitch(double length)
+    {
+        double dt = length;
+        SwitchAim aim;
+        for (int k = 0;; ++k) {
+            const CoupledStepResult result = tryStep(dt);
+            if (recorder_->stopped()) return stop();
+            if (!result.converged()) {
+                ++rejected_;
+                return length_.halved(dt) < shortestStep ? giveUp(result) : true;
+            }
+            aim = aimAtSwitch(*contact_, *body_, point_.motion, stepper_->tried(), dt, switchWidth());
+            if (std::abs(aim.miss) <= 0.5 * switchWidth() || k == mostTries || aim.rate == 0.0) break;
+            const double next = dt - aim.miss / aim.rate;
+            if (!(next > 0.1 * dt) || next > 2.0 * length) break;
+            dt = next;
+        }
+        if (!takeStep(dt)) return false;
+        // The way that was looked at is not quite that of the shorter step.
+        if (!aim.reached) return true;
+        recorder_->addEvent(point_.time, contact_->cross(aim.upper));
+        stepper_->restartAcceleration();
+        switched_ = true;
+        const double storedBefore = point_.contact.storedEnergy;
+        point_ = pointNow(dt);
+        // What the law that now holds has stored comes with it.
+        point_.gained += point_.contact.storedEnergy - storedBefore;
+        recorder_->jump(point_);
+        if (switches_.tooMany(point_.time, chatterSpan))
+            return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(ChatterWatch::most) +
+                                               " switches of the contact's law within " + formatQuantity(chatterSpan, "us"));
+        return true;
+    }
+
+    FilmPoint pointNow(double dt) const
+    {
+        return {.time = stepper_->time(), .motion = stepper_->motion(), .filmForce = stepper_->filmForce(),
+                .contact = stepper_->contactForces(), .filmEnergy = point_.filmEnergy, .gained = point_.gained, .dt = dt};
+    }
+
+    /// Maps at equal intervals, of the step that ends next.
+    void takeFields()
+    {
+        const int count = case_.run.fieldSnapshots;
+        const double interval = case_.run.duration / std::max(1, count - 1), reached = stepper_->time() + 1e-9 * interval;
+        if (snapshots_ == count || reached < snapshots_ * interval) return;
+        while (snapshots_ < count && reached >= snapshots_ * interval) ++snapshots_;
+        for (FieldSnapshot& snapshot :
+             scene_.snapshots(stepper_->time(), body_->attitude(stepper_->motion().q), stepper_->pressure()))
+            recorder_->addFields(std::move(snapshot));
+    }
+
+    std::string reasonOf(const CoupledStepResult& result) const
+    {
+        switch (result.failure) {
+        case CoupledFailure::None: return "its error stays above run.step_error";
+        case CoupledFailure::Film: return "the film does not converge";
+        case CoupledFailure::Contact: return stepper_->contactForces().problem;
+        case CoupledFailure::Iteration: return "film and slider do not come to agree";
+        case CoupledFailure::Stopped: break;
+        case CoupledFailure::NotFinite: return "the forces are no numbers";
+        }
+        return {};
+    }
+
+    bool giveUp(const CoupledStepResult& result)
+    {
+        const Attitude last = body_->attitude(point_.motion.q);
+        const RunFailure failure = result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
+        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) + "; the samples end with the last good state, minimum spacing " +
+                                           formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
+    }
+
+    bool end(RunStatus status, RunFailure failure, std::string message)
+    {
+        status_ = status;
+        failure_ = failure;
+        message_ = std::move(message);
+        return false;
+    }
+    bool fail(RunFailure failure, std::string message)
+    {
+        return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure, std::move(message));
+    }
+    bool stop() { return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(recorder_ ? point_.time : 0.0)); }
+
+    /// Asked where there is nothing to tell yet, and within long solutions.
+    bool goOn()
+    {
+        if (recorder_) return recorder_->lookAtClock();
+        if (stopped_ || wallClock() - lastCall_ < longestSilence) return !stopped_;
+        SampleBatch none;
+        none.columns.resize(filmQuantities(case_).size());
+        stopped_ = callback_ && !callback_({0.0, case_.run.duration, none, {}, {}});
+        lastCall_ = wallClock();
+        return !stopped_;
+    }
+
+    const Case& case_;
+    const RunCallback& callback_;
+    FilmScene scene_;
+    const SliderBody* body_ = nullptr;
+    SliderContact* contact_ = nullptr;
+    std::optional<CoupledStepper> stepper_;
+    std::optional<FilmRecorder> recorder_;
+    std::optional<FilmBooks> books_;
+    StepLength length_;
+    FilmPoint point_;        // the last accepted one
+    bool switched_ = false;  // the contact's law, at the last accepted point
+    long long jumps_ = 0;    // of the air's force
+    long long cuts_ = 0;     // of fixed steps
+    std::string firstCut_;
+    CoupledStepResult tried_;
+    double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
+    int snapshots_ = 0;      // taken
+    ChatterWatch switches_;
+    long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
+    RunStatus status_ = RunStatus::Completed;
+    RunFailure failure_ = RunFailure::None;
+    std::string message_;
+    double lastCall_ = 0.0;  // wall clock [s]
+    bool stopped_ = false;   // before there was a recorder
+};
+
+} // namespace
+
+Summary runFilm(const Case& c, const RunCallback& callback) { return FilmRun(c, callback).run(); }
+
+} // namespace touchdown

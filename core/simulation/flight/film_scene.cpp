@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/film_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/physics/film/film_energy.h"
+#include "core/case/disk_setup.h"
+#include "core/simulation/flight/film_run.h"
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+Case staticCase(const Case& c)
+{
+    Case result = c;
+    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria = false;
+    return result;
+}
+
+} // namespace
+
+FilmScene::FilmScene(const Case& c)
+    : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
+{
+}
+
+FilmScene::State FilmScene::fail(std::string message)
+{
+    message_ = std::move(message);
+    return State::Failed;
+}
+
+FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
+{
+    topography_ = diskTopography(case_, goOn);
+    if (!goOn()) return State::Stopped;
+    maps_ = {filmMaps(case_), sliderContactFields(case_, goOn)};
+    if (!goOn()) return State::Stopped;
+    const SteadyResult rest = steady(staticCase(case_), [&](const SteadyProgress&) { return goOn(); });
+    if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
+    const bool fromRest = case_.initial.state == InitialState::Static;
+    if (fromRest && rest.status != SteadyStatus::Converged)
+        return fail("there is no static flying state to start from (initial.state): " + rest.message);
+    // Also where the film alone would balance below the plane of the disk.
+    const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
+    start_ = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
+    if (!balanced)
+        warnings_.push_back("no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
+                            rest.message);
+    body_.emplace(case_, balanced ? rest.attitude : start_);
+    if (fromRest) {
+        Vector3 q = body_->coordinates(rest.attitude);
+        q[0] += case_.initial.heightOffset;
+        q[1] += case_.initial.pitchOffset;
+        if (!body_->holdsRoll()) q[2] += case_.initial.rollOffset;
+        start_ = body_->attitude(q);
+    }
+
+    if (!makeParts(rest, goOn)) return State::Stopped;
+    if (balanced) {
+        level_->film.setAttitude(rest.attitude);
+        restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
+    }
+    const State state = solveStart(goOn);
+    if (!balanced) restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
+    return state;
+}
+
+bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
+{
+    FilmGaps gaps(recess_, rest.grid, goOn);
+    if (!goOn()) return false;
+    level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
+    level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
+    disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
+    if (!goOn()) return false;
+    contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn);
+    return goOn();
+}
+
+FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
+{
+    level_->film.setAttitude(start_);
+    const auto monitor = [&](int, double) { return goOn(); };
+    const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
+    FilmSolution film = level_->flying.solveFilm(level_->pressure, options, monitor);
+    if (!film.converged && !film.cancelled) {
+        std::ranges::fill(level_->pressure, level_->film.ambient());
+        film = level_->flying.solveFilm(level_->pressure, options, monitor);
+    }
+    if (film.cancelled) return State::Stopped;
+    if (film.converged) return State::Ready;
+    const double spacing = spacing_.at(start_).spacing;
+    const std::string height = case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
+    return fail("the film was not solved at the initial attitude, where the minimum spacing is " +
+                formatQuantity(std::round(spacing * 1e13) / 1e13, "nm") +
+                (spacing > 0.0 ? "; start higher (" + height + ") or allow more film.maximum_iterations"
+                               : "; start higher (" + height +
+                                     "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
+}
+
+std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& attitude, std::span<const double> p) const
+{
+    std::vector<FieldSnapshot> result;
+    std::size_t set = 0;
+    if (const RecordedFields& film = maps_[0]; !film.empty()) {
+        FieldSnapshot& snapshot = result.emplace_back(time, set++, std::vector<std::vector<double>>(2));
+        for (int j = 0; j < film.grid.ny(); ++j)
+            for (int i = 0; i < film.grid.nx(); ++i) {
+                const double x = film.grid.centreX(i), y = film.grid.centreY(j);
+                snapshot.values[0].push_back(recess_.at(x, y) + level_->gaps.lift(attitude, x, y));
+            }
+        snapshot.values[1] =
+            transfer(level_->gaps.grid, level_->gaps.pad.unpad<double>(p), level_->film.ambient(), film.grid);
+    }
+    if (contact_ && !maps_[1].empty()) {
+        FieldSnapshot& snapshot = result.emplace_back(time, set, std::vector<std::vector<double>>());
+        contact_->observe(snapshot);
+        if (snapshot.values.empty()) result.pop_back();
+    }
+    return result;
+}
+
+RecordedFields filmMaps(const Case& c)
+{
+    if (c.run.fieldSnapshots == 0) return {};
+    constexpr int mostCells = 128; // along each side
+    RecordedFields maps;
+    maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),
+                           std::min(mostCells, c.film.nodes[1] - 1));
+    maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
+    return maps;
+}
+
+} // namespace touchdown

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run of the film consists of: surface, disk, film on its grid, body, contact, and where it begins. The static state gives the
+// grid, and the suspension the place where it exerts its load.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/slider_body.h"
+#include "core/simulation/contact/slider_contact.h"
+#include "core/simulation/static_state/steady.h"
+
+namespace touchdown {
+
+/// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was ready.
+class FilmScene {
+public:
+    /// `c` is valid, of the model "film", and must last.
+    explicit FilmScene(const Case& c);
+    FilmScene(const FilmScene&) = delete;
+
+    enum class State : std::uint8_t { Ready, Stopped, Failed };
+    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must stay so.
+    State prepare(const std::function<bool()>& goOn);
+    const std::string& message() const { return message_; }                // why it failed
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+    const Recess& recess() const { return recess_; }
+    const MinimumSpacing& spacing() const { return spacing_; }
+    const SliderBody& body() const { return *body_; }
+    FilmLevel& level() { return *level_; }                                 // its pressure: at the start
+    DiskUnderFilm& disk() { return *disk_; }
+    SliderContact* contact() { return contact_.get(); }                    // null: nothing but air acts
+    const Attitude& start() const { return start_; }
+    /// Stored by the air in the static state, or at the start where there is none [J].
+    double restEnergy() const { return restEnergy_; }
+
+    /// Of filmMaps() and of the contact, at pressures p (padded).
+    std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
+
+private:
+    State fail(std::string message);
+    /// Film, disk, contact on the static state's grid. False: stopped.
+    bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
+    State solveStart(const std::function<bool()>& goOn);
+
+    const Case& case_;
+    Recess recess_;
+    MinimumSpacing spacing_;
+    DiskTopography topography_;
+    std::optional<SliderBody> body_;
+    std::unique_ptr<FilmLevel> level_;
+    std::optional<DiskUnderFilm> disk_;
+    std::unique_ptr<SliderContact> contact_;
+    std::vector<RecordedFields> maps_; // of the film, of the contact; may be empty
+    Attitude start_;
+    double restEnergy_ = 0.0;
+    std::string message_;
+    std::vector<std::string> warnings_;
+};
+
+} // namespace touchdown

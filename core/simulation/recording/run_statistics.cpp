@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/recording/run_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/formats/units.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t mostSpectrumSamples = std::size_t{1} << 21; // 16 MiB
+
+// The rule for sustained motion: the swing of the minimum spacing over the last tenth of the run is large enough
+// to matter and has not decayed against the tenth before.
+constexpr double smallestSwing = 0.02e-9; // [m], peak to peak
+constexpr double smallestDecay = 0.9;     // [-], of the swing from tenth to tenth
+
+} // namespace
+
+void BlockStatistics::Block::merge(const Block& other)
+{
+    // Chan, Golub & LeVeque 1979: pairwise update of the sum of squares.
+    const double total = count + other.count;
+    const double difference = other.mean - mean;
+    squares += other.squares + difference * difference * count * other.count / total;
+    mean += difference * other.count / total;
+    count = total;
+    min = std::min(min, other.min);
+    max = std::max(max, other.max);
+}
+
+void BlockStatistics::add(double value)
+{
+    const Block one{1.0, value, 0.0, value, value};
+    if (blocks_.empty() || blocks_.back().count >= double(blockLength_)) {
+        if (blocks_.size() == mostBlocks) {
+            for (std::size_t i = 0; i < mostBlocks / 2; ++i) {
+                blocks_[2 * i].merge(blocks_[2 * i + 1]);
+                blocks_[i] = blocks_[2 * i];
+            }
+            blocks_.resize(mostBlocks / 2);
+            blockLength_ *= 2;
+        }
+        blocks_.push_back(one);
+    } else {
+        blocks_.back().merge(one);
+    }
+}
+
+Statistics BlockStatistics::over(double begin, double end) const
+{
+    if (blocks_.empty()) return {};
+    const double count = double(blocks_.size());
+    const auto first = static_cast<std::size_t>(std::min(begin * count, count - 1.0));
+    const auto last = std::max(first + 1, static_cast<std::size_t>(std::ceil(end * count)));
+    Block sum = blocks_[first];
+    for (std::size_t i = first + 1; i < std::min(last, blocks_.size()); ++i) sum.merge(blocks_[i]);
+    return {sum.mean, std::sqrt(sum.squares / sum.count), sum.min, sum.max};
+}
+
+WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
+{
+    WelchOptions options;
+    options.window = spectrum.window;
+    options.scaling = spectrum.scaling;
+    options.segment = std::max<std::size_t>(8, static_cast<std::size_t>(std::llround(std::min(spectrum.segment / interval, 1e15))));
+    options.overlap = spectrum.overlap;
+    return options;
+}
+
+RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantities)
+    : case_(c), quantities_(quantities), oscillates_(c.model != ModelKind::Contact)
+{
+    for (const char* name : {"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"}) {
+        const int column = findQuantity(quantities, name);
+        if (column >= 0) columns_.push_back(static_cast<std::size_t>(column));
+    }
+    blocks_.resize(columns_.size());
+    spacingColumn_ = static_cast<std::size_t>(findQuantity(quantities, "minimum_spacing"));
+}
+
+void RunStatistics::add(const SampleBatch& batch)
+{
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+        for (const double value : batch.columns[columns_[i]]) blocks_[i].add(value);
+    const std::vector<double>& spacing = batch.columns[spacingColumn_];
+    for (std::size_t i = 0; i < spacing.size(); ++i)
+        if (batch.time[i] >= case_.spectrum.start) spacing_.push_back(spacing[i]);
+    if (spacing_.size() > 2 * mostSpectrumSamples) spacing_.erase(spacing_.begin(), spacing_.end() - mostSpectrumSamples);
+    samples_ += batch.size();
+}
+
+void RunStatistics::finish(Summary& summary) const
+{
+    if (samples_ == 0) return;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const std::string& name = quantities_[columns_[i]].name;
+        summary.tail.emplace_back(name, blocks_[i].over(0.9, 1.0));
+        if (name != "minimum_spacing" || !oscillates_) continue;
+        const Statistics before = blocks_[i].over(0.8, 0.9);
+        const Statistics& tail = summary.tail.back().second;
+        const double swing = tail.max - tail.min;
+        const double swingBefore = before.max - before.min;
+        summary.bouncing = swing > smallestSwing && swing >= smallestDecay * swingBefore;
+        const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
+        summary.bouncingRule = "sustained if the minimum spacing swings by more than " + nm(smallestSwing)
+                               + " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing)
+                               + " after " + nm(swingBefore);
+    }
+    if (!oscillates_) return;
+    const Spectrum spectrum = welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
+    for (const Peak& peak : findPeaks(spectrum, case_.spectrum.scaling)) summary.peaks.push_back({peak.frequency, peak.amplitude});
+}
+
+} // namespace touchdown

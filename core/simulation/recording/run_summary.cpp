@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/recording/run_summary.h"
+
+namespace touchdown {
+
+std::string_view name(RunStatus status)
+{
+    switch (status) {
+    case RunStatus::Completed: return "completed";
+    case RunStatus::Cancelled: return "cancelled";
+    case RunStatus::Diverged: return "diverged";
+    case RunStatus::Failed: return "failed";
+    }
+    return {};
+}
+
+std::string_view name(RunFailure failure)
+{
+    switch (failure) {
+    case RunFailure::None: return "";
+    case RunFailure::Diverged: return "the motion diverged";
+    case RunFailure::NegativeEnergy: return "the total energy became negative";
+    case RunFailure::Chattering: return "chattering";
+    case RunFailure::FrontSpringLost: return "the front air spring is lost for good";
+    case RunFailure::RearSpringLost: return "the rear air spring is lost for good";
+    case RunFailure::Tunnelled: return "a step tunnelled through an air spring";
+    case RunFailure::NoStep: return "no step was short enough";
+    case RunFailure::NotConverged: return "the solution did not converge";
+    case RunFailure::Other: return "it could not go on";
+    }
+    return {};
+}
+
+} // namespace touchdown

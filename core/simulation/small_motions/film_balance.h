@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All forces on a slider of one case at an attitude over which its film is steady, under a flat disk and one law of Ono and Yamane's
+// characteristic:
+//
+//   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
+//
+// K of the suspension, q_0 where it exerts its load: the static state of the film alone. Apart, without contact, that state itself is
+// what is sought, and G has no springs. The film's force has the torques of its shear.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <memory>
+
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/static_state/slider_body.h"
+
+namespace touchdown {
+
+/// Neither copied nor moved: its parts point at each other.
+class FilmBalance {
+public:
+    using GoOn = std::function<bool()>;
+
+    /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. Null where `goOn` ends the making.
+    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn);
+    FilmBalance(const FilmBalance&) = delete;
+
+    /// Takes another's pressure on the same grid for the start of the next solution.
+    void startFrom(const FilmBalance& other);
+    /// Makes the film steady at q; false where it is not solved.
+    bool solve(const Vector3& q, const GoOn& goOn);
+
+    /// Of the following all but spacing() are at the last q.
+    Vector3 force(ContactRegion region);                                // G
+    Eigen::Matrix3d stiffness(ContactRegion region, const GoOn& goOn);  // -dG/dq
+    /// Of small motions about q: the suspension's springs hold the slider apart, too.
+    Eigen::Matrix3d stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
+    Eigen::Matrix3d contactStiffness(ContactRegion region);
+    double netContactForce(ContactRegion region); // [N]
+    /// |G| as a share of the preload [-].
+    double error(const Vector3& force) const;
+    /// Newton's step: where the unknowns have none in a direction, as a held roll's, zero.
+    Vector3 newtonStep(const Eigen::Matrix3d& stiffness, const Vector3& force) const;
+
+    double spacing(const Vector3& q) const { return spacing_.at(body_.attitude(q)).spacing; }
+    /// Two without roll.
+    Eigen::Index unknowns() const { return body_.holdsRoll() ? 2 : 3; }
+    /// Spacings between which a region's law holds [m].
+    Interval interval(ContactRegion region);
+    /// The lowest region with this one's law.
+    ContactRegion lowest(ContactRegion region);
+    /// The region on the touch-down branch, or on the take-off branch, where the pad is at the last q.
+    ContactRegion regionOn(ContactBranch branch) const;
+    struct Beyond {
+        ContactRegion region;
+        std::string name; // "touch-down"
+        bool jumps;       // the force, at the last q
+        bool kinks;       // its slope
+    };
+    Beyond beyond(ContactRegion region, bool upper);
+
+    const Case& setup() const { return case_; }
+    const SliderBody& body() const { return body_; }
+    FilmLevel& level() { return *level_; }
+    const Vector3& place() const { return q_; }
+
+private:
+    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
+    Vector3 contactForce(ContactRegion region);
+    Eigen::Matrix3d filmStiffness(const GoOn& goOn);
+
+    Case case_;
+    MinimumSpacing spacing_;
+    SliderBody body_;
+    SliderLoad load_;
+    std::unique_ptr<FilmLevel> level_;
+    OnoYamaneContact contact_;
+    OnoYamaneLaw law_;
+    Vector3 q_{};
+};
+
+} // namespace touchdown

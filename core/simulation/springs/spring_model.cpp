@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/springs/spring_model.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace touchdown {
+
+namespace {
+
+/// A spring without stiffness never carries, wherever the slider is: it is not there.
+AirSpring airSpring(const SpringsCase& springs, double stiffness, double staticSpacing)
+{
+    const double cutoff = stiffness > 0.0 ? springs.cutoff : std::numeric_limits<double>::infinity();
+    return {.stiffness = stiffness, .staticSpacing = staticSpacing, .cutoff = cutoff};
+}
+
+double square(double x) { return x * x; }
+
+} // namespace
+
+SpringModel::SpringModel(const Case& c)
+    : case_(c),
+      contact_(c.onoYamane),
+      hasContact_(c.contact == ContactKind::OnoYamane),
+      frontDistance_(c.springs.frontDistance),
+      rearDistance_(c.springs.rearDistance),
+      padDistance_(c.onoYamane.padDistance),
+      inverseMass_(1.0 / c.slider.mass),
+      inverseInertia_(1.0 / c.slider.pitchInertia)
+{
+    const double mass = c.slider.mass;
+    const double inertia = c.slider.pitchInertia;
+    const SpringsCase& s = c.springs;
+    const SuspensionCase& suspension = c.suspension;
+
+    static_ << s.flyingHeight + padDistance_ * s.pitch, s.pitch, 0.0, 0.0;
+    initial_ << c.initial.flyingHeight + padDistance_ * c.initial.pitch, c.initial.pitch, c.initial.verticalVelocity, c.initial.pitchVelocity;
+    front_ = airSpring(s, s.frontStiffness, frontSpacing(static_));
+    rear_ = airSpring(s, s.rearStiffness, rearSpacing(static_));
+
+    frontDamping_ = 2.0 * s.frontDampingRatio * std::sqrt(mass * s.frontStiffness);
+    rearDamping_ = 2.0 * s.rearDampingRatio * std::sqrt(mass * s.rearStiffness);
+    damping_ = 2.0 * suspension.dampingRatio * std::sqrt(mass * suspension.stiffness);
+    pitchDamping_ = 2.0 * suspension.pitchDampingRatio * std::sqrt(inertia * suspension.pitchStiffness);
+
+    const double frontStrength = front_.stiffness * square(front_.staticSpacing);
+    const double rearStrength = rear_.stiffness * square(rear_.staticSpacing);
+    frontVertical_ = frontStrength * inverseMass_;
+    rearVertical_ = rearStrength * inverseMass_;
+    frontPitch_ = frontDistance_ * frontStrength * inverseInertia_;
+    rearPitch_ = -rearDistance_ * rearStrength * inverseInertia_;
+
+    const double coupling = frontDamping_ * frontDistance_ - rearDamping_ * rearDistance_;
+    linear_.row(0) << -suspension.stiffness, 0.0, -(damping_ + frontDamping_ + rearDamping_), -coupling;
+    linear_.row(1) << 0.0, -suspension.pitchStiffness, -coupling,
+        -(pitchDamping_ + frontDamping_ * square(frontDistance_) + rearDamping_ * square(rearDistance_));
+    linear_.row(0) *= inverseMass_;
+    linear_.row(1) *= inverseInertia_;
+
+    if (hasContact_) {
+        const double arm = 0.5 * c.slider.thickness * c.onoYamane.friction;
+        for (const ContactRegion region : {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
+            const AffineForce real = contact_.contactLaw(region);
+            const AffineForce adhesion = contact_.adhesionLaw(region);
+            ContactRow& row = contactRows_[static_cast<std::size_t>(region)];
+            row.lower = contact_.interval(region).lower;
+            row.upper = contact_.interval(region).upper;
+            row.z0 = (real.constant + adhesion.constant) * inverseMass_;
+            row.z1 = (real.slope + adhesion.slope) * inverseMass_;
+            row.theta0 = -(padDistance_ * (real.constant + adhesion.constant) + arm * real.constant) * inverseInertia_;
+            row.theta1 = -(padDistance_ * (real.slope + adhesion.slope) + arm * real.slope) * inverseInertia_;
+        }
+    }
+
+    const double contactStiffness = hasContact_ ? c.onoYamane.contactStiffness : 0.0;
+    const double bearing = s.frontStiffness + s.rearStiffness + suspension.stiffness;
+    const double turning = s.frontStiffness * square(frontDistance_) + s.rearStiffness * square(rearDistance_) + suspension.pitchStiffness;
+    const double omega = std::sqrt(std::max(bearing / mass, turning / inertia)); // [rad/s]
+    const double fastest = std::sqrt(std::max((bearing + contactStiffness) / mass, (turning + contactStiffness * square(padDistance_)) / inertia));
+    period_ = fastest > 0.0 ? 2.0 * std::numbers::pi / fastest : c.run.duration;
+
+    const double spacing = std::max({std::abs(s.flyingHeight), 1e-3 * std::abs(c.initial.flyingHeight - s.flyingHeight), 1e-10}); // [m]
+    const double arm = std::max({frontDistance_, rearDistance_, std::abs(padDistance_), 1e-6});                                   // [m]
+    const double rate = omega > 0.0 ? omega : 1.0 / period_;                                                                      // [1/s]
+    scale_ << spacing, spacing / arm, spacing * rate, spacing / arm * rate;
+
+    double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) + suspension.pitchStiffness * square(static_[1]);
+    if (hasContact_) stored += contactEnergyBound();
+    energyBound_ = 1e4 * (energy(initial_) + stored);
+}
+
+SpringModel::Mode SpringModel::initialMode() const
+{
+    Mode mode;
+    mode.frontSpring = frontSpacing(initial_) > front_.cutoff;
+    mode.rearSpring = rearSpacing(initial_) > rear_.cutoff;
+    if (hasContact_) mode.contact = contact_.region(case_.initial.branch, separation(initial_));
+    return mode;
+}
+
+SpringModel::Mode SpringModel::lawAt(Mode mode, double d, double zf, double zr) const
+{
+    return {zf > front_.cutoff, zr > rear_.cutoff,
+            hasContact_ ? contact_.region(OnoYamaneLaw::branch(mode.contact), d) : ContactRegion::Apart};
+}
+
+SpringModel::Mode SpringModel::naiveMode(const State& y, Mode mode) const
+{
+    const double d = separation(y);
+    const double zf = frontSpacing(y);
+    const double zr = rearSpacing(y);
+    if (holds(mode, d, zf, zr)) return mode;
+    Mode next = lawAt(mode, d, zf, zr);
+    if (hasContact_) next.contact = contact_.region(contact_.nextBranch(OnoYamaneLaw::branch(mode.contact), d), d);
+    return next;
+}
+
+Eigen::RowVector2d SpringModel::guardSizes(int guard) const
+{
+    const double arm = guard == Pad ? padDistance_ : guard == Front ? frontDistance_ : rearDistance_;
+    return {1.0, std::abs(arm)};
+}
+
+Interval SpringModel::interval(int guard, Mode mode) const
+{
+    if (guard == Pad) return hasContact_ ? contact_.interval(mode.contact) : Interval{};
+    const AirSpring& spring = guard == Front ? front_ : rear_;
+    const bool carries = guard == Front ? mode.frontSpring : mode.rearSpring;
+    return carries ? Interval{.lower = spring.cutoff} : Interval{.upper = spring.cutoff};
+}
+
+SpringModel::Mode SpringModel::beyond(Mode mode, int guard, bool upper) const
+{
+    if (guard == Pad) mode.contact = contact_.beyond(mode.contact, upper);
+    else (guard == Front ? mode.frontSpring : mode.rearSpring) = upper;
+    return mode;
+}
+
+double SpringModel::period(const State& y, Mode mode) const
+{
+    // The larger of the eigenvalues of a 2 x 2 matrix is at most (|trace| + sqrt|trace^2 - 4 determinant|)/2.
+    const Eigen::Matrix2d stiffness = jacobian(y, mode).leftCols<2>(); // [1/s^2] on the diagonal
+    const double trace = std::abs(stiffness.trace());
+    const double largest = 0.5 * (trace + std::sqrt(std::abs(square(trace) - 4.0 * stiffness.determinant())));
+    return largest > 0.0 ? std::min(period_, 2.0 * std::numbers::pi / std::sqrt(largest)) : period_;
+}
+
+double SpringModel::contactEnergyBound() const
+{
+    const OnoYamane& p = case_.onoYamane;
+    const double force = p.initialContactForce + p.meniscusForce;
+    const double start = contact_.storedEnergy(initialMode().contact, separation(initial_));
+    const double pressed = p.contactStiffness > 0.0 ? square(force) / p.contactStiffness : 0.0;
+    // With nothing to push back, the meniscus pulls as long as the run lasts.
+    const double fall = p.contactStiffness > 0.0 ? 0.0 : square(force * case_.run.duration) * (inverseMass_ + square(padDistance_) * inverseInertia_);
+    return start + pressed + fall + force * (p.takeOff - p.touchDown);
+}
+
+double SpringModel::kineticEnergy(const State& y) const
+{
+    return 0.5 * case_.slider.mass * square(y[2]) + 0.5 * case_.slider.pitchInertia * square(y[3]);
+}
+
+double SpringModel::suspensionEnergy(const State& y) const
+{
+    return 0.5 * case_.suspension.stiffness * square(y[0] - static_[0]) + 0.5 * case_.suspension.pitchStiffness * square(y[1] - static_[1]);
+}
+
+double SpringModel::airSpringEnergy(const State& y) const
+{
+    return front_.potential(frontSpacing(y)) + rear_.potential(rearSpacing(y));
+}
+
+double SpringModel::energy(const State& y) const { return kineticEnergy(y) + airSpringEnergy(y) + suspensionEnergy(y); }
+
+double SpringModel::power(const State& y, Mode mode) const
+{
+    const Guards rate = guards(y.tail<2>());
+    double power = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]) + frontDamping_ * square(rate[Front]) + rearDamping_ * square(rate[Rear]));
+    if (hasContact_) {
+        const double real = contact_.contactForce(mode.contact, separation(y));
+        power += (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
+        power -= 0.5 * case_.slider.thickness * case_.onoYamane.friction * real * y[3];
+    }
+    return power;
+}
+
+Eigen::Matrix<double, 2, 4> SpringModel::jacobian(const State& y, Mode mode) const
+{
+    Eigen::Matrix<double, 2, 4> j = linear_;
+    const double front = mode.frontSpring ? front_.tangent(frontSpacing(y)) : 0.0;
+    const double rear = mode.rearSpring ? rear_.tangent(rearSpacing(y)) : 0.0;
+    const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
+    j(0, 0) += (front + rear) * inverseMass_ + contact.z1;
+    j(0, 1) += (front * frontDistance_ - rear * rearDistance_) * inverseMass_ - contact.z1 * padDistance_;
+    j(1, 0) += (front * frontDistance_ - rear * rearDistance_) * inverseInertia_ + contact.theta1;
+    j(1, 1) += (front * square(frontDistance_) + rear * square(rearDistance_)) * inverseInertia_ - contact.theta1 * padDistance_;
+    return j;
+}
+
+std::string SpringModel::eventName(int guard, Mode before, Mode after) const
+{
+    if (guard == Front) return after.frontSpring ? "front spring caught" : "front spring lost";
+    if (guard == Rear) return after.rearSpring ? "rear spring caught" : "rear spring lost";
+    switch (after.contact) {
+    case ContactRegion::Apart: return "take-off";
+    case ContactRegion::Pressed: return before.contact == ContactRegion::Apart ? "touch-down" : "pressed again";
+    case ContactRegion::Lifting: return before.contact == ContactRegion::Pressed ? "lifting" : "pressed on menisci";
+    case ContactRegion::Bridged: return "held by menisci";
+    }
+    return {};
+}
+
+std::vector<Quantity> SpringModel::quantities(const Case& c)
+{
+    std::vector<Quantity> list{
+        {"flying_height", "m", "nm", "Flying height at the contact pad"},
+        {"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres"},
+        {"pitch", "rad", "urad", "Pitch"},
+        {"height", "m", "nm", "Height of the mass centre"},
+        {"front_spacing", "m", "nm", "Spacing at the front pressure centre"},
+        {"rear_spacing", "m", "nm", "Spacing at the rear pressure centre"},
+        {"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"},
+        {"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"},
+        {"air_bearing_force", "N", "mN", "Air bearing force, from that of the static state"},
+        {"kinetic_energy", "J", "pJ", "Kinetic energy"},
+        {"air_spring_energy", "J", "pJ", "Energy of the air springs"},
+        {"suspension_energy", "J", "pJ", "Energy of the suspension"},
+        {"energy", "J", "pJ", "Total energy without that of the contact"},
+    };
+    if (c.contact == ContactKind::OnoYamane) {
+        list.insert(list.end(), {
+            {"contact_force", "N", "mN", "Real contact force"},
+            {"adhesion_force", "N", "mN", "Adhesion force"},
+            {"net_contact_force", "N", "mN", "Net contact force"},
+            {"friction_force", "N", "mN", "Friction force"},
+            {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
+        });
+    }
+    return list;
+}
+
+void SpringModel::observe(const State& y, Mode mode, double* values) const
+{
+    const double d = separation(y);
+    const double zf = frontSpacing(y);
+    const double zr = rearSpacing(y);
+    const Guards rate = guards(y.tail<2>());
+    const PotentialBelowCutoff potential = case_.springs.potential;
+    const double kinetic = kineticEnergy(y);
+    const double air = front_.potential(zf, potential) + rear_.potential(zr, potential);
+    const double suspension = suspensionEnergy(y);
+
+    *values++ = d;
+    *values++ = std::min({d, zf, zr});
+    *values++ = y[1];
+    *values++ = y[0];
+    *values++ = zf;
+    *values++ = zr;
+    *values++ = y[2];
+    *values++ = y[3];
+    *values++ = (mode.frontSpring ? front_.force(zf) : 0.0) + (mode.rearSpring ? rear_.force(zr) : 0.0) - frontDamping_ * rate[Front]
+                - rearDamping_ * rate[Rear];
+    *values++ = kinetic;
+    *values++ = air;
+    *values++ = suspension;
+    *values++ = kinetic + air + suspension;
+    if (hasContact_) {
+        const double real = contact_.contactForce(mode.contact, d);
+        const double adhesion = contact_.adhesionForce(mode.contact, d);
+        *values++ = real;
+        *values++ = adhesion;
+        *values++ = real + adhesion;
+        *values++ = case_.onoYamane.friction * real;
+        *values++ = contact_.storedEnergy(mode.contact, d);
+    }
+}
+
+} // namespace touchdown

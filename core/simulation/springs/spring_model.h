@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The 2-DOF slider of Ono & Yamane (Chen & Bogy, section 4, equations (1)-(5), Fig. 9): two lumped air springs,
+// the suspension, and the five-parameter contact at a pad.
+//
+//   z_f = z + d_f theta,  z_r = z - d_r theta,  d = z - d_h theta
+//   M z''     = F_f + F_r + F_c - k (z - z_0) - c z'
+//   J theta'' = d_f F_f - d_r F_r - d_h F_c - (b/2) mu F_cr - k_theta (theta - theta_0) - c_theta theta'
+//   F_i = k_i0 z_i0^2/z_i^2 (z_i0 - z_i) [z_i > d_1] - c_i z_i',   c_i = 2 xi_i sqrt(M k_i0)
+//
+// z is the height of the mass centre's foot above the mean plane of the disk, theta > 0 has the leading edge up.
+// Friction and pad force both press the nose down (the paper prints + d_h F_c: its d_h is a signed coordinate).
+// Energy as in equation (5), with the k_theta term that the paper omits and J where it prints m; zero at rest.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/numerics/interval.h"
+#include "core/physics/film/air_spring.h"
+#include "core/physics/contact/ono_yamane.h"
+#include "core/case/case.h"
+#include "core/simulation/recording/quantity.h"
+
+namespace touchdown {
+
+class SpringModel {
+public:
+    using State = Eigen::Vector4d; // z [m], theta [rad], z' [m/s], theta' [rad/s]
+    using Guards = Eigen::Vector3d;
+
+    /// Which law holds.
+    struct Mode {
+        bool frontSpring = true;
+        bool rearSpring = true;
+        ContactRegion contact = ContactRegion::Apart;
+        bool operator==(const Mode&) const = default;
+    };
+
+    /// Switching quantities: the separation of the pad, and the spacings of the two air springs [m].
+    enum Guard { Pad, Front, Rear };
+    static constexpr int guardCount = 3;
+
+    /// `c` must be valid (checkCombinations).
+    explicit SpringModel(const Case& c);
+
+    State initialState() const { return initial_; }
+    Mode initialMode() const;
+    /// The state of static equilibrium without contact.
+    State staticState() const { return static_; }
+    /// M [kg], J [kg m^2].
+    Eigen::Vector2d inertia() const { return {1.0 / inverseMass_, 1.0 / inverseInertia_}; }
+
+    // What the integrators ask: see core/numerics/switched_system.h.
+    State derivative(const State& y, Mode mode) const { return derivative(y, mode, separation(y), frontSpacing(y), rearSpacing(y)); }
+    State naiveDerivative(const State& y, Mode mode) const
+    {
+        const double d = separation(y);
+        const double zf = frontSpacing(y);
+        const double zr = rearSpacing(y);
+        return derivative(y, holds(mode, d, zf, zr) ? mode : lawAt(mode, d, zf, zr), d, zf, zr);
+    }
+    Mode naiveMode(const State& y, Mode mode) const;
+    Guards guards(const Eigen::Vector2d& q) const
+    {
+        return {q[0] - padDistance_ * q[1], q[0] + frontDistance_ * q[1], q[0] - rearDistance_ * q[1]};
+    }
+    Eigen::RowVector2d guardSizes(int guard) const;
+    Interval interval(int guard, Mode mode) const;
+    Mode beyond(Mode mode, int guard, bool upper) const;
+    bool isWall(int guard) const { return guard != Pad; }
+    State scale() const { return scale_; }
+    /// Kinetic, air spring and suspension energy, without that of the contact [J]; the air springs' held below d_1.
+    double energy(const State& y) const;
+    /// Power of dashpots, contact and friction on the slider [W].
+    double power(const State& y, Mode mode) const;
+    /// Derivatives of (z'', theta'') by the state.
+    Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const;
+
+    /// Shortest time scale of the motion about the static state and in contact [s].
+    double shortestPeriod() const { return period_; }
+    /// That of the motion near y, where an air spring may be much stiffer [s].
+    double period(const State& y, Mode mode) const;
+    /// An energy that a sane run stays far below [J].
+    double energyBound() const { return energyBound_; }
+
+    /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
+    std::string eventName(int guard, Mode before, Mode after) const;
+
+    static std::vector<Quantity> quantities(const Case& c);
+    /// All quantities of one state, in the order of quantities(); `values` has their size.
+    void observe(const State& y, Mode mode, double* values) const;
+
+private:
+    State derivative(const State& y, Mode mode, double d, double zf, double zr) const
+    {
+        const double front = mode.frontSpring ? (front_.staticSpacing - zf) / (zf * zf) : 0.0;
+        const double rear = mode.rearSpring ? (rear_.staticSpacing - zr) / (zr * zr) : 0.0;
+        const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
+        const double z = y[0] - static_[0];
+        const double theta = y[1] - static_[1];
+        // The springs' divisions take longest: everything else is summed while they run.
+        const double vertical = ((linear_(0, 0) * z + (contact.z0 + contact.z1 * d)) + (linear_(0, 2) * y[2] + linear_(0, 3) * y[3]))
+                                + (frontVertical_ * front + rearVertical_ * rear);
+        const double pitch = ((linear_(1, 1) * theta + (contact.theta0 + contact.theta1 * d)) + (linear_(1, 2) * y[2] + linear_(1, 3) * y[3]))
+                             + (frontPitch_ * front + rearPitch_ * rear);
+        return {y[2], y[3], vertical, pitch};
+    }
+    /// True where the laws of a mode are those of the spacings themselves.
+    bool holds(Mode mode, double d, double zf, double zr) const
+    {
+        const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
+        return mode.frontSpring == (zf > front_.cutoff) && mode.rearSpring == (zr > rear_.cutoff) && d > contact.lower && d < contact.upper;
+    }
+    /// The laws at given spacings, on the branch of a mode.
+    Mode lawAt(Mode mode, double d, double zf, double zr) const;
+    double separation(const State& y) const { return y[0] - padDistance_ * y[1]; }
+    double frontSpacing(const State& y) const { return y[0] + frontDistance_ * y[1]; }
+    double rearSpacing(const State& y) const { return y[0] - rearDistance_ * y[1]; }
+    /// An energy of the order of the largest that the contact law stores or gives, or more [J].
+    double contactEnergyBound() const;
+    double suspensionEnergy(const State& y) const;
+    double kineticEnergy(const State& y) const;
+    double airSpringEnergy(const State& y) const;
+
+    /// Acceleration by contact and friction, affine in the separation d: z0 + z1 d [m/s^2], theta0 + theta1 d [rad/s^2];
+    /// and the separations between which it holds [m].
+    struct ContactRow {
+        double z0 = 0.0, z1 = 0.0, theta0 = 0.0, theta1 = 0.0;
+        double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+    };
+
+    Case case_;
+    AirSpring front_;
+    AirSpring rear_;
+    OnoYamaneLaw contact_;
+    bool hasContact_;
+    double frontDistance_, rearDistance_, padDistance_; // [m]
+    double inverseMass_, inverseInertia_;               // [1/kg], [1/(kg m^2)]
+    double frontVertical_, rearVertical_;               // k_i0 z_i0^2/M [m^2/s^2]
+    double frontPitch_, rearPitch_;                     // d_f k_f0 z_f0^2/J, -d_r k_r0 z_r0^2/J [m rad/s^2]
+    double frontDamping_, rearDamping_, damping_, pitchDamping_; // [N s/m], the last [N m s/rad]
+    Eigen::Matrix<double, 2, 4> linear_;                // suspension and dashpots, as accelerations
+    std::array<ContactRow, 4> contactRows_;
+    State static_, initial_, scale_;
+    double period_;      // [s]
+    double energyBound_; // [J]
+};
+
+} // namespace touchdown

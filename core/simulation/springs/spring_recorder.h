@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Turns the accepted steps of the spring model into batches of samples.
+#pragma once
+
+#include <vector>
+
+#include "core/simulation/recording/run_updates.h"
+#include "core/simulation/springs/spring_books.h"
+#include "core/simulation/springs/spring_model.h"
+
+namespace touchdown {
+
+/// Takes the samples that a step passes from its dense output; hands them on in batches.
+class SpringRecorder {
+public:
+    using State = SpringModel::State;
+    using Mode = SpringModel::Mode;
+
+    /// How the run ends when its samples say so.
+    struct Verdict {
+        RunStatus status = RunStatus::Completed;
+        RunFailure failure = RunFailure::None;
+        std::string message;
+    };
+
+    struct Point {
+        double time = 0.0; // [s]
+        State y;
+        Mode mode;
+    };
+
+    SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities, const RunCallback& callback);
+
+    /// The start itself.
+    void begin(const State& y, Mode mode);
+    template <class At>
+    bool step(double t1, const State& y1, Mode mode, At&& at)
+    {
+        while (nextTime_ <= t1 + slack_) {
+            points_[filled_++] = {nextTime_, nextTime_ >= t1 - slack_ ? y1 : at(nextTime_), mode};
+            nextTime_ = double(++index_) * interval_;
+            if (filled_ == points_.size()) {
+                flush();
+                if (!goOn_) return false;
+            }
+        }
+        last_ = {t1, y1, mode};
+        if (books) books->add(t1, y1, mode);
+        if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
+        return goOn_;
+    }
+    void event(double time, int guard, bool upper, Mode before, Mode after);
+    /// Hands on what is left; call once after the last step.
+    void flush();
+
+    /// The last state that can be trusted.
+    const Point& last() const { return last_; }
+    const Verdict& verdict() const { return verdict_; }
+    /// Wall time spent in batches and callbacks [s].
+    double secondsOutside() const { return updates_.secondsOutside(); }
+    const std::vector<RunEvent>& events() const { return updates_.events(); }
+    /// When the front or rear spring was lost and has not come back; negative if it carries [s].
+    double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
+
+    /// What receives each batch besides the callback.
+    std::function<void(const SampleBatch&)> batchSeen;
+    /// Kept from begin() on; may be null.
+    SpringBooks* books = nullptr;
+
+private:
+    static constexpr int stepsBetweenLooks = 1024;
+    void lookAtClock();
+    bool judge(const Point& point, const double* values);
+
+    const SpringModel& model_;
+    std::vector<Point> points_;
+    std::size_t filled_ = 0;
+    double interval_, slack_; // [s]
+    double nextTime_ = 0.0;   // of the next sample [s]
+    long long index_ = 0;     // of the next sample
+    int stepsSinceLook_ = 0;
+    bool goOn_ = true;
+    Point last_;
+    Point lastGood_; // the newest that was looked at and sane
+    Verdict verdict_;
+    std::vector<double> values_;
+    std::size_t energyColumn_;
+    std::array<double, 2> lostSince_{-1.0, -1.0};
+    RunUpdates updates_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/springs/spring_run.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "core/case/fields.h"
+#include "core/formats/units.h"
+#include "core/numerics/adaptive.h"
+#include "core/numerics/cvode.h"
+#include "core/numerics/fixed_step.h"
+#include "core/numerics/newmark.h"
+#include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/springs/spring_books.h"
+
+namespace touchdown {
+
+IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)
+{
+    const Start<SpringModel> start{model.initialState(), model.initialMode()};
+    const double until = c.run.duration;
+    const FixedStepOptions fixed{.step = step};
+    const AdaptiveOptions adaptive{.tolerance = c.run.tolerance, .firstStep = 1e-3 * model.shortestPeriod()};
+    recorder.begin(start.y, start.mode);
+    switch (c.run.integrator) {
+    case IntegratorKind::Rk4: return integrateNaively(model, start, until, fixed, recorder);
+    case IntegratorKind::Rk4Events: return integrateFixed(model, Rk4Stepper<SpringModel>(model), start, until, fixed, recorder);
+    case IntegratorKind::Newmark: {
+        const NewmarkOptions options{.beta = c.run.newmarkBeta, .gamma = c.run.newmarkGamma};
+        return integrateFixed(model, NewmarkStepper<SpringModel>(model, options), start, until, fixed, recorder);
+    }
+    case IntegratorKind::Dopri5: break;
+    case IntegratorKind::Cvode:
+        if constexpr (haveCvode) return integrateCvode(model, start, until, adaptive, recorder);
+        break;
+    }
+    return integrateAdaptive(model, start, until, adaptive, recorder);
+}
+
+namespace {
+
+constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
+constexpr double looseTolerance = 1e-4;     // from which on the energy of an adaptive run is looked at [-]
+constexpr double mostMissing = 0.01;        // that its books may miss, of the largest change of a part [-]
+
+std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "us"); }
+std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
+std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
+
+bool hasFixedStep(IntegratorKind integrator) { return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode; }
+
+/// Why the integrator ended, for a person.
+SpringRecorder::Verdict explain(const IntegrationResult& result)
+{
+    const std::string at = " at " + time(result.time);
+    switch (result.end) {
+    case IntegrationEnd::Reached:
+    case IntegrationEnd::Stopped: return {};
+    case IntegrationEnd::Diverged:
+        return {RunStatus::Diverged, RunFailure::Diverged, "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
+    case IntegrationEnd::StepUnderflow:
+        return {RunStatus::Failed, RunFailure::NoStep, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
+    case IntegrationEnd::NewtonFailed:
+        return {RunStatus::Failed, RunFailure::NotConverged, "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
+    case IntegrationEnd::Chattering:
+        return {RunStatus::Failed, RunFailure::Chattering, "chattering" + at + ": more than 64 switches within one period of the fastest motion; the contact law holds the pad between two laws (d_e close to d_s)"};
+    case IntegrationEnd::Tunnelled:
+        return {RunStatus::Failed, RunFailure::Tunnelled, "a step tunnelled through the wall of an air spring" + at + ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
+    }
+    return {};
+}
+
+/// A spring that does not carry at the end, and has not for the last tenth of the run, is lost for good.
+SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringModel& model, double duration)
+{
+    for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
+        const double since = recorder.lostSince(guard);
+        if (since < 0.0 || since > 0.9 * duration) continue;
+        const auto& [t, y, mode] = recorder.last();
+        const bool pressed = mode.contact == ContactRegion::Pressed || mode.contact == ContactRegion::Lifting;
+        const RunFailure failure = guard == SpringModel::Rear ? RunFailure::RearSpringLost : RunFailure::FrontSpringLost;
+        return {RunStatus::Failed, failure, std::string(name(failure)) + " since " + time(since)
+                                       + (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") + spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", "
+                                       + angle(y[1]) + ": outside the model"};
+    }
+    return {};
+}
+
+Summary runOnce(const Case& c, double step, const RunCallback& callback, const RunOptions& options = {})
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<Quantity> quantities = SpringModel::quantities(c);
+    const SpringModel model(c);
+    SpringRecorder recorder(model, c, quantities, callback);
+    RunStatistics statistics(c, quantities);
+    recorder.batchSeen = [&](const SampleBatch& batch) { statistics.add(batch); };
+    SpringBooks books(model, c);
+    const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
+    if (options.energyBooks || loose) recorder.books = &books;
+
+    const auto solverBegin = std::chrono::steady_clock::now();
+    const IntegrationResult result = integrateSprings(model, c, step, recorder);
+    const double integration = std::chrono::duration<double>(std::chrono::steady_clock::now() - solverBegin).count();
+    const double outside = recorder.secondsOutside();
+    recorder.flush();
+
+    Summary summary;
+    summary.steps = result.steps;
+    summary.rejectedSteps = result.rejectedSteps;
+    summary.evaluations = result.evaluations;
+    summary.solverSeconds = integration - outside;
+    SpringRecorder::Verdict verdict = recorder.verdict();
+    if (verdict.status == RunStatus::Completed) verdict = explain(result);
+    if (verdict.status == RunStatus::Completed) verdict = lostSpring(recorder, model, c.run.duration);
+    summary.status = verdict.status;
+    summary.failure = verdict.failure;
+    summary.message = verdict.message;
+    summary.endTime = recorder.last().time;
+    summary.events = recorder.events();
+
+    std::vector<double> values(quantities.size());
+    model.observe(recorder.last().y, recorder.last().mode, values.data());
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        if (std::isfinite(values[i])) summary.final.emplace_back(quantities[i].name, values[i]);
+    statistics.finish(summary);
+    if (loose && books.imbalance() > mostMissing)
+        summary.warnings.push_back("the books of the energy miss " + formatNumber(std::round(1e3 * books.imbalance()) / 10.0) +
+                                   " % of its largest change: run.tolerance is too loose for this run to be trusted");
+    if (options.energyBooks)
+        summary.figures.push_back({{"energy_balance", "1", "1", "Energy that the books miss, against the largest change of a part"}, books.imbalance()});
+    summary.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return summary;
+}
+
+double finalValue(const Summary& summary, std::string_view name)
+{
+    for (const auto& [quantity, value] : summary.final)
+        if (quantity == name) return value;
+    return NAN;
+}
+
+Statistics tailOf(const Summary& summary, std::string_view name)
+{
+    for (const auto& [quantity, statistics] : summary.tail)
+        if (quantity == name) return statistics;
+    return {NAN, NAN, NAN, NAN};
+}
+
+/// Runs again with half the step and compares where the slider ends.
+StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callback)
+{
+    SampleBatch none;
+    none.columns.resize(SpringModel::quantities(c).size());
+    const RunCallback stopOnly = [&](const RunUpdate& update) {
+        return !callback || callback({c.run.duration, update.duration, none, {}, {}});
+    };
+    StepCheck check;
+    check.step = 0.5 * c.run.step;
+    const Summary half = runOnce(c, check.step, stopOnly);
+    check.flyingHeight = finalValue(half, "flying_height");
+    check.pitch = finalValue(half, "pitch");
+    const auto [before, spreadBefore, least, most] = tailOf(full, "flying_height");
+    const auto [after, spreadAfter, leastAfter, mostAfter] = tailOf(half, "flying_height");
+    const bool sameMean = std::abs(before - after) <= sameFlyingHeight;
+    check.sameEndState = half.status == full.status && sameMean && std::abs(spreadBefore - spreadAfter) <= sameFlyingHeight;
+    const std::string halved = "halving the step to " + formatQuantity(check.step, "ns");
+    if (half.status == RunStatus::Cancelled) {
+        check.message = halved + " was stopped before it ended";
+    } else if (half.status != full.status) {
+        check.message = halved + " changes how the run ends: " + (half.message.empty() ? "it completes" : half.message);
+    } else if (check.sameEndState) {
+        check.message = halved + " leads to the same end state (mean flying height " + spacing(after) + ")";
+    } else if (sameMean) {
+        check.message = halved + " changes the end state: the spread of the flying height in the last tenth goes from " + spacing(spreadBefore) + " to " +
+                        spacing(spreadAfter) + ", so this run has not converged in time";
+    } else {
+        check.message = halved + " changes the end state: the mean flying height of the last tenth goes from " + spacing(before) + " to " + spacing(after)
+                        + ", so this run has not converged in time";
+    }
+    return check;
+}
+
+} // namespace
+
+Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options)
+{
+    Summary summary = runOnce(c, c.run.step, callback, options);
+    summary.model = toText(c, *findField("model"));
+    summary.integrator = toText(c, *findField("run.integrator"));
+    if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled && !summary.tail.empty()) {
+        summary.stepCheck = checkStep(c, summary, callback);
+        if (!summary.stepCheck->sameEndState) summary.warnings.push_back(summary.stepCheck->message);
+    }
+    return summary;
+}
+
+} // namespace touchdown

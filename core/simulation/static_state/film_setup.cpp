@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/film_setup.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchdown {
+
+Air airOf(const AirCase& air)
+{
+    switch (air.source) {
+    case AirSource::Atmosphere: return airAt(air.altitude, air.temperature);
+    case AirSource::EstablishedStandard: return establishedStandardAir;
+    case AirSource::Given: break;
+    }
+    return air.given;
+}
+
+FilmSetting filmSetting(const Case& c)
+{
+    return {.air = airOf(c.air), .slip = c.air.slip, .disk = c.disk, .scheme = c.film.scheme};
+}
+
+std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
+{
+    constexpr int coarsest = 32; // cells along the shorter count: fewer do not see the rails
+    std::array<int, 2> cells{film.nodes[0] - 1, film.nodes[1] - 1};
+    std::vector<std::array<int, 2>> levels{cells};
+    // Two grids at least, so that every result comes with an estimate of its error.
+    while (cells[0] % 2 == 0 && cells[1] % 2 == 0 &&
+           (levels.size() == 1 || std::min(cells[0], cells[1]) >= 2 * coarsest)) {
+        cells = {cells[0] / 2, cells[1] / 2};
+        levels.push_back(cells);
+    }
+    std::reverse(levels.begin(), levels.end());
+    return levels;
+}
+
+FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
+    : gaps(std::move(filmGaps)), film(gaps, filmSetting(c)), flying(film, sliderLoad(c), spacing),
+      pressure(gaps.pad.size(), film.ambient())
+{
+}
+
+KnownFilm FilmLevel::known(const Case& c) const
+{
+    KnownFilm result{.grid = gaps.grid, .pressure = gaps.pad.unpad<double>(pressure), .gap = {}, .ambient = film.ambient(),
+                     .draggedGap = draggedGap(airOf(c.air).viscosity, c.disk.speed * c.disk.radius, gaps.length,
+                                              film.ambient())};
+    for (int j = 0; j < gaps.pad.ny; ++j)
+        for (int i = 0; i < gaps.pad.nx; ++i) result.gap.push_back(film.meanGap(i, j));
+    return result;
+}
+
+void FilmLevel::take(const KnownFilm& known)
+{
+    gaps.pad.pad<double>(transfer(known.grid, known.pressure, film.ambient(), gaps.grid), pressure);
+}
+
+} // namespace touchdown

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a case to its film: air, slip, disk and scheme; and all that one grid of it needs, made once.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/physics/film/film_grid.h"
+#include "core/simulation/static_state/flying_attitude.h"
+
+namespace touchdown {
+
+/// The air that a case's film has: as given, of the atmosphere, or what the established program takes.
+Air airOf(const AirCase& air);
+FilmSetting filmSetting(const Case& c);
+
+/// Numbers of cells from coarse to fine, each twice the last; the finest is what the case asks for.
+std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
+
+/// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
+struct FilmLevel {
+    FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
+        : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
+    {
+    }
+    /// For who asks in between whether to go on: the gaps take half of the time.
+    FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
+    FilmLevel(const FilmLevel&) = delete;
+
+    FilmGaps gaps;
+    GasFilm film;
+    FlyingAttitude flying;
+    std::vector<double> pressure; // padded, ambient at first [Pa]
+
+    /// Pressure and gap row by row, for the next grid.
+    KnownFilm known(const Case& c) const;
+    void take(const KnownFilm& known);
+};
+
+} // namespace touchdown

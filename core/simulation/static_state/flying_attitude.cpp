@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/flying_attitude.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchdown {
+
+namespace {
+
+Eigen::Matrix3d toEigen(const Matrix3& m)
+{
+    Eigen::Matrix3d result;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) result(i, k) = m[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    return result;
+}
+
+Attitude changed(const Attitude& attitude, const Vector3& change, double share)
+{
+    return {attitude.height + share * change[0], attitude.pitch + share * change[1], attitude.roll + share * change[2]};
+}
+
+/// Asks the monitor whether to go on; once it said no, it is not asked again. What is given must last.
+auto asking(const AttitudeMonitor& monitor, const Attitude& attitude, AttitudeSolution& result)
+{
+    return [&monitor, &attitude, &result] {
+        result.cancelled = result.cancelled || (monitor && !monitor(result.iterations, result.residual, result.loadError, attitude));
+        return !result.cancelled;
+    };
+}
+
+/// Of a roll that is held; any value holds it exactly [N m/rad].
+constexpr double holding = 1.0;
+
+} // namespace
+
+SliderLoad sliderLoad(const Case& c)
+{
+    const SuspensionCase& s = c.suspension;
+    SliderLoad load;
+    load.preload = s.preload;
+    // Pressing down behind the centre lifts the nose, outside of it the inner edge.
+    load.pitchTorque = s.preload * s.offsetX;
+    load.rollTorque = s.preload * s.offsetY;
+    if (s.holdsAttitude) {
+        load.pitchStiffness = s.pitchStiffness;
+        load.rollStiffness = s.rollStiffness;
+        load.staticPitch = s.staticPitch;
+        load.staticRoll = s.staticRoll;
+    } else {
+        load.pitchTorque += s.pitchTorque;
+        load.rollTorque += s.rollTorque;
+    }
+    load.shearArm = c.steady.torqueSign * c.steady.shearArm * c.slider.thickness;
+    load.holdsRoll = c.degreesOfFreedom == 2;
+    load.heldRoll = c.initial.roll;
+    return load;
+}
+
+FlyingAttitude::FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing)
+    : film_(film), load_(load), spacing_(spacing), newton_(film), residual_(film.pad().size()),
+      right_(film.pad().size()), filmStep_(film.pad().size()), best_(film.pad().size())
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        responses_[k].assign(film.pad().size(), 0.0);
+        balanceRows_[k].assign(film.pad().size(), 0.0);
+    }
+}
+
+Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const
+{
+    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer edge the inner edge.
+    return {forces[0] - load_.preload,
+            forces[1] + load_.pitchTorque - load_.pitchStiffness * (attitude.pitch - load_.staticPitch) -
+                load_.shearArm * forces[3],
+            load_.holdsRoll ? -holding * (attitude.roll - load_.heldRoll)
+                            : forces[2] + load_.rollTorque - load_.rollStiffness * (attitude.roll - load_.staticRoll) -
+                                  load_.shearArm * forces[4]};
+}
+
+Vector3 FlyingAttitude::imbalance(std::span<const double> p) const
+{
+    const std::array<double, 3> load = film_.load(p);
+    const std::array<double, 2> shear = film_.shear(p);
+    return imbalanceOf({load[0], load[1], load[2], shear[0], shear[1]}, film_.attitude());
+}
+
+double FlyingAttitude::loadError(const Vector3& g) const
+{
+    const double length = film_.gaps().length;
+    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / length) / load_.preload;
+}
+
+double FlyingAttitude::linearise(std::span<const double> p, const Attitude& attitude)
+{
+    film_.setAttitude(attitude);
+    film_.linearise(p, residual_);
+    film_.forceDerivatives(p, forces_);
+    film_.attitudeColumns(p, columns_);
+    imbalance_ = imbalanceOf(forces_.value, attitude);
+    for (std::size_t k = 0; k < 3; ++k) {
+        balanceRows_[k] = forces_.byPressure[k];
+        if (k == 0) continue;
+        for (std::size_t at = 0; at < balanceRows_[k].size(); ++at)
+            balanceRows_[k][at] -= load_.shearArm * forces_.byPressure[k + 2][at];
+    }
+    if (load_.holdsRoll) std::fill(balanceRows_[2].begin(), balanceRows_[2].end(), 0.0);
+    newton_.linear().prepare();
+    return residualNorm(film_, residual_);
+}
+
+Vector3 FlyingAttitude::balanceProduct(std::span<const double> v) const
+{
+    Vector3 sum{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t at = 0; at < v.size(); ++at) sum[k] += balanceRows_[k][at] * v[at];
+    return sum;
+}
+
+void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn)
+{
+    for (std::size_t k = 0; k < 3 && !count.cancelled; ++k)
+        count.solves +=
+            newton_.linear().solve(columns_[k], responses_[k], {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
+}
+
+/// dG/da with the film following.
+Matrix3 FlyingAttitude::balanceSlopes() const
+{
+    Matrix3 slopes{};
+    for (std::size_t m = 0; m < 3; ++m) {
+        const Vector3 film = balanceProduct(responses_[m]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            slopes[k][m] = forces_.byAttitude[k][m] - film[k];
+            if (k > 0) slopes[k][m] -= load_.shearArm * forces_.byAttitude[k + 2][m];
+        }
+    }
+    slopes[1][1] -= load_.pitchStiffness;
+    slopes[2][2] -= load_.rollStiffness;
+    if (load_.holdsRoll) slopes[2] = {0.0, 0.0, -holding};
+    return slopes;
+}
+
+/// Solves (-dG/da + leading S) da = right, S a stiffness of the slider's size: with a large share the attitude follows the
+/// forces, as a slider without inertia would, and so comes to a stable equilibrium.
+Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
+{
+    const double length = film_.gaps().length, width = film_.gaps().width;
+    Eigen::Matrix3d matrix = -toEigen(balanceSlopes());
+    // Over which the film's force changes [m]: that of a flying slider, or half of what lies below.
+    const double scaleHeight = std::max(10e-9, 0.5 * spacing_.at(film_.attitude()).spacing);
+    const double stiffness = leading * load_.preload / scaleHeight;
+    matrix(0, 0) += stiffness;
+    matrix(1, 1) += stiffness * length * length / 12.0;
+    matrix(2, 2) += stiffness * width * width / 12.0;
+    // Rows and columns in lengths of the slider, so that the elimination weighs like with like.
+    const Eigen::Vector3d scale(1.0, 1.0 / length, 1.0 / width);
+    const Eigen::Matrix3d scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const Eigen::Vector3d b = scale.asDiagonal() * Eigen::Vector3d(right[0], right[1], right[2]);
+    const Eigen::Vector3d x = scale.asDiagonal() * Eigen::Vector3d(scaled.fullPivLu().solve(b));
+    return {x[0], x[1], x[2]};
+}
+
+/// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing not cut
+/// to less than a third.
+double FlyingAttitude::stepShare(const Attitude& attitude, const Vector3& change) const
+{
+    const double length = film_.gaps().length, width = film_.gaps().width;
+    constexpr double least = 20e-9; // [m]
+    double share = 1.0;
+    for (const double x : {0.0, length})
+        for (const double y : {0.0, width}) {
+            const double gap = film_.gaps().lift(attitude, x, y);
+            const double rise = change[0] + change[1] * (length - x) - change[2] * (y - 0.5 * width);
+            share = std::min(share, 0.5 * (std::max(gap, 0.0) + least) / std::max(std::abs(rise), 1e-300));
+        }
+    const double spacing = spacing_.at(attitude).spacing;
+    if (spacing > 0.0)
+        for (int k = 0; k < 40 && spacing_.at(changed(attitude, change, share)).spacing < spacing / 3.0; ++k) share *= 0.7;
+    return share;
+}
+
+void FlyingAttitude::step(std::span<double> p, Attitude& attitude, const Vector3& change, double share,
+                          std::span<const double> filmStep) const
+{
+    std::vector<double> total(filmStep.begin(), filmStep.end());
+    for (std::size_t at = 0; at < total.size(); ++at) {
+        for (std::size_t k = 0; k < 3; ++k) total[at] -= responses_[k][at] * change[k];
+        total[at] *= share;
+    }
+    addBounded(p, total);
+    attitude = changed(attitude, change, share);
+}
+
+AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
+                                          const AttitudeMonitor& monitor)
+{
+    AttitudeSolution result;
+    std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
+    // Rails that dip into the disk are lifted out of it first: there is no balance of film alone down there.
+    constexpr double clear = 5e-9; // [m]
+    attitude.height += std::max(0.0, clear - spacing_.at(attitude).spacing);
+    double leading = 1.0, best = 0.0;
+    constexpr int mostUnsolved = 10; // attitudes
+    int unsolved = 0;
+    Attitude from = attitude;
+    bool again = false;
+    const auto goOn = asking(monitor, attitude, result);
+    for (;; ++result.iterations) {
+        film_.setAttitude(attitude);
+        const auto solveHere = [&] {
+            const FilmSolution film =
+                solveFilm(p, {.tolerance = options.filmTolerance, .maximumIterations = options.maximumIterations},
+                          [&](int, double residual) { return result.residual = residual, goOn(); });
+            result.solves += film.solves;
+            return film;
+        };
+        FilmSolution film = solveHere();
+        if (!film.converged && !film.cancelled) {
+            // From a spoilt pressure nothing may be found; at rest the air is everywhere the same.
+            std::fill(p.begin(), p.end(), film_.ambient());
+            film = solveHere();
+            if (!film.converged && ++unsolved > mostUnsolved) {
+                result.residual = film.residual;
+                return result;
+            }
+        }
+        result.residual = film.residual;
+        if (!goOn()) return result;
+        linearise(p, attitude);
+        result.imbalance = imbalance_;
+        result.loadError = loadError(imbalance_);
+        result.converged = film.converged && result.loadError <= options.loadTolerance;
+        if (result.converged || result.iterations >= 4 * options.maximumIterations) return result;
+        if (again && (!(result.loadError < 4.0 * best) || !film.converged)) {
+            // Too far: back, and more along the forces.
+            attitude = from;
+            std::copy(best_.begin(), best_.end(), p.begin());
+            film_.setAttitude(attitude);
+            leading = std::max(4.0 * leading, 0.1);
+            solveHere();
+            if (!goOn()) return result;
+            linearise(p, attitude);
+            result.loadError = best;
+        } else if (again) {
+            leading *= std::clamp(result.loadError / best, 0.1, 1.5);
+            if (leading < 1e-3 || result.loadError < 0.02) leading = 0.0;
+        }
+        again = true;
+        best = result.loadError;
+        from = attitude;
+        std::copy(p.begin(), p.end(), best_.begin());
+        if (!goOn()) return result;
+        solveColumns(1e-3, result, goOn);
+        if (result.cancelled) return result;
+        const Vector3 change = attitudeStep(imbalance_, leading);
+        step(p, attitude, change, stepShare(attitude, change), filmStep_);
+    }
+}
+
+AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
+                                       const AttitudeMonitor& monitor)
+{
+    AttitudeSolution result;
+    const Attitude start = attitude;
+    std::vector<double> startPressure(p.begin(), p.end());
+    const auto goOn = asking(monitor, attitude, result);
+    // While the film is far from solved an attitude's step means little, and the film alone is cheap.
+    film_.setAttitude(attitude);
+    const FilmSolution alone =
+        solveFilm(p, {.tolerance = 1e-3, .maximumIterations = options.maximumIterations},
+                  [&](int, double residual) { return result.residual = residual, goOn(); });
+    result.solves = alone.solves;
+    if (result.cancelled) return result;
+    double before = 0.0;
+    for (; result.iterations <= 12; ++result.iterations) {
+        result.residual = linearise(p, attitude);
+        result.imbalance = imbalance_;
+        result.loadError = loadError(imbalance_);
+        if (!goOn()) return result;
+        result.converged = result.residual <= options.filmTolerance && result.loadError <= options.loadTolerance;
+        if (result.converged) return result;
+        const double size = result.residual + result.loadError;
+        if (!std::isfinite(size) || (result.iterations > 1 && size > 2.0 * before)) break;
+        before = size;
+        const double tolerance = std::clamp(0.1 * std::sqrt(size), 1e-4, 0.01);
+        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
+        std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
+        result.solves +=
+            newton_.linear().solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
+        solveColumns(tolerance, result, goOn);
+        if (result.cancelled) return result;
+        const Vector3 film = balanceProduct(filmStep_);
+        const Vector3 change =
+            attitudeStep({imbalance_[0] + film[0], imbalance_[1] + film[1], imbalance_[2] + film[2]}, 0.0);
+        step(p, attitude, change, stepShare(attitude, change), filmStep_);
+    }
+    const AttitudeSolution first = result;
+    attitude = start;
+    std::copy(startPressure.begin(), startPressure.end(), p.begin());
+    result = approach(p, attitude, options, monitor);
+    result.iterations += first.iterations;
+    result.solves += first.solves;
+    return result;
+}
+
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p, const std::function<bool()>& goOn)
+{
+    return stiffness(p, 0.0, goOn);
+}
+
+Matrix3 FlyingAttitude::balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn)
+{
+    return stiffness(p, load_.shearArm, goOn);
+}
+
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn)
+{
+    linearise(p, film_.attitude());
+    AttitudeSolution count;
+    solveColumns(1e-9, count, goOn);
+    Matrix3 result{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = 0; m < 3; ++m) {
+            const auto answer = [&](std::size_t force) {
+                double film = 0.0;
+                for (std::size_t at = 0; at < responses_[m].size(); ++at) film += forces_.byPressure[force][at] * responses_[m][at];
+                return film - forces_.byAttitude[force][m];
+            };
+            result[k][m] = answer(k);
+            if (k > 0 && shearArm != 0.0) result[k][m] -= shearArm * answer(k + 2);
+        }
+    return result;
+}
+
+FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
+{
+    // With S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -sum of that row times J^-T C^T.
+    linearise(p, film_.attitude());
+    AttitudeSolution count;
+    solveColumns(1e-9, count);
+    const Eigen::Matrix3d inverse = toEigen(balanceSlopes()).inverse();
+    std::array<std::vector<double>, 3> adjoints;
+    newton_.linear().prepareTransposed();
+    for (std::size_t m = 0; m < 3; ++m) {
+        adjoints[m].assign(p.size(), 0.0);
+        newton_.linear().solveTransposed(balanceRows_[m], adjoints[m], {.tolerance = 1e-9, .maximumIterations = 200});
+    }
+    Adjoint result;
+    for (std::size_t k = 0; k < 3; ++k) {
+        result.film[k].assign(p.size(), 0.0);
+        for (std::size_t m = 0; m < 3; ++m) {
+            const double weight = inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+            result.balance[k][m] = weight;
+            for (std::size_t at = 0; at < p.size(); ++at) result.film[k][at] -= weight * adjoints[m][at];
+        }
+    }
+    return result;
+}
+
+} // namespace touchdown

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The attitude at which film and suspension balance, on one grid. Unknowns are the film's pressure p and the attitude a:
+//
+//   R(p, a) = 0                                        the film
+//   G(p, a) = load and shear of the film - suspension = 0   force [N], pitch and roll torque about the centre [N m]
+//
+// Newton's step of both together is found with the film's linear systems alone: with J X = dR/da and J x = -R,
+// (dG/da - dG/dp X) da = -(G + dG/dp x), dp = x - X da. The same matrix is the film's stiffness, and its transpose with three
+// adjoint films gives the sensitivities to any parameter.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/physics/film/film_newton.h"
+#include "core/physics/slider/minimum_spacing.h"
+#include "core/case/case.h"
+
+namespace touchdown {
+
+/// What holds the slider down.
+struct SliderLoad {
+    double preload = 0.0;                // [N]
+    double pitchTorque = 0.0, rollTorque = 0.0; // of preload and static torques about the slider's centre [N m]
+    double pitchStiffness = 0.0, rollStiffness = 0.0; // [N m/rad]; zero unless the suspension holds the attitude
+    double staticPitch = 0.0, staticRoll = 0.0; // [rad]
+    double shearArm = 0.0;               // pitch and roll torque per shear force [m]
+    bool holdsRoll = false;              // two degrees of freedom: the roll stays what it is
+    double heldRoll = 0.0;               // [rad]
+};
+SliderLoad sliderLoad(const Case& c);
+
+using Vector3 = std::array<double, 3>;
+using Matrix3 = std::array<Vector3, 3>;
+
+struct AttitudeOptions {
+    double filmTolerance = 1e-7; // FilmCase::tolerance [-]
+    double loadTolerance = 1e-6; // SteadyCase::loadTolerance [-]
+    int maximumIterations = 60;
+};
+
+struct AttitudeSolution {
+    bool converged = false, cancelled = false;
+    int iterations = 0, solves = 0;
+    double residual = 0.0, loadError = 0.0; // [-]
+    Vector3 imbalance{};                    // G [N], [N m]
+};
+
+/// Told at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
+using AttitudeMonitor = std::function<bool(int, double, double, const Attitude&)>;
+
+class FlyingAttitude {
+public:
+    FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing);
+
+    /// Solves the film at the film's attitude; by Newton's method unless another way is set.
+    using FilmSolve = std::function<FilmSolution(std::span<double>, const FilmOptions&, const FilmMonitor&)>;
+    void setFilmSolve(FilmSolve solve) { solveFilm_ = std::move(solve); }
+    FilmSolution solveFilm(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor = {})
+    {
+        return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
+    }
+
+    /// From far: the film is solved at each attitude, and the attitude led along the forces until Newton takes over.
+    AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
+                              const AttitudeMonitor& monitor = {});
+    /// From near: Newton on film and attitude together; turns to `approach` where that does not converge.
+    AttitudeSolution solve(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
+                           const AttitudeMonitor& monitor = {});
+
+    /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn` says false the
+    /// result means nothing.
+    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
+    /// The same of the torques that the balance has: with those of the shear.
+    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
+
+    /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
+    struct Adjoint {
+        std::array<std::vector<double>, 3> film; // padded
+        Matrix3 balance{};
+    };
+    Adjoint adjoint(std::span<const double> p);
+
+    /// G at p and the film's attitude.
+    Vector3 imbalance(std::span<const double> p) const;
+    double loadError(const Vector3& imbalance) const;
+
+private:
+    /// Linearises everything at p; returns the film's residual norm.
+    double linearise(std::span<const double> p, const Attitude& attitude);
+    void solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn = {});
+    Matrix3 balanceSlopes() const;
+    Matrix3 stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn);
+    Vector3 attitudeStep(const Vector3& right, double leading) const;
+    double stepShare(const Attitude& attitude, const Vector3& step) const;
+    Vector3 imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const;
+    Vector3 balanceProduct(std::span<const double> v) const;
+    void step(std::span<double> p, Attitude& attitude, const Vector3& change, double share,
+              std::span<const double> filmStep) const;
+
+    GasFilm& film_;
+    SliderLoad load_;
+    const MinimumSpacing& spacing_;
+    FilmNewton newton_;
+    FilmSolve solveFilm_;
+    GasFilm::ForceDerivatives forces_;
+    std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
+    std::vector<double> residual_, right_, filmStep_, best_;
+    Vector3 imbalance_{};
+};
+
+} // namespace touchdown

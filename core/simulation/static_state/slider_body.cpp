@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/slider_body.h"
+
+#include <cmath>
+
+namespace touchdown {
+
+SliderBody::SliderBody(const Case& c, const Attitude& rest) : length_(c.slider.length), width_(c.slider.width)
+{
+    const SliderCase& s = c.slider;
+    inertia_ = {s.mass, s.pitchInertia, s.rollInertia};
+    springs_ = {c.suspension.stiffness, c.suspension.pitchStiffness, c.suspension.rollStiffness};
+    dampers_ = {c.suspension.damping, c.suspension.pitchDamping, c.suspension.rollDamping};
+    rest_ = coordinates(rest);
+    const SliderLoad load = sliderLoad(c);
+    load_ = {-load.preload, load.pitchTorque - load.pitchStiffness * (rest.pitch - load.staticPitch),
+             load.rollTorque - load.rollStiffness * (rest.roll - load.staticRoll)};
+    shearArm_ = load.shearArm;
+    holdsRoll_ = load.holdsRoll;
+}
+
+Vector3 SliderBody::suspension(const Vector3& q, const Vector3& v) const
+{
+    Vector3 force{};
+    for (std::size_t k = 0; k < 3; ++k) force[k] = load_[k] - springs_[k] * (q[k] - rest_[k]) - dampers_[k] * v[k];
+    return force;
+}
+
+double SliderBody::kineticEnergy(const Vector3& v) const
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) sum += 0.5 * inertia_[k] * v[k] * v[k];
+    return sum;
+}
+
+double SliderBody::suspensionEnergy(const Vector3& q) const
+{
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double way = q[k] - rest_[k];
+        sum += (0.5 * springs_[k] * way - load_[k]) * way;
+    }
+    return sum;
+}
+
+double SliderBody::displacement(const Vector3& change) const
+{
+    return std::abs(change[0]) + 0.5 * length_ * std::abs(change[1]) + 0.5 * width_ * std::abs(change[2]);
+}
+
+} // namespace touchdown

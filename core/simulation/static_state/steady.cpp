@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/steady.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "core/physics/film/film_line_multigrid.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/sensitivity.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Walks from the coarsest grid to the finest, each adapted to what the one before found.
+class SteadySolver {
+public:
+    SteadySolver(const Case& c, const SteadyCallback& callback)
+        : case_(c), callback_(callback), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
+          attitude_{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll}
+    {
+    }
+
+    SteadyResult solve()
+    {
+        for (const std::array<int, 2>& cells : filmLevels(case_.film)) {
+            previous_ = std::move(level_);
+            CellGrid cellGrid = grid(cells);
+            const auto goOn = [&] { return tell(cellGrid, 0, result_.residual, result_.loadError, attitude_); };
+            FilmGaps gaps(recess_, cellGrid, goOn);
+            if (!goOn()) return result_;
+            level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
+            if (!tell(0, result_.residual, result_.loadError, attitude_)) return result_;
+            if (previous_) level_->take(previous_->known(case_));
+            if (case_.film.solver == FilmSolver::LineMultigrid) takeLineMultigrid();
+            const bool finest = cells[0] == case_.film.nodes[0] - 1;
+            const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
+            if (result_.status == SteadyStatus::Cancelled) return result_;
+            if (!converged && finest) return unconverged();
+            if (!finest) {
+                if (converged) coarse_.insert(coarse_.begin(), summary());
+                else {
+                    coarse_.clear();
+                    level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
+                }
+            }
+        }
+        report(true);
+        return result_;
+    }
+
+private:
+    struct LevelSummary {
+        Attitude attitude;
+        double minimumSpacing, load, positive;
+    };
+
+    void takeLineMultigrid()
+    {
+        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps, filmSetting(case_));
+        level_->flying.setFilmSolve([this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
+            lineMultigrid_->setAttitude(level_->film.attitude());
+            return lineMultigrid_->solve(p, options, monitor);
+        });
+    }
+
+    CellGrid grid(const std::array<int, 2>& cells) const
+    {
+        const double length = case_.slider.length, width = case_.slider.width;
+        switch (case_.film.grid) {
+        case GridKind::Uniform: return uniformGrid(length, width, cells[0], cells[1]);
+        case GridKind::Adapted:
+            if (previous_) return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
+            break;
+        case GridKind::Graded: break;
+        }
+        return gradedGrid(case_.surface, length, width, cells[0], cells[1]);
+    }
+
+    bool tell(int iteration, double residual, double loadError, const Attitude& attitude)
+    {
+        return tell(level_->gaps.grid, iteration, residual, loadError, attitude);
+    }
+    bool tell(const CellGrid& grid, int iteration, double residual, double loadError, const Attitude& attitude)
+    {
+        if (result_.status == SteadyStatus::Cancelled) return false;
+        const bool goOn = !callback_ || callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " +
+                                                            std::to_string(grid.y.size()),
+                                                   .iteration = iteration,
+                                                   .residual = residual,
+                                                   .loadError = loadError,
+                                                   .attitude = attitude});
+        if (!goOn) {
+            result_.status = SteadyStatus::Cancelled;
+            result_.message = "cancelled on the " + std::to_string(grid.x.size()) + " x " +
+                              std::to_string(grid.y.size()) + " grid";
+        }
+        return goOn;
+    }
+
+    /// Coarse grids are only as exact as what they are good for.
+    static constexpr double coarseTolerance = 1e-4;
+
+    bool solveFilm(bool finest)
+    {
+        level_->film.setAttitude(attitude_);
+        const FilmSolution s = level_->flying.solveFilm(
+            level_->pressure,
+            {.tolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
+             .maximumIterations = case_.film.maximumIterations},
+            [this](int iteration, double residual) { return tell(iteration, residual, 0.0, attitude_); });
+        std::vector<double> residual(level_->pressure.size());
+        level_->film.residual(level_->pressure, residual); // the flow through the outline is reported from it
+        result_.iterations = s.iterations;
+        result_.solves += s.solves;
+        result_.residual = s.residual;
+        return s.converged;
+    }
+
+    bool solveAttitude(bool finest)
+    {
+        const AttitudeOptions options{
+            .filmTolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
+            .loadTolerance = finest ? case_.steady.loadTolerance : std::max(coarseTolerance, case_.steady.loadTolerance),
+            .maximumIterations = case_.film.maximumIterations};
+        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
+            return tell(iteration, residual, loadError, attitude);
+        };
+        FlyingAttitude& flying = level_->flying;
+        const bool together = previous_ && case_.film.solver == FilmSolver::Newton;
+        const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor)
+                                             : flying.approach(level_->pressure, attitude_, options, monitor);
+        level_->film.setAttitude(attitude_);
+        result_.iterations = s.iterations;
+        result_.solves += s.solves;
+        result_.residual = s.residual;
+        result_.loadError = s.loadError;
+        return s.converged;
+    }
+
+    LevelSummary summary() const
+    {
+        const FilmForces forces = level_->film.forces(level_->pressure);
+        return {attitude_, spacing_.at(attitude_).spacing, forces.net, forces.positive};
+    }
+
+    SteadyResult unconverged()
+    {
+        report(false);
+        result_.status = SteadyStatus::NotConverged;
+        char text[240];
+        std::snprintf(text, sizeof text,
+                      "not converged after %d iterations on the finest grid: film residual %.1e, load error %.1e",
+                      result_.iterations, result_.residual, result_.loadError);
+        result_.message = text;
+        if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
+            result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does not carry the load";
+        return result_;
+    }
+
+    void report(bool converged)
+    {
+        FilmLevel& level = *level_;
+        result_.status = SteadyStatus::Converged;
+        result_.attitude = attitude_;
+        const MinimumSpacing::Place nearest = spacing_.at(attitude_);
+        result_.minimumSpacing = nearest.spacing;
+        result_.minimumAt = nearest.at;
+        result_.forces = level.film.forces(level.pressure);
+        const double arm = sliderLoad(case_).shearArm;
+        result_.shearPitchTorque = -arm * result_.forces.shearX;
+        result_.shearRollTorque = -arm * result_.forces.shearY;
+        for (const SurfacePoint& point : case_.surface.pointsOfInterest)
+            result_.interestSpacing.push_back(recess_.at(point.x, point.y) + level.gaps.lift(attitude_, point.x, point.y));
+        if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
+        if (!coarse_.empty()) estimateError();
+        if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
+            result_.sensitivities = sensitivities(case_, level, spacing_);
+        if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
+        KnownFilm fields = level.known(case_);
+        result_.grid = std::move(fields.grid);
+        result_.pressure = std::move(fields.pressure);
+        result_.gap = std::move(fields.gap);
+        result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+        if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
+            result_.status = SteadyStatus::Failed;
+            char text[260];
+            std::snprintf(text, sizeof text,
+                          "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
+                          "the slider touches, and a static state knows the film alone: contact has a part in runs in time",
+                          -result_.minimumSpacing * 1e9);
+            result_.message = text;
+        }
+    }
+
+    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second order; half
+    /// of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the difference of the two
+    /// coarser ones counts too, an eighth of it: as much at second order.
+    void estimateError()
+    {
+        const LevelSummary finest = summary();
+        const auto estimate = [&](auto&& value) {
+            const double last = std::abs(value(finest) - value(coarse_[0]));
+            const double before = coarse_.size() > 1 ? std::abs(value(coarse_[0]) - value(coarse_[1])) : 0.0;
+            return std::max(0.5 * last, 0.125 * before);
+        };
+        DiscretisationError& error = result_.discretisationError;
+        error.pitch = estimate([](const LevelSummary& s) { return s.attitude.pitch; });
+        error.roll = estimate([](const LevelSummary& s) { return s.attitude.roll; });
+        error.minimumSpacing = estimate([](const LevelSummary& s) { return s.minimumSpacing; });
+        if (case_.steady.fixedAttitude) error.load = estimate([](const LevelSummary& s) { return s.load; });
+        else if (result_.stiffness) {
+            // The load that the coarser grid would miss at this attitude.
+            const auto& row = (*result_.stiffness)[0];
+            error.load = estimate([&](const LevelSummary& s) {
+                return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
+            });
+        } else error.load = estimate([](const LevelSummary& s) { return s.positive; });
+    }
+
+    /// Other attitudes at which the forces balance, from starts all over the range where sliders fly.
+    void findOthers()
+    {
+        const CellGrid coarsest = gradedGrid(case_.surface, case_.slider.length, case_.slider.width,
+                                             filmLevels(case_.film).front()[0], filmLevels(case_.film).front()[1]);
+        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
+            return tell(iteration, residual, loadError, attitude);
+        };
+        for (const double height : {0.5e-9, 5e-9, 30e-9, 200e-9})
+            for (const double pitch : {20e-6, 150e-6, 500e-6}) {
+                FilmLevel coarse(case_, recess_, spacing_, coarsest);
+                Attitude attitude{height, pitch, 0.0};
+                const AttitudeOptions options{.filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance,
+                                              .maximumIterations = 25};
+                AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor);
+                if (found.cancelled) return;
+                if (!found.converged || isKnown(attitude, 0.1)) continue;
+                FilmLevel fine(case_, recess_, spacing_, level_->gaps.grid);
+                fine.take(coarse.known(case_));
+                found = fine.flying.solve(
+                    fine.pressure, attitude,
+                    {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance}, monitor);
+                if (found.cancelled) return;
+                if (found.converged && spacing_.at(attitude).spacing > 0.0 && !isKnown(attitude, 1e-3))
+                    result_.otherEquilibria.push_back(attitude);
+            }
+    }
+
+    bool isKnown(const Attitude& attitude, double share) const
+    {
+        const auto near = [&](const Attitude& known) {
+            const double length = case_.slider.length;
+            const double apart = std::abs(known.height - attitude.height) + length * std::abs(known.pitch - attitude.pitch) +
+                                 case_.slider.width * std::abs(known.roll - attitude.roll);
+            return apart <= share * (std::abs(known.height) + length * std::abs(known.pitch));
+        };
+        return near(attitude_) || std::any_of(result_.otherEquilibria.begin(), result_.otherEquilibria.end(), near);
+    }
+
+    const Case& case_;
+    const SteadyCallback& callback_;
+    Recess recess_;
+    MinimumSpacing spacing_;
+    Attitude attitude_;
+    std::unique_ptr<FilmLevel> level_, previous_;
+    std::unique_ptr<FilmLineMultigrid> lineMultigrid_; // of the level, when it is chosen
+    std::vector<LevelSummary> coarse_; // the finest of them first, as far as all converged
+    SteadyResult result_;
+};
+
+} // namespace
+
+SteadyResult steady(const Case& c, const SteadyCallback& callback)
+{
+    const auto start = std::chrono::steady_clock::now();
+    SteadyResult result = SteadySolver(c, callback).solve();
+    result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace touchdown

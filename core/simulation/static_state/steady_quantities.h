@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The numbers of a static state by name, with units: what JSON, the results file and tables of a series tell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/simulation/recording/quantity.h"
+#include "core/simulation/static_state/steady.h"
+
+namespace touchdown {
+
+/// A number of a state. It may be NaN: what could not be computed.
+struct SteadyQuantity {
+    Quantity quantity;
+    double value = 0.0; // SI
+};
+
+/// All numbers that are one value each, in the order in which they are told.
+std::vector<SteadyQuantity> steadyQuantities(const SteadyResult& result);
+
+/// What sets the states of a series apart: radius, skew, speed and, if any, altitude.
+std::vector<SteadyQuantity> seriesQuantities(const SteadySeriesPoint& point);
+
+} // namespace touchdown

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/studies/study/study.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
+StudyPerformance planAdvisor(StudyReader& reader);
+/// The keys with their defaults for a case.
+std::string advisorTemplate(const Case& c);
+
+} // namespace touchdown

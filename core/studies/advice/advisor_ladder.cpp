@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/advice/advisor_ladder.h"
+
+#include <algorithm>
+
+#include "core/formats/units.h"
+#include "core/studies/study/few_digits.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int fewestLines = 33; // of a grid that still sees the rails
+
+std::string listed(const std::vector<LadderPart>& parts, std::string LadderPart::*text)
+{
+    std::string list;
+    for (const LadderPart& part : parts) list += (list.empty() ? "" : ", ") + part.*text;
+    return list;
+}
+
+/// So many times fewer cells along each side, to the next number of lines that a grid may have.
+int fewer(int nodes, int divisor) { return std::max(fewestLines, 16 * ((nodes - 1 + 8 * divisor) / (16 * divisor)) + 1); }
+
+void addGrids(const Case& c, std::vector<LadderPart>& parts)
+{
+    std::array<int, 2> last = c.film.nodes;
+    for (const int divisor : {2, 4, 8}) {
+        const std::array<int, 2> nodes{std::min(last[0], fewer(c.film.nodes[0], divisor)), std::min(last[1], fewer(c.film.nodes[1], divisor))};
+        if (nodes == last) break;
+        const std::string text = std::to_string(nodes[0]) + ", " + std::to_string(nodes[1]);
+        parts.push_back({std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]) + " grid lines",
+                         "grid lines beyond " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]), {{"film.nodes", text}}, "grid"});
+        last = nodes;
+    }
+}
+
+/// In the order in which they are tried: those that leave out most of the work first, so that what takes longer is soon given up.
+std::vector<LadderPart> partsOf(const Case& c, double roll)
+{
+    std::vector<LadderPart> parts;
+    addGrids(c, parts);
+    std::ranges::reverse(parts);
+    if (c.run.steps == StepControl::Adaptive)
+        for (const double factor : {100.0, 10.0}) {
+            const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);
+            parts.push_back({"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
+        }
+    else
+        for (const double factor : {4.0, 2.0}) {
+            const std::string step = fewDigits(factor * c.run.step, "ns", 6);
+            parts.push_back({"steps of " + step, "shorter steps than " + step, {{"run.step", step}}, "steps"});
+        }
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat)
+        parts.push_back({"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"});
+    if (c.contact != ContactKind::None)
+        parts.push_back({"no contact", "contact and what adheres in it", {{"contact", "none"}}, "contact"});
+    if (c.adhesion.kind != AdhesionKind::None && c.contact == ContactKind::Elastic)
+        parts.push_back({"no adhesion", "adhesion", {{"adhesion.kind", "none"}}, "adhesion"});
+    if (c.contact == ContactKind::OnoYamane && c.onoYamane.meniscusForce > 0.0)
+        parts.push_back({"no menisci", "the force of the menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"});
+    if (c.contact == ContactKind::Elastic) {
+        const std::string cell = fewDigits(2.0 * c.elastic.cell, "um", 6);
+        parts.push_back({"contact cells of " + cell, "contact cells finer than " + cell, {{"elastic.cell", cell}}, "cells"});
+    }
+    if (c.degreesOfFreedom == 3)
+        parts.push_back({"roll held", "motion in roll", {{"degrees_of_freedom", "2"}, {"initial.roll", formatQuantity(roll, "urad")}}, "roll"});
+    return parts;
+}
+
+bool wanted(const AdvisorTask& task, RungKind kind)
+{
+    return task.models.empty() || std::ranges::find(task.models, name(kind)) != task.models.end();
+}
+
+} // namespace
+
+std::string_view name(RungKind kind)
+{
+    switch (kind) {
+    case RungKind::Full: return "full";
+    case RungKind::Static: return "static";
+    case RungKind::ContactRest: return "contact-rest";
+    case RungKind::WaveAnswer: return "wave-answer";
+    case RungKind::SmallMotion: return "small-motion";
+    case RungKind::Springs: return "springs";
+    case RungKind::Part: return "parts";
+    case RungKind::Sum: return "sums";
+    }
+    return {};
+}
+
+std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
+{
+    const Case& c = task.start;
+    const bool waves = c.diskSurface.kind == DiskSurfaceKind::Waves && c.diskSurface.motion == SurfaceMotion::Moving;
+    const std::string touches = c.contact != ContactKind::None ? ", contact" : "";
+    const std::string surface = c.diskSurface.kind != DiskSurfaceKind::Flat ? ", the disk's surface" : "";
+    std::vector<Rung> ladder, reduced;
+    reduced.push_back({RungKind::Static, "static state", "all motion" + surface + touches, {}, c});
+    if (c.contact == ContactKind::OnoYamane) reduced.push_back({RungKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
+    if (waves) reduced.push_back({RungKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
+    reduced.push_back({RungKind::SmallMotion, "small motions", "all that is not linear" + (waves ? "" : surface) + touches, {}, c});
+    if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)
+        reduced.push_back({RungKind::Springs, "springs", "the film's own law" + surface + (c.degreesOfFreedom == 3 ? ", motion in roll" : ""), {}, c});
+    std::vector<LadderPart> grids{{}};
+    addGrids(c, grids);
+    for (const Rung& rung : reduced)
+        for (const LadderPart& grid : grids) {
+            Rung on = rung;
+            if (!grid.name.empty()) {
+                on.name += " on " + grid.name;
+                on.leavesOut += ", " + grid.leavesOut;
+            }
+            // Springs hold the roll at that of their static state.
+            if (rung.kind == RungKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
+            if (wanted(task, rung.kind) && applySettings(on.c, grid.settings).empty()) ladder.push_back(std::move(on));
+        }
+    if (!wanted(task, RungKind::Part) && !wanted(task, RungKind::Sum)) return ladder;
+    for (const LadderPart& part : partsOf(c, roll)) {
+        Rung rung{RungKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
+        if (applySettings(rung.c, part.settings).empty()) ladder.push_back(std::move(rung));
+    }
+    return ladder;
+}
+
+std::optional<Rung> sumOf(const AdvisorTask& task, const std::vector<LadderPart>& parts)
+{
+    const bool noContact = std::ranges::find(parts, "contact", &LadderPart::family) != parts.end();
+    std::vector<LadderPart> kept;
+    for (const LadderPart& part : parts) // without contact nothing adheres, and there are no cells
+        if (!noContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
+    if (!wanted(task, RungKind::Sum) || kept.size() < 2) return {};
+    std::ranges::sort(kept, {}, &LadderPart::family);
+    Rung rung{RungKind::Sum, "film, " + listed(kept, &LadderPart::name), listed(kept, &LadderPart::leavesOut), kept, task.start};
+    for (const LadderPart& part : kept)
+        if (!applySettings(rung.c, part.settings).empty()) return {};
+    return rung;
+}
+
+} // namespace touchdown

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/advice/advisor_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/numerics/wall_clock.h"
+#include "core/studies/runs/parallel.h"
+#include "core/studies/advice/pilot_run.h"
+#include "core/studies/advice/reduced_models.h"
+#include "core/studies/advice/scene_motion.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double knownTo = 0.25; // of what is allowed, for the pilot to end
+
+bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind == RungKind::Sum; }
+
+void lower(std::atomic<double>& least, double value)
+{
+    for (double now = least; value < now && !least.compare_exchange_weak(now, value);) {}
+}
+
+class Advisor {
+public:
+    Advisor(const AdvisorTask& task, int jobs, const AdvisorTell& tell) : task_(task), jobs_(jobs), tell_(tell), begin_(wallClock()) {}
+
+    AdvisorResult advise()
+    {
+        const bool went = runFast() && runFull() && climb();
+        if (went || result_.status == StudyStatus::Failed) return std::move(result_);
+        if (result_.late && result_.full.answers() && result_.pilotTime > 0.0) return std::move(result_); // an answer, with what is missing
+        result_.status = result_.late ? StudyStatus::Failed : StudyStatus::Cancelled;
+        result_.message = result_.late ? "the budget was spent before the full model's end was known; give it more" : "stopped before all models were tried";
+        return std::move(result_);
+    }
+
+private:
+    bool tell(double share, const std::string& doing, const AdvisorResult* sofar = nullptr)
+    {
+        result_.late = result_.late || wallClock() - begin_ > task_.budget;
+        return tell_(share, doing, sofar) && !result_.late;
+    }
+
+    /// Where the scene rests and rings, and the models that hang on nothing else. False: stopped.
+    bool runFast()
+    {
+        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { scene_ = sceneMotion(task_.start, goOn); },
+                                      [&](std::size_t) { return tell(0.0, "small motions"); });
+        if (!went) return false;
+        result_.studySeconds += scene_.seconds;
+        result_.growth = scene_.growth;
+        result_.growthProblem = scene_.growthProblem;
+        result_.roughPasses = scene_.roughPasses;
+        const SteadyResult& rest = scene_.motion.steady;
+        if (rest.status == SteadyStatus::Converged) result_.gridError = rest.discretisationError.minimumSpacing;
+        std::vector<Rung> fast;
+        for (Rung& rung : ladderOf(task_, rest.attitude.roll))
+            (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
+        return runRungs(fast, 0.05, 0.15) || leaveTheRest();
+    }
+
+    bool climb()
+    {
+        bool went = runRungs(rests_, 0.6, 0.65);
+        went = runRungs(parts_, 0.65, 0.85, went);
+        if (went) went = runSums();
+        else leaveSums();
+        choose();
+        return went && (!task_.confirm || confirm());
+    }
+
+    /// Without several parts: the cheapest one that may be left out, and all others that may, too; where that is too much, one after the
+    /// other as long as it stays within.
+    bool runSums()
+    {
+        const RungOutcome* first = nullptr;
+        std::vector<LadderPart> others; // the larger one of a family first
+        for (const RungOutcome& rung : result_.rungs) {
+            if (rung.rung.kind != RungKind::Part) continue;
+            if (rung.within() && rung.seconds < result_.full.seconds && (first == nullptr || rung.seconds < first->seconds)) first = &rung;
+            if (rung.within() || rung.givenUp) others.push_back(rung.rung.parts[0]);
+        }
+        if (first == nullptr) return true;
+        std::vector<LadderPart> left{first->rung.parts[0]}, all = left;
+        const auto holds = [](const std::vector<LadderPart>& parts, const LadderPart& part) {
+            return std::ranges::find(parts, part.family, &LadderPart::family) != parts.end();
+        };
+        for (const LadderPart& part : others)
+            if (!holds(all, part)) all.push_back(part);
+        bool within = false;
+        if (!runSum(all, within)) return false;
+        for (const LadderPart& part : others) {
+            if (within || holds(left, part)) continue;
+            std::vector<LadderPart> more = left;
+            more.push_back(part);
+            bool enough = false;
+            if (!runSum(more, enough)) return false;
+            if (enough) left = more;
+        }
+        return true;
+    }
+
+    /// False: stopped. What has been tried is not tried again.
+    bool runSum(const std::vector<LadderPart>& parts, bool& within)
+    {
+        const std::optional<Rung> sum = sumOf(task_, parts);
+        if (!sum || std::ranges::any_of(result_.rungs, [&](const RungOutcome& rung) { return rung.rung.name == sum->name; })) return true;
+        if (!runRungs({*sum}, 0.85, 1.0)) return false;
+        within = result_.rungs.back().within();
+        return true;
+    }
+
+    /// The cheapest of the models so far that may be within is, and its errors are known to a factor of two.
+    bool settles(const TailEstimate& full) const
+    {
+        const Allowance allowed = allowanceOf(full, task_);
+        double least = std::numeric_limits<double>::infinity();
+        bool settled = false;
+        for (const RungOutcome& rung : result_.rungs) {
+            if (!rung.answers() || rung.seconds >= least) continue;
+            const RungErrors errors = errorsOf(rung.tail, full, task_);
+            const Verdict verdict = verdictOn(errors, allowed);
+            if (verdict != Verdict::Within && verdict != Verdict::NotKnown) continue;
+            least = rung.seconds;
+            settled = verdict == Verdict::Within && isPrecise(errors.claimedMean(), errors.resolution, allowed.mean) &&
+                      isPrecise(errors.claimedSpread(), errors.resolution, allowed.spread);
+        }
+        return settled;
+    }
+
+    bool runFull()
+    {
+        const double duration = task_.start.run.duration;
+        double next = task_.pilot;
+        bool known = false;
+        const auto enough = [&](const SpacingSamples& samples) {
+            // It may still do what it has not done yet.
+            if (!scene_.foretells()) return false;
+            // At the same times however many samples come at once, which hangs on the clock.
+            for (; !known && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
+                const SpacingSamples part = samples.until(next * duration);
+                const TailEstimate tail = estimateTail(part, duration, scene_.rates);
+                const Allowance allowed = allowanceOf(tail, task_);
+                known = tail.sameKind && tail.meanUncertainty <= knownTo * allowed.mean &&
+                        tail.spreadUncertainty <= knownTo * allowed.spread && settles(tail);
+                if (known) result_.pilotTime = part.reached();
+            }
+            return known && !task_.confirm;
+        };
+        std::atomic<double> share = 0.0;
+        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) {
+            const auto asked = [&](const SpacingSamples& samples) {
+                share = samples.reached() / duration;
+                return enough(samples);
+            };
+            full_ = pilotRun(task_.start, asked, goOn);
+            if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
+        }, [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
+        // Stopped on the way to confirm what is known does not undo it.
+        if ((!went || full_.stopped) && !known && !full_.samples.reachEnd(duration)) {
+            result_.full.problem = "it was not run far enough";
+            return leaveTheRest();
+        }
+        if (!full_.problem.empty()) return fail(full_.problem);
+        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) return fail("its samples do not tell its end");
+        for (RungOutcome& rung : result_.rungs) judge(rung);
+        choose();
+        return (went && !full_.stopped && tell(0.6, "the ladder", &result_)) || leaveTheRest();
+    }
+
+    /// Where the study ends before them, and some might have been tried.
+    void leaveSums()
+    {
+        std::vector<LadderPart> parts; // one of a family
+        for (const Rung& rung : parts_)
+            if (std::ranges::find(parts, rung.parts[0].family, &LadderPart::family) == parts.end()) parts.push_back(rung.parts[0]);
+        std::ptrdiff_t kept = 0; // none of all of them may be left out: there is no sum
+        for (const RungOutcome& rung : result_.rungs) kept += rung.rung.kind == RungKind::Part && !rung.within();
+        if (kept < std::ranges::ssize(parts_) && sumOf(task_, parts)) result_.missing.push_back("film without several parts");
+    }
+
+    bool leaveTheRest()
+    {
+        for (const auto* rungs : {&rests_, &parts_})
+            for (const Rung& rung : *rungs) result_.missing.push_back(rung.name);
+        leaveSums();
+        return false;
+    }
+
+    bool fail(const std::string& why)
+    {
+        result_.status = StudyStatus::Failed;
+        result_.message = "the full model gives no answer to compare with: " + why;
+        result_.full.problem = why;
+        return false;
+    }
+
+    void describeFull()
+    {
+        const double duration = task_.start.run.duration;
+        if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
+        result_.pilotWhole = full_.samples.until(result_.pilotTime).reachEnd(duration);
+        RungOutcome& full = result_.full;
+        full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
+        full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, scene_.rates);
+        full.seconds = full_.secondsTo(duration);
+        full.verdict = Verdict::Within;
+        full.errors = errorsOf(full.tail, full.tail, task_);
+        full.found = task_.start;
+        full.command = "run";
+        result_.allowed = allowanceOf(full.tail, task_);
+        result_.studySeconds += full_.course.empty() ? 0.0 : full_.course.back().second;
+        result_.contactActed = full_.contactActs;
+    }
+
+    /// What ended counts, also where it was stopped. Where it is not to `go` they are missing.
+    bool runRungs(const std::vector<Rung>& rungs, double from, double to, bool go = true)
+    {
+        std::vector<RungOutcome> outcomes(rungs.size());
+        std::vector<char> ended(rungs.size(), 0);
+        std::vector<double> seconds(rungs.size(), 0.0);
+        most_ = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
+        const bool went = go && runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
+            outcomes[k] = solve(rungs[k], goOn, seconds[k]);
+            ended[k] = goOn();
+        }, [&](std::size_t done) {
+            return tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
+                        done < rungs.size() ? rungs[done].name : "the ladder");
+        });
+        for (std::size_t k = 0; k < rungs.size(); ++k) {
+            result_.studySeconds += seconds[k];
+            if (ended[k] != 0) result_.rungs.push_back(std::move(outcomes[k]));
+            else result_.missing.push_back(rungs[k].name);
+        }
+        if (!went) return false;
+        choose();
+        return tell(to, "the ladder", result_.pilotTime > 0.0 ? &result_ : nullptr);
+    }
+
+    /// That a model may take to be the advice.
+    double mostSeconds() const
+    {
+        double most = result_.full.seconds;
+        for (const RungOutcome& rung : result_.rungs)
+            if (rung.within()) most = std::min(most, rung.seconds);
+        return most;
+    }
+
+    RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
+    {
+        RungOutcome outcome;
+        if (!inTime(rung)) {
+            const bool known = rung.kind == RungKind::SmallMotion && rung.c.film.nodes == task_.start.film.nodes;
+            outcome = known ? describeSmallMotion(rung, scene_.motion, scene_.seconds) : solveReduced(rung, result_.full.tail.mean, goOn);
+            seconds = outcome.seconds - (known ? scene_.seconds : 0.0);
+            judge(outcome);
+            return outcome;
+        }
+        outcome.rung = rung;
+        outcome.found = rung.c;
+        outcome.command = "run";
+        // Contact that never acts changes nothing: no run can tell more.
+        const bool same = rung.parts.size() == 1 && (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") && !full_.contactActs;
+        if (same) {
+            outcome.tail = result_.full.tail;
+            outcome.seconds = result_.full.seconds;
+            outcome.remark = "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
+            judge(outcome);
+            return outcome;
+        }
+        const double begin = threadSeconds();
+        const PilotRun run = pilotRun(rung.c, [&](const SpacingSamples&) {
+            outcome.givenUp = threadSeconds() - begin > most_;
+            return outcome.givenUp;
+        }, goOn);
+        seconds = threadSeconds() - begin;
+        outcome.problem = run.problem;
+        outcome.seconds = run.secondsTo(task_.start.run.duration);
+        outcome.tail = estimateTail(run.samples, task_.start.run.duration);
+        if (outcome.answers() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+        judge(outcome);
+        if (outcome.within() && !task_.all) lower(most_, outcome.seconds);
+        return outcome;
+    }
+
+    void judge(RungOutcome& rung) const
+    {
+        if (!rung.answers() || !result_.full.answers() || result_.pilotTime == 0.0) return;
+        rung.errors = errorsOf(rung.tail, result_.full.tail, task_);
+        rung.verdict = verdictOn(rung.errors, result_.allowed);
+    }
+
+    void choose()
+    {
+        double best = result_.full.seconds / worthwhile;
+        result_.advice.reset();
+        for (std::size_t k = 0; k < result_.rungs.size(); ++k) {
+            const RungOutcome& rung = result_.rungs[k];
+            if (!rung.within() || rung.seconds >= best) continue;
+            best = rung.seconds;
+            result_.advice = k;
+        }
+    }
+
+    bool confirm()
+    {
+        const double duration = task_.start.run.duration;
+        result_.fullEnd = estimateTail(full_.samples, duration);
+        result_.fullSeconds = full_.secondsTo(duration);
+        if (!result_.advice) return true;
+        const RungOutcome& advice = result_.rungs[*result_.advice];
+        TailEstimate end = advice.tail;
+        result_.adviceSeconds = advice.seconds;
+        if (inTime(advice.rung)) {
+            PilotRun run;
+            const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
+                                          [&](std::size_t) { return tell(1.0, "confirming the advice"); });
+            if (!went) return false;
+            end = estimateTail(run.samples, duration);
+            if (!run.valid()) end.kind = EndKind::Failed;
+            result_.adviceSeconds = run.secondsTo(duration);
+            result_.studySeconds += result_.adviceSeconds;
+        }
+        result_.found = errorsOf(end, *result_.fullEnd, task_);
+        return true;
+    }
+
+    const AdvisorTask& task_;
+    int jobs_;
+    const AdvisorTell& tell_;
+    double begin_;
+    SceneMotion scene_;
+    std::vector<Rung> rests_, parts_; // of the ladder
+    std::atomic<double> most_ = 0.0; // seconds, that a model in time may take
+    PilotRun full_;
+    AdvisorResult result_;
+};
+
+} // namespace
+
+AdvisorResult advise(const AdvisorTask& task, int jobs, const AdvisorTell& tell) { return Advisor(task, jobs, tell).advise(); }
+
+} // namespace touchdown

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first part of a run, with what it took. The case runs as to its end, so that its steps are those of the whole run, and is stopped
+// where enough is known. What it takes is the time of its thread on a processor, so that runs at the same time do not count.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/studies/runs/parallel.h"
+#include "core/studies/advice/tail_estimate.h"
+
+namespace touchdown {
+
+/// Time of the calling thread on a processor [s].
+double threadSeconds();
+
+struct PilotRun {
+    SpacingSamples samples;
+    std::string problem;            // why it ended before, in a sentence; "" where it did not
+    bool stopped = false;           // by goOn
+    double lowest = 0.0;            // spacing at all samples [m]
+    bool contactActs = false;       // at any sample, be it contact or adhesion
+    std::vector<std::pair<double, double>> course; // time reached [s], thread's time [s]
+
+    bool valid() const { return problem.empty() && !stopped; }
+    /// What the run took to a time [s]; beyond what was reached at the rate of the last half of that.
+    double secondsTo(double time) const;
+};
+
+/// At which a pilot of this case is sampled [s]: as the case is, or often enough to tell its end.
+double pilotInterval(const Case& c);
+
+/// Asked as the run goes, with the samples so far; true: enough is known.
+using PilotEnough = std::function<bool(const SpacingSamples&)>;
+
+/// Runs a valid case of model "film" or "springs".
+PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn);
+
+} // namespace touchdown

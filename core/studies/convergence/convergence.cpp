@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/convergence/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/wall_clock.h"
+#include "core/case/contact_check.h"
+#include "core/simulation/contact/contact_run.h"
+#include "core/simulation/contact/elastic_pad.h"
+#include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "core/studies/runs/parallel.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Differences that shrink faster than any of the methods here does so by chance.
+constexpr double highestOrder = 3.0;
+/// Steps from the start to the closest approach where the state depends on how it was reached.
+constexpr int stepsOfAdhesion = 40;
+
+/// The cell of the last but one level is that of the case.
+double cellOf(const Case& c, int level, int levels) { return std::ldexp(c.elastic.cell, levels - 2 - level); }
+
+/// What does not follow from the rest.
+std::vector<Quantity> studied(const Case& c)
+{
+    std::vector<Quantity> list = contactQuantities(c);
+    std::erase_if(list, [](const Quantity& quantity) {
+        return quantity.name == "minimum_spacing" || quantity.name == "net_contact_force" ||
+               quantity.name == "friction_force";
+    });
+    return list;
+}
+
+ConvergenceLevel solveLevel(Case c, double cell, const std::function<bool()>& goOn)
+{
+    const double begin = wallClock();
+    ConvergenceLevel level;
+    level.cell = cell;
+    c.elastic.cell = cell;
+    ElasticPad pad(c, goOn);
+    level.cells = static_cast<long long>(pad.cells());
+    const double closest = 0.5 * c.run.duration;
+    const int steps = pad.canJump() ? stepsOfAdhesion : 1;
+    ContactForces forces;
+    for (int i = pad.canJump() ? 0 : 1; i <= steps && forces.problem.empty(); ++i) {
+        const double time = closest * i / steps;
+        forces = pad.move(i == steps ? c.approach.closest : padSeparation(c, time), time);
+        level.iterations += forces.iterations;
+    }
+    level.problem = forces.problem;
+    const std::vector<Quantity> all = contactQuantities(c);
+    std::vector<double> values(all.size());
+    contactValues(c, forces, values.data());
+    for (const Quantity& quantity : studied(c))
+        level.values.push_back(values[static_cast<std::size_t>(findQuantity(all, quantity.name))]);
+    level.seconds = wallClock() - begin;
+    return level;
+}
+
+} // namespace
+
+ObservedOrder observedOrder(double coarse, double middle, double fine)
+{
+    const double before = middle - coarse;
+    const double last = fine - middle;
+    if (last == 0.0) return {{}, fine, 0.0};
+    const double ratio = before / last;
+    if (!(ratio > 1.0) || ratio > std::exp2(highestOrder))
+        return {{}, fine, std::max(std::abs(before), std::abs(last))};
+    const double order = std::log2(ratio);
+    const double correction = last / (ratio - 1.0);
+    return {order, fine + correction, std::abs(correction)};
+}
+
+std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options)
+{
+    if (c.model == ModelKind::Film)
+        return "model \"film\" is not studied so: `touchdown steady` tells the discretisation error of its own grid; a "
+               "convergence "
+               "study takes a case of model \"contact\" with contact \"elastic\"";
+    if (c.model == ModelKind::Springs)
+        return "model \"springs\" has no grid; run.step_check compares a run with one of half its time step";
+    if (c.contact != ContactKind::Elastic)
+        return "this contact is a law without a grid; a convergence study takes contact \"elastic\"";
+    if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
+    for (int level = 0; level < options.levels; ++level) {
+        Case at = c;
+        at.elastic.cell = cellOf(c, level, options.levels);
+        std::vector<CaseProblem> problems;
+        checkPatch(at, problems);
+        if (!problems.empty())
+            return problems.front().key + ": " + problems.front().message +
+                   "; take fewer levels or another elastic.cell";
+    }
+    return {};
+}
+
+ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
+                                  const std::function<bool(int)>& done)
+{
+    const double begin = wallClock();
+    ConvergenceStudy study;
+    study.separation = c.approach.closest;
+    study.quantities = studied(c);
+    for (int level = 0; level < options.levels; ++level) {
+        study.levels.emplace_back();
+        study.levels.back().cell = cellOf(c, level, options.levels);
+        study.levels.back().problem = "not solved";
+    }
+    // The finest takes longest and goes first.
+    const auto solve = [&](std::size_t i, const GoOn& goOn) {
+        ConvergenceLevel& level = study.levels[study.levels.size() - 1 - i];
+        level = solveLevel(c, level.cell, goOn);
+    };
+    const auto poll = [&](std::size_t count) { return !done || done(static_cast<int>(count)); };
+    if (!runParallel(study.levels.size(), options.jobs, solve, poll)) study.status = StudyStatus::Cancelled;
+    study.wallSeconds = wallClock() - begin;
+    if (study.status == StudyStatus::Cancelled) {
+        study.message = "stopped before all levels were solved";
+        return study;
+    }
+    for (const ConvergenceLevel& level : study.levels) {
+        if (level.problem.empty()) continue;
+        study.status = StudyStatus::Failed;
+        study.message = "cells of " + formatQuantity(level.cell, "um") + ": " + level.problem;
+        return study;
+    }
+    const std::size_t last = study.levels.size() - 1;
+    for (std::size_t i = 0; i < study.quantities.size(); ++i)
+        study.observed.push_back(observedOrder(study.levels[last - 2].values[i], study.levels[last - 1].values[i],
+                                               study.levels[last].values[i]));
+    return study;
+}
+
+} // namespace touchdown

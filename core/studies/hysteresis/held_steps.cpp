@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/hysteresis/held_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/case/fields.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double fewestSamples = 1000.0; // of a hold, so that its last tenth has statistics
+
+std::optional<double> valueOf(const std::vector<std::pair<std::string, double>>& list, std::string_view name)
+{
+    const auto found = std::ranges::find(list, name, [](const auto& each) { return std::string_view(each.first); });
+    if (found == list.end()) return std::nullopt;
+    return found->second;
+}
+
+/// Mean of a column between two times; 0 where there is no sample.
+double meanBetween(const std::vector<double>& time, const std::vector<double>& column, double begin, double end)
+{
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < std::min(time.size(), column.size()); ++i) {
+        if (time[i] < begin || time[i] > end) continue;
+        sum += column[i];
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+}
+
+/// The branch on which the pad ends: forces tell it, but for asperities that have let go and menisci that pull nothing.
+ContactBranch branchAfter(const HeldEnd& before)
+{
+    const Summary& end = before.summary;
+    if (valueOf(end.final, "contact_force").value_or(0.0) != 0.0 || valueOf(end.final, "adhesion_force").value_or(0.0) != 0.0)
+        return ContactBranch::TakeOff;
+    for (auto event = end.events.rbegin(); event != end.events.rend(); ++event) {
+        if (event->name.find("spring") != std::string::npos) continue;
+        return event->name == "take-off" ? ContactBranch::TouchDown : ContactBranch::TakeOff;
+    }
+    if (before.startSpacing >= before.run.onoYamane.takeOff) return ContactBranch::TouchDown;
+    if (before.startSpacing <= before.run.onoYamane.touchDown) return ContactBranch::TakeOff;
+    return before.run.initial.branch;
+}
+
+} // namespace
+
+bool belongsToStart(const std::string& key) { return key.starts_with("initial."); }
+
+std::string setParameter(Case& c, const DesignKey& parameter, double value)
+{
+    Case changed = c;
+    if (const auto problem = parameter.set(changed, value)) return parameter.key + ": " + *problem;
+    for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
+    c = std::move(changed);
+    return {};
+}
+
+void carryOver(Case& next, const HeldEnd& before)
+{
+    const auto last = [&](std::string_view name) { return valueOf(before.summary.final, name).value_or(0.0); };
+    InitialCase& initial = next.initial;
+    const double height = last("height");
+    initial.pitch = last("pitch");
+    initial.verticalVelocity = last("vertical_velocity");
+    initial.pitchVelocity = last("pitch_velocity");
+    initial.branch = branchAfter(before);
+    if (next.model == ModelKind::Springs) {
+        initial.flyingHeight = height - next.onoYamane.padDistance * initial.pitch;
+        return;
+    }
+    initial.state = InitialState::Given;
+    initial.nominalTrailingEdgeHeight = height - 0.5 * next.slider.length * initial.pitch;
+    initial.roll = last("roll");
+    initial.rollVelocity = last("roll_velocity");
+}
+
+HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings, const GoOn& goOn)
+{
+    HeldStep step;
+    step.value = value;
+    Case c = steps.start;
+    c.run.duration = steps.hold;
+    c.run.sampleInterval = std::min(c.run.sampleInterval, steps.hold / fewestSamples);
+    c.run.step = std::min(c.run.step, steps.hold);
+    c.spectrum.start = 0.0;
+    step.problem = setParameter(c, steps.parameter, value);
+    if (!step.problem.empty()) {
+        last.valid = false;
+        return step;
+    }
+    step.anew = !last.valid;
+    if (last.valid) carryOver(c, last);
+    const std::string spacing(spacingOf(c));
+    MeasuredRun run = measureRun(c, {spacing}, goOn);
+    step.done = run.summary.status != RunStatus::Cancelled;
+    if (!step.done) return step;
+    step.problem = run.summary.message;
+    step.end = run.end;
+    for (const auto& [quantity, statistics] : run.summary.tail) {
+        if (quantity == spacing) step.spacing = statistics;
+        if (quantity == "pitch") step.pitch = statistics.mean;
+    }
+    for (const std::string& warning : run.summary.warnings)
+        if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    step.drift = std::abs(step.end.spacing - meanBetween(run.time, run.columns[0], 0.45 * steps.hold, 0.55 * steps.hold));
+    const double begin = run.columns[0].empty() ? 0.0 : run.columns[0].front();
+    last = {std::move(c), std::move(run.summary), begin, run.end.kind != EndKind::Failed};
+    return step;
+}
+
+bool holdAll(const HeldSteps& steps, const GoOn& goOn, const std::function<void(std::size_t, HeldStep&&)>& done,
+             std::vector<std::string>& warnings)
+{
+    HeldEnd last;
+    const std::size_t count = steps.values.size();
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        const bool back = i >= count;
+        HeldStep step = holdValue(steps, steps.values[back ? 2 * count - 1 - i : i], last, warnings, goOn);
+        if (goOn && !goOn()) return false;
+        step.back = back;
+        step.done = true;
+        done(i, std::move(step));
+    }
+    return true;
+}
+
+} // namespace touchdown

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/hysteresis/hysteresis.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "core/numerics/wall_clock.h"
+#include "core/case/fields.h"
+#include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "core/studies/study/few_digits.h"
+#include "core/studies/hysteresis/hysteresis_result.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostValues = 1000;
+constexpr int filmLooks = 3; // values at which equilibria of a film are sought, from which they are followed
+
+struct Range {
+    std::string key;
+    double from, to; // [unit of the key]
+    int steps;
+    double hold; // [s]
+};
+
+/// What a film in time costs by node of its grid and second of the run, on one core: measured on two sliders, one flying quietly and one
+/// falling into contact. Elastic contact of surfaces comes on top.
+constexpr double leastCost = 0.5, mostCost = 5.0; // [s/s per node]
+constexpr double patience = 600.0;                // for a study by its defaults [s]
+constexpr double settling = 200e-6;               // what the disk drags through a film takes as long to leave it [s]
+
+double nodesOf(const Case& c) { return double(c.film.nodes[0]) * c.film.nodes[1]; }
+
+/// "some 1 to 9 min" for so many runs of a film; "" of springs, which take seconds.
+std::string expectedTime(const Case& c, int runs, double hold)
+{
+    if (c.model != ModelKind::Film) return {};
+    const double work = runs * hold * nodesOf(c);
+    const bool minutes = mostCost * work >= 120.0;
+    const double unit = minutes ? 60.0 : 1.0; // [s]
+    const std::string least = fewDigits(leastCost * work / unit, "", 1), most = fewDigits(mostCost * work / unit, "", 1);
+    return "some " + least + " to " + most + (minutes ? " min" : " s");
+}
+
+/// Of a film the disk is slowed to half its speed, in a few steps and for as long as patience allows. Of springs the static height falls
+/// from twice its value to a fifth, or as far as a spring has a spacing: as pressure or speed would lower it, and so that an end takes
+/// off again.
+Range defaultRange(const Case& c)
+{
+    if (c.model == ModelKind::Film) {
+        constexpr int steps = 6, runs = 2 * (steps + 1);
+        const double affordable = roundedTo(patience / (runs * mostCost * nodesOf(c)), 2);
+        const double hold = std::min(c.run.duration, std::clamp(affordable, 0.25 * settling, settling));
+        return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, steps, hold};
+    }
+    const double height = c.springs.flyingHeight;
+    if (!(height > 0.0)) return {"ono_yamane.meniscus_force", 5.0 * c.onoYamane.meniscusForce, 0.0, 40, c.run.duration};
+    Range range{"springs.flying_height", roundedTo(2.0 * height, 2), 0.0, 40, c.run.duration};
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+        range.to = roundedTo(share * height, 2);
+        Case lowest = c;
+        lowest.springs.flyingHeight = range.to;
+        if (checkCombinations(lowest).empty()) break;
+    }
+    return range;
+}
+
+std::string reasonNotToTrace(const Case& c) { return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c); }
+
+/// Its branches lie on one grid.
+std::string reasonNotToTrace(const Case& c, const std::string& key)
+{
+    if (c.model == ModelKind::Film && (key == "slider.length" || key == "slider.width"))
+        return "equilibria of a film are followed on one grid over the slider, which " + key + " would change";
+    return reasonNotToTrace(c);
+}
+
+struct Plan {
+    HeldSteps steps;
+    bool equilibria = true;
+    std::string notTraced; // why no equilibria are sought though nobody said so, in a sentence
+};
+
+class HysteresisPerformance {
+public:
+    HysteresisPerformance(const Plan& plan, const StudyCallback& callback) : plan_(plan), task_(plan.steps), callback_(callback)
+    {
+        result_.steps.resize(task_.count());
+        for (std::size_t i = 0; i < result_.steps.size(); ++i) result_.steps[i].value = task_.values[i % task_.values.size()];
+    }
+
+    StudyReport perform(int jobs)
+    {
+        const double begin = wallClock();
+        const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
+        stepWarnings_.resize(sweeps);
+        const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
+        // There and back is one task, since each value needs the one before; the equilibria are another.
+        const auto work = [&](std::size_t i, const GoOn& goOn) {
+            if (i >= sweeps) trace(goOn);
+            else if (task_.fresh) holdFresh(i, goOn);
+            else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_[i]);
+        };
+        const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
+        if (!task_.fresh && task_.start.model == ModelKind::Film)
+            result_.warnings.push_back(std::string("each value begins with the air steady at the attitude of the one before") +
+                                       (task_.start.contact == ContactKind::Elastic
+                                            ? ", and without what contact and adhesion of the surfaces remember of the way there"
+                                            : ""));
+        addStepWarnings();
+        if (!plan_.notTraced.empty()) result_.warnings.push_back(plan_.notTraced);
+        StudyReport report = hysteresisReport(task_, result_);
+        if (!whole) {
+            report.status = StudyStatus::Cancelled;
+            report.message = "stopped before all values were held";
+            report.findings.clear();
+        }
+        report.wallSeconds = wallClock() - begin;
+        return report;
+    }
+
+private:
+    void take(std::size_t i, HeldStep&& step)
+    {
+        const std::lock_guard lock(mutex_);
+        result_.steps[i] = std::move(step);
+        ++held_;
+    }
+
+    void holdFresh(std::size_t i, const GoOn& goOn)
+    {
+        HeldEnd none;
+        HeldStep step = holdValue(task_, task_.values[i], none, stepWarnings_[i], goOn);
+        if (!goOn()) return;
+        step.done = true;
+        take(i, std::move(step));
+    }
+
+    /// In the order of the values, whatever thread came first.
+    void addStepWarnings()
+    {
+        std::vector<std::string>& all = result_.warnings;
+        for (const std::vector<std::string>& list : stepWarnings_)
+            for (const std::string& warning : list)
+                if (std::ranges::find(all, warning) == all.end()) all.push_back(warning);
+    }
+
+    void trace(const GoOn& goOn)
+    {
+        const CaseAt caseAt = [this](double value) -> std::optional<Case> {
+            Case c = task_.start;
+            if (!setParameter(c, task_.parameter, value).empty()) return {};
+            return c;
+        };
+        const auto tell = [&](double share) {
+            traced_ = share;
+            return goOn();
+        };
+        const double from = task_.values.front(), to = task_.values.back();
+        if (task_.start.model == ModelKind::Film) {
+            const FilmBranches found = traceFilmBranches(caseAt, from, to, filmLooks, tell);
+            if (found.stopped) return;
+            const std::lock_guard lock(mutex_);
+            addFilmEquilibria(found, result_);
+        } else {
+            const int looks = std::clamp(static_cast<int>(task_.values.size()), 9, 65);
+            const SpringEquilibria found = traceSpringEquilibria(caseAt, from, to, looks, tell);
+            if (found.stopped) return;
+            const std::lock_guard lock(mutex_);
+            addSpringEquilibria(found, result_);
+        }
+        traced_ = 1.0;
+    }
+
+    bool tell()
+    {
+        if (!callback_) return true;
+        const std::lock_guard lock(mutex_);
+        const double sweep = static_cast<double>(held_) / static_cast<double>(result_.steps.size());
+        StudyProgress progress;
+        progress.share = plan_.equilibria ? 0.5 * (sweep + traced_) : sweep;
+        progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
+                         std::to_string(result_.steps.size()) + " values";
+        if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold); held_ == 0 && !time.empty())
+            progress.doing += ", " + time + " in all by an estimate";
+        std::optional<StudyReport> soFar;
+        if (held_ > told_) {
+            soFar = hysteresisReport(task_, result_);
+            soFar->findings.clear();
+            progress.soFar = &*soFar;
+            told_ = held_;
+        }
+        return callback_(progress);
+    }
+
+    const Plan& plan_;
+    const HeldSteps& task_;
+    const StudyCallback& callback_;
+    std::mutex mutex_; // of all below
+    HysteresisResult result_;
+    std::vector<std::vector<std::string>> stepWarnings_; // each by its own task; not of the mutex
+    std::size_t held_ = 0, told_ = 0;
+    std::atomic<double> traced_ = 0.0;
+};
+
+/// The key and its ends, each within the case's ranges; false where there is a problem.
+bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
+{
+    const Case& c = reader.start();
+    const std::string key = reader.text("parameter", "a key of the case in quotation marks").value_or(standard.key);
+    const bool named = reader.has("parameter");
+    const auto found = designKey(c, key);
+    if (const auto* problem = std::get_if<std::string>(&found)) {
+        reader.add("parameter", key + " " + *problem);
+        reader.allow("", {"from", "to"});
+        return false;
+    }
+    steps.parameter = std::get<DesignKey>(found);
+    if (key.starts_with("run.") || key.starts_with("spectrum.")) {
+        reader.add("parameter", key + " belongs to the computation, not to the scene");
+        reader.allow("", {"from", "to"});
+        return false;
+    }
+    const Field* field = findField(key);
+    const double minimum = field ? field->minimum : -std::numeric_limits<double>::infinity();
+    const double maximum = field ? field->maximum : std::numeric_limits<double>::infinity();
+    const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
+        const bool given = reader.has(name);
+        std::optional<double> value = reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, minimum, maximum);
+        if (!given && key != standard.key) {
+            reader.add(name, "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));
+            return {};
+        }
+        if (!given) value = otherwise;
+        if (!value) return {};
+        Case at = c;
+        if (const std::string problem = setParameter(at, steps.parameter, *value); !problem.empty()) {
+            reader.add(name, problem);
+            return {};
+        }
+        return value;
+    };
+    const std::optional<double> from = end("from", standard.from), to = end("to", standard.to);
+    if (!from || !to) return false;
+    if (*from == *to) {
+        reader.add("to", "is the same as from: there is nothing to move");
+        return false;
+    }
+    steps.values = {*from, *to};
+    return true;
+}
+
+} // namespace
+
+StudyPerformance planHysteresis(StudyReader& reader)
+{
+    const Case& c = reader.start();
+    Plan plan;
+    plan.steps.start = c;
+    if (c.model == ModelKind::Contact) {
+        reader.allow("", {"parameter", "from", "to", "steps", "hold", "anew", "equilibria"});
+        reader.add("case", "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
+        return {};
+    }
+    const Range standard = defaultRange(c);
+    const bool ranged = readRange(reader, standard, plan.steps);
+    const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
+    plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
+    const std::optional<bool> anew = reader.boolean("anew");
+    const std::string reasonNot = reasonNotToTrace(c, plan.steps.parameter.key);
+    const std::optional<bool> asked = reader.boolean("equilibria");
+    const bool wanted = asked.value_or(reasonNot.empty());
+    if (wanted && !reasonNot.empty()) reader.add("equilibria", reasonNot);
+    if (!asked && reasonNotToTrace(c).empty()) plan.notTraced = reasonNot;
+    if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
+    if (c.model == ModelKind::Film && c.steady.fixedAttitude)
+        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; a hysteresis study takes one that flies");
+    if (!ranged) return {};
+
+    plan.equilibria = wanted;
+    const bool ofStart = belongsToStart(plan.steps.parameter.key);
+    plan.steps.fresh = anew.value_or(ofStart);
+    if (ofStart && !plan.steps.fresh) {
+        reader.add("anew", plan.steps.parameter.key + " belongs to the start: each value begins anew, and nothing can be carried over (anew = true)");
+        return {};
+    }
+    const double from = plan.steps.values.front(), to = plan.steps.values.back();
+    plan.steps.values.clear();
+    for (int i = 0; i <= count; ++i) plan.steps.values.push_back(std::lerp(from, to, double(i) / count));
+    return [plan](int jobs, const StudyCallback& callback) { return HysteresisPerformance(plan, callback).perform(jobs); };
+}
+
+std::string hysteresisTemplate(const Case& c)
+{
+    const Range range = defaultRange(c);
+    const Field* field = findField(range.key);
+    std::string text;
+    const auto line = [&](const std::string& setting, const std::string& comment) {
+        text += setting + std::string(setting.size() < 40 ? 40 - setting.size() : 1, ' ') + "# " + comment + "\n";
+    };
+    if (const std::string time = expectedTime(c, 2 * (range.steps + 1), range.hold); !time.empty())
+        text += "# " + std::to_string(2 * (range.steps + 1)) + " runs of the film take " + time +
+                " by an estimate; equilibria and contact of surfaces come on top.\n"
+                "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " + fewDigits(settling, "us") +
+                " may end before the film has settled.\n";
+    line("parameter = \"" + range.key + "\"", "any number of the case");
+    line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"", "the first value begins as the case says");
+    line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
+    line("steps = " + std::to_string(range.steps), "from one end to the other");
+    line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");
+    line("anew = false", "true: each value begins as the case says, one way; always so for initial.*");
+    if (reasonNotToTrace(c).empty()) line("equilibria = true", "all equilibria and their stability");
+    return text;
+}
+
+} // namespace touchdown

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/precision/precision_runs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/wall_clock.h"
+#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/steady_quantities.h"
+#include "core/studies/study/few_digits.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
+constexpr double budgetOfFirstRuns = 0.7; // what is left is for repeats
+constexpr double budgetOfReferences = 0.6;
+constexpr double shortRun = 5e-3;         // [s]
+constexpr double sameState = 0.5;         // a film's spacings in one state differ by no more than this share, whatever the grid
+
+std::vector<std::string> namesOf(const PrecisionTask& task)
+{
+    std::vector<std::string> names{task.quantity.name};
+    for (const Quantity& quantity : task.also) names.push_back(quantity.name);
+    return names;
+}
+
+/// A static state as a run with one sample.
+MeasuredRun measureSteady(const Case& c, const std::vector<std::string>& names, const GoOn& goOn)
+{
+    const double begin = wallClock();
+    const SteadyResult state = steady(c, [&](const SteadyProgress&) { return !goOn || goOn(); });
+    MeasuredRun run;
+    run.summary.wallSeconds = run.summary.solverSeconds = wallClock() - begin;
+    run.summary.evaluations = state.solves;
+    run.summary.steps = state.iterations;
+    run.summary.message = state.message;
+    run.columns.resize(names.size());
+    if (state.status != SteadyStatus::Converged) {
+        run.summary.status = state.status == SteadyStatus::Cancelled ? RunStatus::Cancelled : RunStatus::Failed;
+        run.summary.failure = RunFailure::NotConverged;
+        return run;
+    }
+    run.time = {0.0};
+    for (const SteadyQuantity& each : steadyQuantities(state))
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (each.quantity.name == names[i] && std::isfinite(each.value)) run.columns[i] = {each.value};
+    run.end = {EndKind::Flying, state.minimumSpacing, 0.0};
+    return run;
+}
+
+MeasuredRun measure(const PrecisionTask& task, const Case& c, const GoOn& goOn)
+{
+    return task.inTime ? measureRun(c, namesOf(task), goOn) : measureSteady(c, namesOf(task), goOn);
+}
+
+/// Springs take milliseconds, of which their samples take most.
+double secondsOf(const PrecisionTask& task, const Summary& summary)
+{
+    return task.start.model == ModelKind::Springs ? summary.solverSeconds : summary.wallSeconds;
+}
+
+/// Over what is determined, first the task's quantity, then the others.
+std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredRun& run, const ProvenReference& reference)
+{
+    std::vector<TrajectoryError> errors;
+    for (std::size_t i = 0; i <= task.also.size(); ++i) errors.push_back(trajectoryError(run, reference.run, i, reference.samples));
+    return errors;
+}
+
+/// How far apart the spacings of one end state may lie [m].
+double distanceOfEnds(const PrecisionTask& task, const MeasuredRun& reference)
+{
+    if (!task.inTime) return INFINITY;
+    return task.start.model == ModelKind::Springs ? sameSpacing : std::max(sameSpacing, sameState * std::abs(reference.end.spacing));
+}
+
+class Performance {
+public:
+    Performance(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback)
+        : task_(task), jobs_(jobs), runs_(runs), callback_(callback), begin_(wallClock())
+    {
+        for (std::size_t m = 0; m < task.methods.size(); ++m)
+            for (std::size_t s = 0; s < task.methods[m].settings.size(); ++s) {
+                PrecisionPoint& point = runs_.points.emplace_back();
+                point.method = m;
+                point.setting = s;
+            }
+    }
+
+    bool perform()
+    {
+        if (!findReference()) return false;
+        if (!runs_.reference.problem.empty()) return true;
+        return runEach() && repeat();
+    }
+
+private:
+    double spent() const { return wallClock() - begin_; }
+
+    /// Runs tasks; a stop by the callback and one because the budget is spent are told apart.
+    enum class Ended : std::uint8_t { Well, Late, Stopped };
+    Ended runTasks(std::size_t count, int jobs, double until, const std::function<void(std::size_t, const GoOn&)>& task,
+                   const std::function<std::string(std::size_t)>& doing)
+    {
+        bool stopped = false;
+        const bool well = runParallel(count, jobs, task, [&](std::size_t done) {
+            stopped = !tell(doing(done));
+            return !stopped && spent() < until;
+        });
+        return stopped ? Ended::Stopped : well ? Ended::Well : Ended::Late;
+    }
+
+    bool tell(const std::string& doing)
+    {
+        const bool changed = std::exchange(changed_, false);
+        return callback_(share_, doing, changed);
+    }
+
+    bool findReference()
+    {
+        std::vector<MeasuredRun> found(task_.references.size());
+        for (MeasuredRun& each : found) each.summary.status = RunStatus::Cancelled; // until it ends
+        const Ended ended = runTasks(
+            found.size(), jobs_, budgetOfReferences * task_.budget,
+            [&](std::size_t i, const GoOn& goOn) { found[i] = measure(task_, task_.references[i].c, goOn); },
+            [&](std::size_t done) {
+                share_ = shareOfReference * static_cast<double>(done) / static_cast<double>(found.size());
+                return "reference: " + task_.references[std::min(done, found.size() - 1)].label;
+            });
+        if (ended == Ended::Stopped) return false;
+        runs_.referencesLate = ended == Ended::Late;
+        const auto ran = [](const MeasuredRun& run) { return run.summary.status != RunStatus::Cancelled; };
+        if (std::ranges::count_if(found, ran) < 2) {
+            runs_.reference.problem = "fewer than two of the runs that may prove it ended within " + fewDigitsOfTime(budgetOfReferences * task_.budget) +
+                                      ", their share of the budget of " + fewDigitsOfTime(task_.budget) + "; give it more";
+            return true;
+        }
+        const auto valid = std::ranges::find_if(found, &MeasuredRun::valid);
+        sameDistance_ = distanceOfEnds(task_, valid != found.end() ? *valid : found.front());
+        runs_.reference = proveReference(task_.references, std::move(found), task_.agreement, sameDistance_);
+        if (runs_.reference.problem.empty()) runs_.uncertainty = errorsOf(task_, runs_.reference.check, runs_.reference);
+        share_ = shareOfReference;
+        changed_ = true;
+        return proveEnd();
+    }
+
+    /// Where the trajectory of springs is not determined, which takes milliseconds, whether its end is.
+    bool proveEnd()
+    {
+        ProvenReference& reference = runs_.reference;
+        // Of what is no length nobody has said when it parts.
+        const bool parts = reference.horizon || !std::isfinite(task_.agreement);
+        if (!reference.endKnown || !parts || task_.start.model != ModelKind::Springs) return true;
+        const std::vector<Case> starts = nudgedStarts(task_.references[reference.which].c);
+        std::vector<MeasuredRun> ends(starts.size());
+        const Ended ended = runTasks(
+            ends.size(), jobs_, budgetOfReferences * task_.budget, [&](std::size_t i, const GoOn& goOn) { ends[i] = measure(task_, starts[i], goOn); },
+            [](std::size_t) { return std::string("starts that hardly differ"); });
+        if (ended == Ended::Well) touchdown::proveEnd(reference, ends, sameDistance_);
+        runs_.referencesLate = runs_.referencesLate || ended == Ended::Late;
+        return ended != Ended::Stopped;
+    }
+
+    const Case& caseOf(const PrecisionPoint& point) const { return task_.methods[point.method].settings[point.setting].c; }
+
+    /// Coarse settings of all methods before fine ones of any.
+    std::vector<PrecisionPoint*> byFineness()
+    {
+        std::vector<PrecisionPoint*> order;
+        for (PrecisionPoint& point : runs_.points) order.push_back(&point);
+        std::ranges::stable_sort(order, {}, [](const PrecisionPoint* point) { return point->setting; });
+        return order;
+    }
+
+    /// One run alone, while the caller's thread watches.
+    Ended runAlone(const PrecisionPoint& point, double until, MeasuredRun& run)
+    {
+        const auto runIt = [&](std::size_t, const GoOn& goOn) {
+            run = measure(task_, caseOf(point), goOn);
+            // What others have cooled since its last run makes the first of two short ones slower.
+            if (run.valid() && secondsOf(task_, run.summary) < shortRun) run = measure(task_, caseOf(point), goOn);
+        };
+        return runTasks(1, 1, until, runIt, [&](std::size_t) { return nameOf(task_, point); });
+    }
+
+    bool runEach()
+    {
+        const double until = spent() + budgetOfFirstRuns * std::max(0.0, task_.budget - spent());
+        const std::vector<PrecisionPoint*> order = byFineness();
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            MeasuredRun run;
+            const Ended ended = spent() < until ? runAlone(*order[i], until, run) : Ended::Late;
+            if (ended == Ended::Stopped) return false;
+            if (ended == Ended::Late) {
+                runs_.late = true;
+                break;
+            }
+            record(*order[i], run);
+            share_ = shareOfReference + shareOfFirstRuns * static_cast<double>(i + 1) / static_cast<double>(order.size());
+            changed_ = true;
+        }
+        return true;
+    }
+
+    void record(PrecisionPoint& point, const MeasuredRun& run)
+    {
+        const ProvenReference& reference = runs_.reference;
+        point.ran = true;
+        point.summary = run.summary;
+        point.end = run.end;
+        point.seconds = {secondsOf(task_, run.summary)};
+        point.work = workOf(caseOf(point), run.summary);
+        // Where the end is not determined, none is the right one.
+        const bool right = sameOutcome(run, reference.run, sameDistance_) || (!reference.endKnown && run.valid());
+        point.kind = right ? PointKind::Good : run.valid() ? PointKind::WrongState : PointKind::Failed;
+        if (point.kind == PointKind::Failed || run.columns[0].size() < reference.samples) return;
+        point.errors = errorsOf(task_, run, reference);
+    }
+
+    bool repeat()
+    {
+        std::vector<PrecisionPoint*> order = byFineness();
+        std::erase_if(order, [&](const PrecisionPoint* point) { return !point->ran || point->fastest() > task_.timeLimit; });
+        const double first = share_;
+        const std::size_t all = order.size() * static_cast<std::size_t>(task_.repeats);
+        std::vector<std::vector<double>> timed(order.size());
+        std::size_t done = 0;
+        Ended ended = Ended::Well;
+        for (int round = 0; round < task_.repeats && ended == Ended::Well; ++round)
+            for (std::size_t i = 0; i < order.size() && ended == Ended::Well; ++i, ++done) {
+                share_ = first + (1.0 - first) * static_cast<double>(done) / static_cast<double>(all);
+                MeasuredRun run;
+                ended = spent() < task_.budget ? runAlone(*order[i], task_.budget, run) : Ended::Late;
+                if (ended == Ended::Well) timed[i].push_back(secondsOf(task_, run.summary));
+            }
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (timed[i].empty()) continue;
+            std::ranges::sort(timed[i]);
+            order[i]->seconds = timed[i];
+        }
+        changed_ = true;
+        return ended != Ended::Stopped;
+    }
+
+    const PrecisionTask& task_;
+    int jobs_;
+    PrecisionRuns& runs_;
+    const RunsCallback& callback_;
+    double begin_;         // wall clock [s]
+    double share_ = 0.0;   // done
+    bool changed_ = false; // since the last call
+    double sameDistance_ = sameSpacing; // of ends [m]
+};
+
+} // namespace
+
+std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point)
+{
+    const SweptMethod& method = task.methods[point.method];
+    return nameOf(method.name, method.settings[point.setting].label);
+}
+
+double PrecisionPoint::median() const
+{
+    if (seconds.empty()) return 0.0;
+    const std::size_t middle = seconds.size() / 2;
+    return seconds.size() % 2 == 1 ? seconds[middle] : 0.5 * (seconds[middle - 1] + seconds[middle]);
+}
+
+bool performRuns(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback)
+{
+    return Performance(task, jobs, runs, callback).perform();
+}
+
+} // namespace touchdown

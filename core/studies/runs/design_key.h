@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A number of a case that a design study may change: a field of its file, or of a rail [m]
+//
+//   abs.rail[2].recess   a ramp keeps its slopes
+//   abs.rail[2].x, y     middle of the rectangle around it, from the leading and from the inner edge; the rail is moved
+//   abs.rail[2].length, width   of that rectangle along x and y; the rail is stretched about its middle
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/case/case.h"
+
+namespace touchdown {
+
+struct DesignKey {
+    std::string key;         // "abs.rail[2].width"
+    std::string unit;        // SI
+    std::string displayUnit; // "mm"
+    std::function<double(const Case&)> get{};
+    /// Returns what is wrong with the value, in a sentence without the key, and leaves the case alone then.
+    std::function<std::optional<std::string>(Case&, double)> set{};
+};
+
+/// The key in a valid case, or why it is none that can be changed, in a sentence without it.
+std::variant<DesignKey, std::string> designKey(const Case& c, std::string_view key);
+
+} // namespace touchdown

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/runs/measured_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/moments.h"
+#include "core/case_files/case_file.h"
+#include "core/case/fields.h"
+#include "core/simulation/run.h"
+#include "core/studies/study/few_digits.h"
+
+namespace touchdown {
+
+TouchColumns::TouchColumns(const Case& c) : menisci_(c.contact == ContactKind::OnoYamane)
+{
+    const std::vector<Quantity> quantities = recordedQuantities(c);
+    contact_ = findQuantity(quantities, "contact_force");
+    adhesion_ = findQuantity(quantities, "adhesion_force");
+}
+
+std::string_view name(EndKind kind)
+{
+    switch (kind) {
+    case EndKind::Flying: return "flying";
+    case EndKind::Contact: return "contact";
+    case EndKind::Intermittent: return "in and out of contact";
+    case EndKind::Failed: return "failed";
+    }
+    return {};
+}
+
+std::string_view spacingOf(const Case& c) { return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing"; }
+
+MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn, const RunOptions& options)
+{
+    Case c = given;
+    c.run.stepCheck = false;
+    c.run.fieldSnapshots = 0;
+    const std::vector<Quantity> all = recordedQuantities(c);
+    std::vector<int> columns;
+    for (const std::string& quantity : quantities) columns.push_back(findQuantity(all, quantity));
+    const TouchColumns touch(c);
+    const int spacing = findQuantity(all, spacingOf(c));
+    const double tailBegin = (1.0 - tailShare) * c.run.duration;
+
+    MeasuredRun run;
+    run.columns.resize(quantities.size());
+    std::size_t touching = 0;
+    std::vector<double> tail; // of the spacing
+    run.summary = touchdown::run(c, [&](const RunUpdate& update) {
+        const SampleBatch& batch = update.samples;
+        run.time.insert(run.time.end(), batch.time.begin(), batch.time.end());
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            if (columns[i] < 0) continue;
+            const std::vector<double>& values = batch.columns[static_cast<std::size_t>(columns[i])];
+            run.columns[i].insert(run.columns[i].end(), values.begin(), values.end());
+        }
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            if (batch.time[i] < tailBegin || spacing < 0) continue;
+            tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
+            touching += touch.touches(batch, i);
+        }
+        return !goOn || goOn();
+    }, options);
+    if (!run.valid() || tail.empty()) return run;
+    const Moments moments = momentsOf(tail);
+    run.end.kind = touching == 0 ? EndKind::Flying : touching == tail.size() ? EndKind::Contact : EndKind::Intermittent;
+    run.end.spacing = moments.mean;
+    run.end.spread = moments.deviation;
+    return run;
+}
+
+bool sameEnd(const EndState& a, const EndState& b, double distance)
+{
+    if (a.kind != b.kind) return false;
+    if (a.kind == EndKind::Failed) return true;
+    const double wider = std::max(a.spread, b.spread);
+    return std::abs(a.spread - b.spread) <= std::max(distance, 0.5 * wider) && std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
+}
+
+bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance)
+{
+    if (a.valid() != b.valid()) return false;
+    return a.valid() ? sameEnd(a.end, b.end, distance) : a.summary.failure == b.summary.failure;
+}
+
+std::string outcomeText(const MeasuredRun& run)
+{
+    if (!run.valid()) return "fails: " + run.summary.message;
+    constexpr double rest = 0.1 * sameSpacing;
+    const std::string at = fewDigits(run.end.spacing, "nm", 3) + (run.end.spread > rest ? " +- " + fewDigits(run.end.spread, "nm") : "");
+    switch (run.end.kind) {
+    case EndKind::Flying: return "flies at " + at;
+    case EndKind::Contact: return "ends in contact at " + at;
+    case EndKind::Intermittent: return "goes in and out of contact about " + at;
+    case EndKind::Failed: break;
+    }
+    return "has no end";
+}
+
+std::string applySettings(Case& c, const std::vector<CaseSetting>& settings)
+{
+    Case changed = c;
+    for (const CaseSetting& setting : settings) {
+        const Field* field = findField(setting.key);
+        if (field == nullptr) {
+            const std::string near = nearestKey(setting.key);
+            return setting.key + ": unknown key" + (near.empty() ? "" : "; did you mean " + near + "?");
+        }
+        if (const auto problem = setFromText(changed, *field, setting.value)) return setting.key + ": " + *problem;
+    }
+    for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
+    c = std::move(changed);
+    return {};
+}
+
+} // namespace touchdown

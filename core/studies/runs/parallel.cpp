@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/runs/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace touchdown {
+
+bool runParallel(std::size_t count, int jobs, const std::function<void(std::size_t, const GoOn& goOn)>& task,
+                 const std::function<bool(std::size_t done)>& poll)
+{
+    std::mutex mutex;
+    std::condition_variable ended;
+    std::size_t next = 0, done = 0;
+    std::atomic<bool> stopped = false;
+    const GoOn goOn = [&] { return !stopped; };
+    const auto work = [&] {
+        std::unique_lock lock(mutex);
+        while (next < count && !stopped) {
+            const std::size_t mine = next++;
+            lock.unlock();
+            task(mine, goOn);
+            lock.lock();
+            ++done;
+            ended.notify_one();
+        }
+    };
+
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i) threads.emplace_back(work);
+    std::unique_lock lock(mutex);
+    while (done < count) {
+        ended.wait_for(lock, std::chrono::milliseconds(50));
+        const std::size_t now = done;
+        lock.unlock();
+        if (!poll(now)) {
+            stopped = true;
+            break; // the threads end before they are joined
+        }
+        lock.lock();
+    }
+    if (lock.owns_lock()) lock.unlock();
+    threads.clear();
+    return !stopped;
+}
+
+} // namespace touchdown

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/runs/swept_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "core/case/fields.h"
+#include "core/formats/quotation.h"
+#include "core/studies/study/few_digits.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int labelDigits = 6;
+
+/// -1: smaller values are finer; 1: larger ones are; 0: they have no such order.
+int finenessOf(std::string_view key)
+{
+    if (key.ends_with("step") || key.ends_with("tolerance") || key.ends_with("step_error") || key == "elastic.cell") return -1;
+    return key == "film.nodes" ? 1 : 0;
+}
+
+double numberOf(const Field& field, const Case& c)
+{
+    const FieldValue value = field.get(c);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* whole = std::get_if<int>(&value)) return *whole;
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty()) return list->front();
+    return std::nan("");
+}
+
+/// "97, 97" of "97" for a list of two.
+std::string fullValue(const Field& field, const std::string& value)
+{
+    if (field.kind != FieldKind::List || field.minimumCount < 2 || field.minimumCount != field.maximumCount) return value;
+    if (listElements(value).size() != 1) return value;
+    std::string list = value;
+    for (std::size_t i = 1; i < field.minimumCount; ++i) list += ", " + value;
+    return list;
+}
+
+/// "97" of "97, 97"; a number with no more figures than a person reads.
+std::string labelOf(const Field& field, const Case& c)
+{
+    if (field.kind == FieldKind::Number) return fewDigits(numberOf(field, c), field.displayUnit, labelDigits);
+    const std::string value = toText(c, field);
+    if (field.kind != FieldKind::List) return value;
+    const std::vector<std::string_view> elements = listElements(value);
+    const bool alike = std::ranges::all_of(elements, [&](std::string_view each) { return each == elements.front(); });
+    return elements.empty() || !alike ? value : std::string(elements.front());
+}
+
+/// Settings that would make runs which cannot be compared.
+std::string problemOfKey(const std::string& key)
+{
+    for (const char* fixed : {"model", "run.duration", "run.sample_interval"})
+        if (key == fixed) return key + ": must be the same for all methods; set it for the case";
+    return {};
+}
+
+/// Applies and says where a setting would have no effect.
+std::string apply(Case& c, const std::vector<CaseSetting>& settings)
+{
+    for (const CaseSetting& setting : settings)
+        if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
+    if (std::string problem = applySettings(c, settings); !problem.empty()) return problem;
+    for (const CaseSetting& setting : settings)
+        if (const std::string message = unusedMessage(c, *findField(setting.key)); !message.empty())
+            return setting.key + ": " + message;
+    return {};
+}
+
+} // namespace
+
+std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table)
+{
+    std::vector<CaseSetting> settings;
+    for (auto& [key, value] : reader.settings(table)) settings.push_back({key, value});
+    return settings;
+}
+
+std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
+{
+    std::vector<MethodSpec> specs;
+    std::set<std::string> names;
+    for (const std::string& table : reader.tables("method")) {
+        MethodSpec& spec = specs.emplace_back();
+        spec.name = reader.text(table + ".name").value_or("");
+        spec.set = readSettings(reader, table + ".set");
+        spec.key = reader.text(table + ".key").value_or("");
+        if (const auto values = reader.texts(table + ".values")) spec.values = *values;
+        if (const auto some = ensembles ? reader.texts(table + ".ensemble") : std::nullopt) spec.ensemble = *some;
+        if (spec.name.empty()) reader.add(table, "has no name");
+        else if (!names.insert(spec.name).second) reader.add(table + ".name", inQuotes(spec.name) + " is the name of another method, too");
+        if (spec.key.empty() && !spec.values.empty()) reader.add(table + ".values", "are of no key; name it with key = \"run.step\"");
+        if (!spec.key.empty() && spec.values.empty()) reader.add(table, "has no values of its key");
+        for (const std::string& each : spec.ensemble)
+            if (std::ranges::find(spec.values, each) == spec.values.end()) reader.add(table + ".ensemble", inQuotes(each) + " is none of the values");
+    }
+    return specs;
+}
+
+std::string tomlList(const std::vector<std::string>& values)
+{
+    std::string text;
+    for (const std::string& value : values) text += (text.empty() ? "[" : ", ") + tomlString(value);
+    return text + "]";
+}
+
+std::string methodText(const MethodSpec& spec)
+{
+    std::string text = "\n[[method]]\nname = " + tomlString(spec.name) + "\nset = { ";
+    for (const CaseSetting& setting : spec.set)
+        text += (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
+    return text + " }\nkey = " + tomlString(spec.key) + "\nvalues = " + tomlList(spec.values) + "\n";
+}
+
+std::string nameOf(const std::string& method, const std::string& setting) { return setting.empty() ? method : method + " (" + setting + ")"; }
+
+std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn)
+{
+    method = {.name = spec.name, .key = spec.key};
+    Case base = start;
+    if (std::string problem = apply(base, spec.set); !problem.empty()) return problem;
+    const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
+        const Field& field = *findField(setting.key);
+        return toText(base, field) == toText(start, field);
+    });
+    if (spec.key.empty()) {
+        method.settings.push_back({.label = "", .c = base, .chosen = own, .inEnsemble = true});
+        return {};
+    }
+    const Field* field = findField(spec.key);
+    if (field == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
+    bool found = false;
+    for (const std::string& value : spec.values) {
+        MethodSetting setting{.label = value, .c = base};
+        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*field, value)}}); !problem.empty()) return problem;
+        setting.value = numberOf(*field, setting.c);
+        setting.chosen = own && toText(setting.c, *field) == toText(start, *field);
+        setting.inEnsemble = spec.ensemble.empty() || std::ranges::find(spec.ensemble, value) != spec.ensemble.end();
+        found = found || setting.chosen;
+        if (field->kind == FieldKind::List) setting.label = labelOf(*field, setting.c);
+        method.settings.push_back(std::move(setting));
+    }
+    if (addOwn && own && !found)
+        method.settings.push_back({.label = labelOf(*field, base), .c = base, .value = numberOf(*field, base), .chosen = true, .inEnsemble = true});
+    const int fineness = finenessOf(spec.key);
+    method.ordered = fineness != 0;
+    if (method.ordered) std::ranges::stable_sort(method.settings, {}, [&](const MethodSetting& setting) { return fineness * setting.value; });
+    return {};
+}
+
+} // namespace touchdown

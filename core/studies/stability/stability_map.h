@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that what the
+// paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8 to 1e-9 s?
+//
+//   fooled           it does not change, and is not the reference's
+//   false alarm      it changes, though the one at the longer step is the reference's already
+//   right            it does not change and is the reference's, or changes from one that is not
+//   not determined   neither is the reference's end, so that there is nothing to be right about
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/studies/runs/run_class.h"
+#include "core/studies/stability/stability_task.h"
+
+namespace touchdown {
+
+enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDetermined };
+std::string_view name(CriterionVerdict verdict);
+
+struct CriterionResult {
+    std::string finer;             // the setting with which it is compared, "1 ns"
+    bool endChanges = false;
+    double trajectoryChange = 0.0; // the largest [m]
+    CriterionVerdict verdict = CriterionVerdict::Right;
+};
+
+struct StabilityCell {
+    std::size_t row = 0, method = 0, setting = 0;
+    MeasuredRun run;
+    RunVerdict verdict;
+    std::optional<CriterionResult> criterion; // where there is a run with a tenth of its step
+};
+
+struct StabilityMap {
+    std::vector<ProvenReference> references; // one a row
+    std::vector<StabilityCell> cells;     // row by row, method by method
+};
+
+/// Asked with the share that is done, by expected time, and what is done next; false stops.
+using MapCallback = std::function<bool(double share, const std::string& doing)>;
+
+/// On up to `jobs` threads, on which the outcome does not depend. Returns false where the callback stopped it.
+bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback);
+
+} // namespace touchdown

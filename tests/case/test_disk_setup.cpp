@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/disk_setup.h"
+
+#include <cmath>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/case/fields.h"
+#include "core/simulation/run.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+const QByteArray caseText = R"(title = "a measured disk"
+model = "contact"
+
+[approach]
+start = "5 nm"
+closest = "3 nm"
+
+[disk.surface]
+kind = "file"
+motion = "still"
+file = "measured/track.txt"
+)";
+
+/// x [um], height [nm].
+const QByteArray profile = "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n4 0\n5 1\n6 0\n7 -1\n";
+
+} // namespace
+
+class TestDiskSetup : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        folder_ = std::make_unique<QTemporaryDir>();
+        QVERIFY(QDir(folder_->path()).mkdir("measured"));
+        put("case.toml", caseText);
+        put("measured/track.txt", profile);
+    }
+
+    /// The file is looked for in the folder of the case, not in the working one.
+    void fileBesideTheCase()
+    {
+        const CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY2(document.valid(), document.valid() ? "" : document.problems.front().text().c_str());
+        const DiskTopography surface = diskTopography(document.value);
+        QVERIFY(!surface.flat());
+        // Above its mean plane, wherever that is; the same across.
+        QVERIFY(std::abs(surface.height(1e-6, 0.0) - surface.height(3e-6, 5e-6) - 2e-9) < 1e-15);
+        QCOMPARE(reasonNotToRun(document.value), std::string());
+        QCOMPARE(run(document.value).status, RunStatus::Completed);
+    }
+    void settingsLookThereToo()
+    {
+        put("case.toml", QByteArray(caseText).replace("\"measured/track.txt\"", "\"other.txt\""));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY(!document.valid());
+        applySettings(document, {"disk.surface.file=measured/track.txt"});
+        QVERIFY(document.valid());
+    }
+    void problems_data()
+    {
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("no number") << QByteArray("0 0\n1 x\n2 0\n") << "track.txt";
+        QTest::newRow("uneven steps") << QByteArray("0 0\n1 1\n3 0\n") << "track.txt";
+        QTest::newRow("empty") << QByteArray() << "track.txt";
+    }
+    void problems()
+    {
+        QFETCH(QByteArray, file);
+        QFETCH(QString, says);
+        put("measured/track.txt", file);
+        const CaseDocument document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QVERIFY2(QString::fromStdString(document.problems.front().text()).contains(says),
+                 document.problems.front().text().c_str());
+    }
+    void missing()
+    {
+        QVERIFY(QFile::remove(folder_->filePath("measured/track.txt")));
+        const CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY(!document.valid());
+        QVERIFY(!reasonNotToRun(document.value).empty());
+        const Summary summary = run(document.value);
+        QCOMPARE(summary.status, RunStatus::Failed);
+        QVERIFY(!summary.message.empty());
+    }
+    /// What does not use the file does not look for it.
+    void unusedFile()
+    {
+        CaseDocument document = readCaseFile(path("case.toml"));
+        document.value.diskSurface.file = "missing.txt";
+        document.value.diskSurface.kind = DiskSurfaceKind::Flat;
+        QVERIFY(diskFileProblems(document.value).empty());
+        QVERIFY(diskTopography(document.value).flat());
+        document.value.diskSurface.kind = DiskSurfaceKind::File;
+        document.value.contact = ContactKind::Asperity;
+        QVERIFY(diskFileProblems(document.value).empty());
+    }
+
+private:
+    std::filesystem::path path(const char* name) const { return folder_->filePath(name).toStdString(); }
+    void put(const QString& name, const QByteArray& text) const
+    {
+        QFile file(folder_->filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(text), text.size());
+    }
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+TOUCHDOWN_TEST(TestDiskSetup)
+#include "test_disk_setup.moc"

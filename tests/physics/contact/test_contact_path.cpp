@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/contact/contact_path.h"
+
+#include <cmath>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+/// A contact that holds with force -k d until it is drawn to `off`, and then is free until it comes back to `in`.
+struct Latch {
+    double off = 5e-9, in = 3e-9; // [m]
+    double stiffness = 1e6;       // [N/m]
+    bool held = false, kept = false;
+    int calls = 0;
+
+    double force(double d)
+    {
+        ++calls;
+        held = held ? d < off : d <= in;
+        return held ? -stiffness * d : 0.0;
+    }
+    ContactPath path()
+    {
+        return {[this](double d) { return force(d); }, [this] { kept = held; }, [this] { held = kept; }};
+    }
+};
+
+} // namespace
+
+class TestContactPath : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bothWays_data()
+    {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("to");
+        QTest::addColumn<double>("at");
+        QTest::addColumn<double>("jump"); // [N]
+        QTest::newRow("pull-off") << 1e-9 << 9e-9 << 5e-9 << 5e-3;
+        QTest::newRow("snap-in") << 9e-9 << 1e-9 << 3e-9 << -3e-3;
+        QTest::newRow("pull-off in a short interval") << 4.9999e-9 << 5.0001e-9 << 5e-9 << 5e-3;
+    }
+
+    /// Nine nanometres to 1e-14 m take log2(8e-9/1e-14) = 20 halvings.
+    void bothWays()
+    {
+        QFETCH(double, from);
+        QFETCH(double, to);
+        QFETCH(double, at);
+        QFETCH(double, jump);
+        Latch latch;
+        latch.held = from < to;
+        const double start = latch.force(from);
+        const ContactJump found = locateJump(latch.path(), from, start, to, 1e-14, 1e-6);
+        QVERIFY(found.found);
+        QVERIFY(std::abs(found.before - at) <= 1e-14 && std::abs(found.after - at) <= 1e-14);
+        QVERIFY((found.after - found.before) * (to - from) > 0.0);
+        QVERIFY(std::abs(found.forceAfter - found.forceBefore - jump) < 1e-7);
+        QCOMPARE(latch.held, from < to); // left before the jump
+        QCOMPARE(latch.force(found.after), found.forceAfter);
+        QVERIFY(latch.calls <= 26);
+    }
+
+    void smooth_data()
+    {
+        QTest::addColumn<int>("law");
+        QTest::newRow("straight") << 0;
+        QTest::newRow("a steep rise") << 1;
+        QTest::newRow("the end of a branch, as a square root") << 2;
+        QTest::newRow("nothing") << 3;
+    }
+
+    void smooth()
+    {
+        QFETCH(int, law);
+        const auto force = [law](double d) {
+            const double x = d / 1e-9;
+            return law == 0 ? x : law == 1 ? std::tanh(20.0 * (x - 0.3)) : law == 2 ? std::sqrt(std::max(0.0, 0.625 - x)) : 0.0;
+        };
+        const ContactPath path{force, [] {}, [] {}};
+        QVERIFY(!locateJump(path, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);
+    }
+
+    void tooSmall()
+    {
+        Latch latch{.held = true};
+        QVERIFY(!locateJump(latch.path(), 1e-9, latch.force(1e-9), 9e-9, 1e-13, 6e-3).found);
+    }
+};
+
+TOUCHDOWN_TEST(TestContactPath)
+#include "test_contact_path.moc"

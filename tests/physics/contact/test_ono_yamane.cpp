@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/contact/ono_yamane.h"
+
+#include <cmath>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using enum ContactRegion;
+
+namespace {
+
+bool near(double a, double b, double tolerance = 1e-15) { return std::abs(a - b) <= tolerance; }
+
+/// Follows the separation from place to place, as a quasi-static cycle does.
+ContactRegion follow(const OnoYamaneLaw& law, ContactRegion region, double to)
+{
+    for (int i = 0; i < 5; ++i) {
+        const Interval interval = law.interval(region);
+        if (to < interval.lower) region = law.beyond(region, false);
+        else if (to > interval.upper) region = law.beyond(region, true);
+        else return region;
+    }
+    return region;
+}
+
+} // namespace
+
+class TestOnoYamane : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The paper's values: f_c0 = 5 mN, k_c = 5e6 N/m, d_s = 3 nm, d_e = 5 nm, f_m = 10 mN. On the take-off branch F_cr ends
+    /// at d_s + f_c0/k_c = 4 nm.
+    void touchDownAndTakeOff_data()
+    {
+        QTest::addColumn<double>("d");
+        QTest::addColumn<int>("region");
+        QTest::addColumn<double>("real");
+        QTest::addColumn<double>("adhesion");
+        QTest::newRow("coming from above") << 4.5e-9 << int(Apart) << 0.0 << 0.0;
+        QTest::newRow("just above touch-down") << 3.01e-9 << int(Apart) << 0.0 << 0.0;
+        QTest::newRow("at 2 nm") << 2e-9 << int(Pressed) << 10e-3 << -10e-3;
+        QTest::newRow("lifting through 3.5 nm") << 3.5e-9 << int(Lifting) << 2.5e-3 << -10e-3;
+        QTest::newRow("held at 4.5 nm") << 4.5e-9 << int(Bridged) << 0.0 << -10e-3;
+        QTest::newRow("back to 3.5 nm") << 3.5e-9 << int(Lifting) << 2.5e-3 << -10e-3;
+        QTest::newRow("held again") << 4.9e-9 << int(Bridged) << 0.0 << -10e-3;
+        QTest::newRow("taken off") << 5.01e-9 << int(Apart) << 0.0 << 0.0;
+        QTest::newRow("no force on coming back") << 3.5e-9 << int(Apart) << 0.0 << 0.0;
+    }
+    void touchDownAndTakeOff()
+    {
+        static const OnoYamaneLaw law{OnoYamane{}};
+        static const std::array<double, 9> way{4.5e-9, 3.01e-9, 2e-9, 3.5e-9, 4.5e-9, 3.5e-9, 4.9e-9, 5.01e-9, 3.5e-9};
+        QFETCH(double, d);
+        QFETCH(int, region);
+        QFETCH(double, real);
+        QFETCH(double, adhesion);
+        // Each row is reached by the whole way before it, so that rows may run alone.
+        ContactRegion at = Apart;
+        bool reached = false;
+        for (const double place : way) {
+            at = follow(law, at, place);
+            if (place == d && int(at) == region) {
+                reached = true;
+                break;
+            }
+        }
+        QVERIFY(reached);
+        QVERIFY(near(law.contactForce(at, d), real));
+        QVERIFY(near(law.adhesionForce(at, d), adhesion));
+    }
+
+    /// Linear shape: F_m = -f_m (d_e - d)/(d_e - d_s); at 3.5 nm -7.5 mN, continuous at both ends.
+    void linearTakeOffShape()
+    {
+        OnoYamane parameters;
+        parameters.takeOffShape = TakeOffShape::Linear;
+        const OnoYamaneLaw law(parameters);
+        QVERIFY(near(law.adhesionForce(Lifting, 3.5e-9), -7.5e-3));
+        QVERIFY(near(law.adhesionForce(Lifting, 3e-9), -10e-3));
+        QVERIFY(near(law.adhesionForce(Bridged, 5e-9), 0.0));
+        QVERIFY(near(law.adhesionForce(Pressed, 1e-9), -10e-3));
+    }
+
+    /// The work around a touch-down and take-off: adhesion takes f_m (d_e - d_s), the step of F_cr at touch-down gives
+    /// f_c0^2/(2 k_c). Quasi-static, by the midpoint rule, which is exact for a piecewise affine force.
+    void loopArea()
+    {
+        const OnoYamaneLaw law{OnoYamane{}};
+        double work = 0.0;
+        ContactRegion region = Apart;
+        const double step = 1e-13;
+        const auto move = [&](double from, double to) {
+            const double direction = to > from ? 1.0 : -1.0;
+            const auto count = static_cast<int>(std::lround(std::abs(to - from) / step));
+            for (int i = 0; i < count; ++i) {
+                const double middle = from + direction * (i + 0.5) * step;
+                region = follow(law, region, middle);
+                work += direction * step * (law.contactForce(region, middle) + law.adhesionForce(region, middle));
+            }
+        };
+        move(6e-9, 2e-9);
+        move(2e-9, 6e-9);
+        QVERIFY(near(work, -10e-3 * 2e-9 + 5e-3 * 5e-3 / (2 * 5e6), 1e-16));
+        QCOMPARE(region, Apart);
+    }
+
+    /// What F_cr would still do on lifting: at 2 nm, 10 mN falling to zero over 2 nm: 1e-11 J.
+    void storedEnergy()
+    {
+        const OnoYamaneLaw law{OnoYamane{}};
+        QVERIFY(near(law.storedEnergy(Pressed, 2e-9), 1e-11, 1e-25));
+        QVERIFY(near(law.storedEnergy(Lifting, 3.5e-9), 0.5 * 2.5e-3 * 0.5e-9, 1e-25));
+        QCOMPARE(law.storedEnergy(Bridged, 4.5e-9), 0.0);
+        QCOMPARE(law.storedEnergy(Apart, 2.0e-9), 0.0);
+        // Let go at d_e = 3.5 nm with 2.5 mN left: (10 + 2.5)/2 mN over 1.5 nm.
+        OnoYamane early;
+        early.takeOff = 3.5e-9;
+        QVERIFY(near(OnoYamaneLaw(early).storedEnergy(Pressed, 2e-9), 9.375e-12, 1e-25));
+    }
+
+    void regionsOfNoWidthAreSteppedOver_data()
+    {
+        QTest::addColumn<double>("takeOff");
+        QTest::addColumn<double>("initialForce");
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<int>("abovePressed");
+        QTest::addColumn<int>("aboveLifting");
+        QTest::newRow("the paper's") << 5e-9 << 5e-3 << 5e6 << int(Lifting) << int(Bridged);
+        QTest::newRow("F_cr ends beyond take-off") << 3.5e-9 << 5e-3 << 5e6 << int(Lifting) << int(Apart);
+        QTest::newRow("no initial force") << 5e-9 << 0.0 << 5e6 << int(Bridged) << int(Bridged);
+        QTest::newRow("no hysteresis at all") << 3e-9 << 5e-3 << 5e6 << int(Apart) << int(Apart);
+        QTest::newRow("neither") << 3e-9 << 0.0 << 5e6 << int(Apart) << int(Apart);
+        QTest::newRow("constant force") << 5e-9 << 5e-3 << 0.0 << int(Lifting) << int(Apart);
+        QTest::newRow("no force") << 5e-9 << 0.0 << 0.0 << int(Bridged) << int(Bridged);
+    }
+    void regionsOfNoWidthAreSteppedOver()
+    {
+        QFETCH(double, takeOff);
+        QFETCH(double, initialForce);
+        QFETCH(double, stiffness);
+        QFETCH(int, abovePressed);
+        QFETCH(int, aboveLifting);
+        OnoYamane parameters;
+        parameters.takeOff = takeOff;
+        parameters.initialContactForce = initialForce;
+        parameters.contactStiffness = stiffness;
+        const OnoYamaneLaw law(parameters);
+        QCOMPARE(int(law.beyond(Pressed, true)), abovePressed);
+        if (abovePressed == int(Lifting)) QCOMPARE(int(law.beyond(Lifting, true)), aboveLifting);
+        for (const ContactRegion region : {Apart, Pressed, Lifting, Bridged}) {
+            QVERIFY(std::isfinite(law.contactForce(region, 2e-9)));
+            QVERIFY(std::isfinite(law.adhesionForce(region, 2e-9)));
+        }
+    }
+
+    void branches()
+    {
+        const OnoYamaneLaw law{OnoYamane{}};
+        QCOMPARE(law.region(ContactBranch::TouchDown, 4e-9), Apart);
+        QCOMPARE(law.region(ContactBranch::TakeOff, 4.2e-9), Bridged);
+        QCOMPARE(law.region(ContactBranch::TakeOff, 3.2e-9), Lifting);
+        QCOMPARE(law.region(ContactBranch::TakeOff, 6e-9), Apart);
+        QCOMPARE(law.region(ContactBranch::TouchDown, 3e-9), Pressed);
+        QCOMPARE(law.nextBranch(ContactBranch::TouchDown, 4e-9), ContactBranch::TouchDown);
+        QCOMPARE(law.nextBranch(ContactBranch::TakeOff, 4e-9), ContactBranch::TakeOff);
+        QCOMPARE(law.nextBranch(ContactBranch::TakeOff, 5e-9), ContactBranch::TouchDown);
+        QCOMPARE(law.nextBranch(ContactBranch::TouchDown, 3e-9), ContactBranch::TakeOff);
+    }
+};
+
+TOUCHDOWN_TEST(TestOnoYamane)
+#include "test_ono_yamane.moc"

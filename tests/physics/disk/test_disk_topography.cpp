@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/disk/disk_topography.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <thread>
+
+#include "core/physics/disk/roughness.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+DiskSurface rough(RoughnessSpectrum spectrum = RoughnessSpectrum::Gaussian)
+{
+    DiskSurface s;
+    s.kind = DiskSurfaceKind::Rough;
+    s.spectrum = spectrum;
+    s.track = 100e-6;
+    return s;
+}
+
+DiskSurface combined()
+{
+    DiskSurface s = rough();
+    s.kind = DiskSurfaceKind::Combined;
+    s.waveAmplitudes = {1e-9};
+    s.waveLengths = {30e-6};
+    s.bumpHeights = {5e-9, -2e-9};
+    s.bumpLengths = {8e-6, 6e-6};
+    s.bumpX = {10e-6, 40e-6};
+    s.bumpY = {16e-6, 1e-6};
+    s.bumpShape = BumpShape::Cosine;
+    s.file = "profile.txt";
+    return s;
+}
+
+DiskSurface fromFile()
+{
+    DiskSurface s;
+    s.kind = DiskSurfaceKind::File;
+    s.file = "map.txt";
+    return s;
+}
+
+/// A ramp: what does not close must be mirrored.
+HeightMap ramp(int nx)
+{
+    HeightMap map{nx, 1, 1e-6, 0.0, {}, false, false};
+    for (int i = 0; i < nx; ++i) map.heights.push_back(1e-9 * i);
+    return map;
+}
+
+std::vector<double> heightsOf(const DiskTopography& t, const UniformGrid& grid, double shiftX = 0.0,
+                              double shiftY = 0.0)
+{
+    std::vector<double> out(grid.cells());
+    t.heights(grid, shiftX, shiftY, out);
+    return out;
+}
+
+} // namespace
+
+class TestDiskTopography : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFlatDiskIsFlat()
+    {
+        DiskSurface withoutTrack;
+        withoutTrack.track = withoutTrack.cell = std::numeric_limits<double>::quiet_NaN();
+        for (const DiskTopography& disk : {DiskTopography(), DiskTopography(DiskSurface{}), DiskTopography(withoutTrack)}) {
+            QVERIFY(disk.flat());
+            QCOMPARE(disk.period(), DiskTopography().period());
+            QVERIFY(disk.repeats());
+            QCOMPARE(disk.height(1e-3, 2e-3), 0.0);
+            QCOMPARE(disk.highest(), 0.0);
+            QCOMPARE(disk.lowest(), 0.0);
+            QCOMPARE(heightsOf(disk, {3, 2, 1e-6, 1e-6, 0.0, 0.0}), std::vector<double>(6, 0.0));
+        }
+    }
+
+    void thePointsAreTheGeneratedOnes_data()
+    {
+        QTest::addColumn<int>("spectrum");
+        QTest::newRow("gaussian") << 0;
+        QTest::newRow("exponential") << 1;
+        QTest::newRow("self-affine") << 2;
+    }
+    void thePointsAreTheGeneratedOnes()
+    {
+        QFETCH(int, spectrum);
+        const DiskSurface s = rough(static_cast<RoughnessSpectrum>(spectrum));
+        const DiskTopography disk(s);
+        const auto generated = generateRoughness(s);
+        QCOMPARE(disk.period(), (UniformGrid{400, 128, 0.25e-6, 0.25e-6, -0.125e-6, -0.125e-6}));
+        const auto read = heightsOf(disk, disk.period());
+        for (std::size_t k = 0; k < read.size(); ++k) QVERIFY(std::abs(read[k] - generated[k]) < 1e-12 * s.rms);
+    }
+
+    void movedByWholeCellsItReturnsTheSameBits_data()
+    {
+        QTest::addColumn<int>("cellsX");
+        QTest::addColumn<int>("cellsY");
+        QTest::newRow("one cell") << 1 << 0;
+        QTest::newRow("back and across") << -37 << 5;
+        QTest::newRow("a period") << 400 << 128;
+        QTest::newRow("a million periods and three cells") << 400000003 << -128000002;
+    }
+    void movedByWholeCellsItReturnsTheSameBits()
+    {
+        QFETCH(int, cellsX);
+        QFETCH(int, cellsY);
+        for (int spectrum = 0; spectrum < 3; ++spectrum) {
+            const DiskTopography disk(rough(static_cast<RoughnessSpectrum>(spectrum)));
+            const UniformGrid grid = disk.period();
+            const auto still = heightsOf(disk, grid);
+            const auto moved = heightsOf(disk, grid, cellsX * 0.25e-6, cellsY * 0.25e-6);
+            const auto wrapped = [](int i, int n) { return (i % n + n) % n; };
+            for (int j = 0; j < grid.ny; ++j)
+                for (int i = 0; i < grid.nx; ++i)
+                    QCOMPARE(moved[static_cast<std::size_t>(j * grid.nx + i)],
+                             still[static_cast<std::size_t>(wrapped(j - cellsY, grid.ny) * grid.nx +
+                                                            wrapped(i - cellsX, grid.nx))]);
+        }
+    }
+
+    // The slopes over h, a 25th of a cell, before and behind the seam differ by h times the curvature, as anywhere; a kink or a
+    // step would stand out by 25 and more.
+    void thereIsNoSeam()
+    {
+        for (int spectrum = 0; spectrum < 3; ++spectrum) {
+            const DiskTopography disk(rough(static_cast<RoughnessSpectrum>(spectrum)));
+            const double h = 0.01e-6;
+            // Slopes before and behind each of 200 places 1/2 um apart, beginning at the seam.
+            double seam = 0.0, elsewhere = 0.0;
+            for (int k = 0; k < 200; ++k)
+                for (int j = 0; j < 32; ++j) {
+                    const double x = 0.5e-6 * k, y = 1.1e-6 * j;
+                    const double kink =
+                        std::abs(disk.height(x + h, y) - 2.0 * disk.height(x, y) + disk.height(x - h, y)) / h;
+                    (k == 0 ? seam : elsewhere) = std::max(k == 0 ? seam : elsewhere, kink);
+                }
+            QVERIFY2(seam <= elsewhere, qPrintable(QString("%1 %2").arg(seam).arg(elsewhere)));
+        }
+    }
+
+    void aGridSeesWhatASinglePointSees()
+    {
+        const DiskTopography disk(combined(), ramp(30));
+        const UniformGrid grid{90, 40, 0.33e-6, 0.41e-6, -7e-6, 3e-6};
+        const auto heights = heightsOf(disk, grid, 55.5e-6, -9.9e-6);
+        for (int j = 0; j < grid.ny; ++j)
+            for (int i = 0; i < grid.nx; ++i) {
+                const double expected = disk.height(grid.x(i) - 55.5e-6, grid.y(j) + 9.9e-6);
+                // Positions are rounded to 1e-9 of a cell; slopes are below 1 nm in a cell of 0.25 um.
+                QVERIFY(std::abs(heights[static_cast<std::size_t>(j * grid.nx + i)] - expected) < 2e-18);
+            }
+    }
+
+    void theMeanOfSmallCellsIsTheHeight()
+    {
+        const DiskTopography disk(combined(), ramp(30));
+        CellGrid grid;
+        for (int i = 0; i <= 50; ++i) grid.x.push_back(0.61e-6 * i);
+        for (int j = 0; j <= 30; ++j) grid.y.push_back(0.53e-6 * j);
+        // Cells of 20 nm side around each line's place.
+        CellGrid small{{}, {}};
+        std::vector<double> means(1);
+        for (const double x : grid.x)
+            for (const double y : grid.y) {
+                small.x = {x - 10e-9, x + 10e-9};
+                small.y = {y - 10e-9, y + 10e-9};
+                disk.cellMeans(small, 3e-6, 1e-6, means);
+                // (20 nm)^2/24 of the curvatures along and across [1/m]: of the ramp where it turns 2e-3/0.6 um = 3500; of a
+                // bump 2.5 nm (pi/4 um)^2 = 1500 each way; of the roughness, four deviations of sqrt(12) rms/lc^2, 700.
+                QVERIFY(std::abs(means[0] - disk.height(x - 3e-6, y - 1e-6)) < 1.7e-17 * 8000);
+            }
+    }
+
+    void wideCellsSeeAlmostNothing()
+    {
+        // Cells of the whole period: the mean of the map, 0.
+        DiskSurface s = rough();
+        const DiskTopography disk(s);
+        CellGrid grid{{0.0, 100e-6, 200e-6}, {0.0, 32e-6}};
+        std::vector<double> means(2);
+        disk.cellMeans(grid, 12.3e-6, 4.5e-6, means);
+        for (const double mean : means) QVERIFY(std::abs(mean) < 1e-12 * s.rms);
+    }
+
+    void theBoundsHold()
+    {
+        const DiskTopography disk(combined(), ramp(30));
+        const UniformGrid grid{500, 320, 0.21e-6, 0.1e-6, 0.0, 0.0};
+        const auto heights = heightsOf(disk, grid);
+        QVERIFY(*std::ranges::max_element(heights) <= disk.highest());
+        QVERIFY(*std::ranges::min_element(heights) >= disk.lowest());
+        // Of the default roughness alone they are close: within 5 % of the extremes on the points.
+        const DiskTopography map(rough());
+        const auto points = heightsOf(map, map.period());
+        QVERIFY(map.highest() < 1.05 * *std::ranges::max_element(points));
+        QVERIFY(map.lowest() > 1.05 * *std::ranges::min_element(points));
+    }
+
+    // 0, 1 ... 9 nm and back without the end points: a mean of (45 + 36)/18 = 4.5 nm, which is taken off.
+    void aProfileThatDoesNotCloseIsFollowedByItsMirrorImage()
+    {
+        const DiskTopography disk(fromFile(), ramp(10));
+        QCOMPARE(disk.period().nx, 18);
+        QCOMPARE(disk.period().ny, 1);
+        for (int i = -20; i < 40; ++i) {
+            const int k = (i % 18 + 18) % 18;
+            const double expected = 1e-9 * (k < 10 ? k : 18 - k) - 4.5e-9;
+            for (const double y : {0.0, 3.3e-6, -1e-3}) QVERIFY(std::abs(disk.height(i * 1e-6, y) - expected) < 1e-20);
+        }
+    }
+
+    void aMapIsMirroredAcrossToo()
+    {
+        HeightMap map{4, 3, 1e-6, 2e-6, {0, 1, 2, 3, 10, 11, 12, 13, 20, 21, 22, 23}, false, false};
+        for (double& h : map.heights) h *= 1e-9;
+        const DiskTopography disk(fromFile(), map);
+        QCOMPARE(disk.period(), (UniformGrid{6, 4, 1e-6, 2e-6, -0.5e-6, -1e-6}));
+        const double mean = (0 + 1 + 2 + 3 + 2 + 1) / 6.0 + (0 + 10 + 20 + 10) / 4.0;
+        QVERIFY(std::abs(disk.height(4e-6, 2e-6) - (12 - mean) * 1e-9) < 1e-20);
+        QVERIFY(std::abs(disk.height(-1e-6, 6e-6) - (11 - mean) * 1e-9) < 1e-20);
+    }
+
+    void aClosedProfileRepeatsAsItIs()
+    {
+        HeightMap map{8, 1, 1e-6, 0.0, {}, true, false};
+        for (int i = 0; i < 8; ++i) map.heights.push_back(1e-9 * std::sin(2.0 * pi * i / 8));
+        const DiskTopography disk(fromFile(), map);
+        QCOMPARE(disk.period().nx, 8);
+        for (int i = -3; i < 20; ++i)
+            QVERIFY(std::abs(disk.height(i * 1e-6, 0.0) - 1e-9 * std::sin(2.0 * pi * i / 8)) < 1e-22);
+    }
+
+    void onlyWhatRepeatsSaysSo()
+    {
+        QVERIFY(DiskTopography(rough()).repeats());
+        QVERIFY(!DiskTopography(combined(), ramp(30)).repeats());
+        DiskSurface waves = combined();
+        waves.kind = DiskSurfaceKind::Waves;
+        QVERIFY(!DiskTopography(waves).repeats());
+        DiskSurface bumps = combined();
+        bumps.kind = DiskSurfaceKind::Bumps;
+        QVERIFY(DiskTopography(bumps).repeats());
+        QVERIFY(DiskTopography(fromFile(), ramp(9)).repeats());
+    }
+
+    void readingAllocatesNothing()
+    {
+        const DiskTopography disk(combined(), ramp(30));
+        const UniformGrid patch{300, 64, 0.25e-6, 0.25e-6, 0.0, 0.0};
+        CellGrid film;
+        for (int i = 0; i <= 150; ++i) film.x.push_back(5e-6 * i);
+        for (int j = 0; j <= 20; ++j) film.y.push_back(4e-6 * j);
+        std::vector<double> heights(patch.cells()), means(film.cells());
+        std::vector<double> work, again(film.cells());
+        disk.cellMeans(film, 1.1e-6, 0.0, again, work);
+        const long long before = test::allocations;
+        disk.heights(patch, 1.3e-6, 0.2e-6, heights);
+        disk.cellMeans(film, 1.3e-6, 0.2e-6, again, work);
+        QCOMPARE(test::allocations.load(), before);
+        disk.cellMeans(film, 1.3e-6, 0.2e-6, means);
+        QVERIFY(means == again);
+    }
+
+    void threadsMayReadAtOnce()
+    {
+        const DiskTopography disk(combined(), ramp(30));
+        const UniformGrid grid{200, 100, 0.3e-6, 0.3e-6, 0.0, 0.0};
+        const auto alone = heightsOf(disk, grid, 7e-6);
+        std::vector<std::vector<double>> together(4);
+        {
+            std::vector<std::jthread> threads;
+            for (auto& out : together) threads.emplace_back([&] { out = heightsOf(disk, grid, 7e-6); });
+        }
+        for (const auto& out : together) QVERIFY(out == alone);
+    }
+};
+
+TOUCHDOWN_TEST(TestDiskTopography)
+#include "test_disk_topography.moc"

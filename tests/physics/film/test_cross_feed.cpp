@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/cross_feed.h"
+
+#include <cmath>
+#include <vector>
+
+#include <QTest>
+
+#include "tests/support/film_problem.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using namespace touchdown::test;
+
+namespace {
+
+constexpr double side = 0.3e-3; // [m]
+
+/// A triangle whose leading edge lies at 45 degrees to the motion, with a wall of 20 um down to the base.
+AirBearingSurface slantedWall()
+{
+    AirBearingSurface surface;
+    surface.baseRecess = 1.5e-6;
+    surface.walls.push_back({.distance = {0.0, 3e-6, 20e-6}, .recess = {0.1e-6, 0.4e-6, 1.5e-6}});
+    surface.rails.push_back({.points = {{0.08e-3, 0.05e-3, 0}, {0.28e-3, 0.05e-3, 0}, {0.28e-3, 0.25e-3, 1}}, .recess = {0.1e-6}});
+    return surface;
+}
+
+double load(int nx, int ny)
+{
+    FilmProblem problem(slantedWall(), side, side, uniformGrid(side, side, nx, ny), {.air = {}, .slip = {}, .disk = {}},
+                        {20e-9, 100e-6, 0.0});
+    return problem.solve().converged ? problem.load() : 0.0;
+}
+
+} // namespace
+
+class TestCrossFeed : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// In each cell both of whose halves are cut, the parts add up to the whole, or to less where one would be more than four
+    /// times its even share.
+    void partsAddUpToTheCell()
+    {
+        const FilmGaps gaps(Recess(slantedWall(), side, side), uniformGrid(side, side, 37, 41));
+        for (const std::size_t axis : {0u, 1u}) {
+            std::vector<double> feed(gaps.pad.size(), 0.0), area(gaps.pad.size(), 0.0);
+            std::vector<bool> full(gaps.pad.size(), false);
+            const std::size_t step = gaps.pad.step(static_cast<int>(axis));
+            for (const CutPlace& place : gaps.faces[axis].cut)
+                for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
+                    for (std::uint32_t k = gaps.rows[r].pieces; k < gaps.rows[r].pieceEnd; ++k) {
+                        const GapPiece& piece = gaps.pieces[k];
+                        const std::size_t cell = piece.start < 0.0 ? place.at - step : place.at;
+                        feed[cell] += gaps.rows[r].width * piece.feed;
+                        area[cell] += gaps.rows[r].width * piece.extent;
+                        full[cell] = full[cell] || piece.feed > (4.0 - 1e-9) * piece.extent;
+                        QVERIFY(piece.feed > 0.0 && piece.feed < (4.0 + 1e-9) * piece.extent);
+                    }
+            int whole = 0;
+            const double cell = side * side / (37 * 41);
+            for (std::size_t at = 0; at < feed.size(); ++at) {
+                if (!(std::abs(area[at] - cell) < 1e-9 * cell)) continue;
+                QVERIFY(feed[at] < (1.0 + 1e-9) * cell);
+                if (full[at]) continue;
+                ++whole;
+                QVERIFY(std::abs(feed[at] - cell) < 1e-12 * cell);
+            }
+            QVERIFY2(whole > 60, qPrintable(QString::number(whole)));
+        }
+    }
+
+    /// A step at 42 um, a rail 0.2 um behind a base of 1.2 um. The cell from 40 to 50 um has its centre at 45 um: its lower half
+    /// has 2 um of base and 3 of rail, its upper half, which is smooth, 5 of rail. With lifts of 20 nm the conduction is
+    /// 1.22^2 = 1.4884 against 0.22^2 = 0.0484, its mean (2*1.4884 + 8*0.0484)/10 = 0.3364: the base has its most, four times its
+    /// even share, the rail a seventh.
+    void deepSideTakesTheFlow()
+    {
+        AirBearingSurface surface;
+        surface.baseRecess = 1.2e-6;
+        surface.rails.push_back({.points = {{42e-6, -1e-6, 0}, {200e-6, -1e-6, 0}, {200e-6, 11e-6, 0}, {42e-6, 11e-6, 0}},
+                                 .recess = {0.2e-6}});
+        const FilmGaps gaps(Recess(surface, 100e-6, 10e-6), uniformGrid(100e-6, 10e-6, 10, 1));
+        const CutPlace& place = gaps.faces[0].cut.front();
+        QCOMPARE(place.at, gaps.pad.at(4, 0));
+        const GapRow& row = gaps.rows[place.rows];
+        QCOMPARE(row.pieceEnd - row.pieces, 3u);
+        // Base in the cell before, where all is base; base and rail in this one.
+        const GapPiece *before = &gaps.pieces[row.pieces], *base = before + 1, *rail = before + 2;
+        const auto close = [](double a, double b) { return std::abs(a - b) < 1e-12; };
+        QVERIFY(close(before->feed, 5e-6) && close(before->lead, -5e-6));
+        QVERIFY(close(base->feed, 4.0 * 2e-6) && base->lead == 0.0);
+        QVERIFY(close(rail->feed, 3e-6 * 0.0484 / 0.3364) && close(rail->lead, base->feed));
+    }
+
+    /// Of a slanted wall no direction is more in need of cells than another: twice as many along x or along y change the load
+    /// by less than 0.4 %. Evenly spread, the flow across makes that 1.0 % up and 1.1 % down.
+    void slantedWallIsIsotropic()
+    {
+        const double square = load(96, 96), alongX = load(192, 96), alongY = load(96, 192);
+        QVERIFY(square > 0.0);
+        QVERIFY2(std::abs(alongX / square - 1.0) < 4e-3, qPrintable(QString::number(alongX / square - 1.0)));
+        QVERIFY2(std::abs(alongY / square - 1.0) < 4e-3, qPrintable(QString::number(alongY / square - 1.0)));
+    }
+};
+
+TOUCHDOWN_TEST(TestCrossFeed)
+#include "test_cross_feed.moc"

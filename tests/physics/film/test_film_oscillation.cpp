@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <numbers>
+
+#include "core/physics/film/film_grid.h"
+#include "core/physics/film/film_oscillation.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+class TestFilmOscillation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void squeezedPlatesAgreeWithBlech_data();
+    void squeezedPlatesAgreeWithBlech();
+    void slowMotionIsTheStaticStiffness();
+};
+
+namespace {
+
+constexpr double length = 1.0e-3, width = 0.5e-3, gap = 2e-6;
+
+/// Parallel plates over a disk that rests, continuum air.
+struct Plates {
+    explicit Plates(int cells, double speed = 0.0, double pitch = 0.0)
+        : recess(surface(), length, width), gaps(recess, uniformGrid(length, width, cells, cells)),
+          film(gaps, {.air = {}, .slip = {.model = SlipModel::Continuum},
+                      .disk = {.speed = speed / 25e-3, .radius = 25e-3, .field = VelocityField::Uniform}}),
+          pressure(gaps.pad.size(), film.ambient()), residual(pressure.size())
+    {
+        film.setAttitude({gap, pitch, 0.0});
+        film.linearise(pressure, residual);
+        GasFilm::ForceDerivatives forces;
+        film.forceDerivatives(pressure, forces);
+        take(forces);
+    }
+    void take(const GasFilm::ForceDerivatives& forces)
+    {
+        for (std::size_t k = 0; k < 3; ++k) {
+            byPressure[k] = forces.byPressure[k];
+            byAttitude[k] = forces.byAttitude[k];
+        }
+    }
+    std::complex<double> heave(std::complex<double> s)
+    {
+        bool converged = true;
+        const auto z = FilmOscillation(film, pressure).stiffness(s, byPressure, byAttitude, converged);
+        return converged ? z[0][0] : std::complex<double>(std::nan(""), 0.0);
+    }
+    static AirBearingSurface surface()
+    {
+        AirBearingSurface plane;
+        plane.baseRecess = 0.0;
+        return plane;
+    }
+    Recess recess;
+    FilmGaps gaps;
+    GasFilm film;
+    std::vector<double> pressure, residual;
+    std::array<std::vector<double>, 3> byPressure;
+    std::array<std::array<double, 3>, 3> byAttitude{};
+};
+
+/// Blech 1983, "On isothermal squeeze films", rectangular plates: spring and damping force per height, with the squeeze number
+/// sigma = 12 mu omega W^2/(p0 h^2) and the side ratio beta = W/L.
+std::complex<double> blech(double omega)
+{
+    const Air air;
+    const double sigma = 12.0 * air.viscosity * omega * width * width / (air.pressure * gap * gap);
+    const double beta = width / length, pi = std::numbers::pi, pi2 = pi * pi;
+    double spring = 0.0, damping = 0.0;
+    for (int m = 1; m < 400; m += 2)
+        for (int n = 1; n < 400; n += 2) {
+            const double side = m * m + n * n * beta * beta, product = double(m) * m * double(n) * n;
+            const double denominator = product * (side * side + sigma * sigma / (pi2 * pi2));
+            spring += 1.0 / denominator;
+            damping += side / denominator;
+        }
+    const double scale = 64.0 * air.pressure * length * width / gap;
+    return {scale * sigma * sigma / (pi2 * pi2 * pi2 * pi2) * spring, scale * sigma / (pi2 * pi2 * pi2) * damping};
+}
+
+} // namespace
+
+void TestFilmOscillation::squeezedPlatesAgreeWithBlech_data()
+{
+    QTest::addColumn<double>("frequency"); // [Hz]
+    // Squeeze numbers 0.08, 4.2 and 84: nearly incompressible, between, nearly trapped.
+    QTest::newRow("slow: the air is pressed out") << 100.0;
+    QTest::newRow("between") << 5e3;
+    QTest::newRow("fast: the air is trapped") << 1e5;
+}
+
+void TestFilmOscillation::squeezedPlatesAgreeWithBlech()
+{
+    QFETCH(double, frequency);
+    const double omega = 2.0 * std::numbers::pi * frequency;
+    const std::complex<double> exact = blech(omega);
+    const std::complex<double> coarse = Plates(80).heave({0.0, omega}), fine = Plates(160).heave({0.0, omega});
+    const double errorCoarse = std::abs(coarse - exact), errorFine = std::abs(fine - exact);
+    QVERIFY2(errorFine < 1e-3 * std::abs(exact), qPrintable(QString("%1 + %2 i against %3 + %4 i")
+                                                                .arg(fine.real()).arg(fine.imag())
+                                                                .arg(exact.real()).arg(exact.imag())));
+    // Second order: halving the cells leaves a quarter, once they resolve the layer at the edges.
+    const double order = std::log2(errorCoarse / errorFine);
+    QVERIFY2(std::abs(order - 2.0) < (frequency > 5e4 ? 0.3 : 0.15), qPrintable(QString::number(order)));
+}
+
+void TestFilmOscillation::slowMotionIsTheStaticStiffness()
+{
+    // A running wedge, pressed so slowly that storage does not count: the change of its static load with the height.
+    Plates plates(48, 15.0, 1e-3);
+    FilmNewton newton(plates.film);
+    QVERIFY(newton.solve(plates.pressure, {.tolerance = 1e-12}).converged);
+    plates.film.linearise(plates.pressure, plates.residual);
+    GasFilm::ForceDerivatives forces;
+    plates.film.forceDerivatives(plates.pressure, forces);
+    plates.take(forces);
+    const std::complex<double> slow = plates.heave({0.0, 1e-3});
+    constexpr double step = 1e-10; // [m]
+    std::array<double, 2> load{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        std::vector<double> p = plates.pressure;
+        plates.film.setAttitude({gap + (side == 0 ? -step : step), 1e-3, 0.0});
+        QVERIFY(newton.solve(p, {.tolerance = 1e-13}).residual < 1e-11);
+        load[side] = plates.film.load(p)[0];
+    }
+    const double expected = -(load[1] - load[0]) / (2.0 * step);
+    QVERIFY2(std::abs(slow.real() - expected) < 1e-5 * expected, qPrintable(QString("%1 %2").arg(slow.real()).arg(expected)));
+}
+
+TOUCHDOWN_TEST(TestFilmOscillation)
+#include "test_film_oscillation.moc"

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/results/results_exchange.h"
+
+#include <csignal>
+
+#include <QtTest>
+#include <sys/resource.h>
+
+#include "tests/support/sample_results.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+class TestResultsExchange : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void oldFileStaysUntilTheNewOneIsWhole();
+    void readersDuringARunDisturbNothing();
+    void symbolicLinkStaysALink();
+    void secondWriterToOneName();
+    void fileRemovedDuringARun();
+    void fullDisk();
+
+private:
+    fs::path path(const char* name = "run.h5") const { return fs::path(folder_->path().toStdString()) / name; }
+    std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void TestResultsExchange::init()
+{
+    folder_ = std::make_unique<QTemporaryDir>();
+    QVERIFY(folder_->isValid());
+}
+
+void TestResultsExchange::oldFileStaysUntilTheNewOneIsWhole()
+{
+    put(path(), "older results");
+    ResultsWriter writer(std::chrono::hours(1));
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QCOMPARE(writer.append(sampleBatch(0, 10)), std::string());
+    QCOMPARE(bytes(path()), std::string("older results"));
+    QCOMPARE(writer.finish(sampleSummary()), std::string());
+    QCOMPARE(readResults(path()).samples.size(), std::size_t{10});
+}
+
+void TestResultsExchange::readersDuringARunDisturbNothing()
+{
+    ResultsWriter writer(0ms);
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    std::size_t k = 0;
+    const auto append = [&] {
+        const std::string problem = writer.append(sampleBatch(k, 500));
+        k += 500;
+        return problem;
+    };
+    QCOMPARE(append(), std::string());
+    QTRY_VERIFY(fs::exists(path()));
+    hid_t reader = H5I_INVALID_HID;
+    hsize_t seen = 0;
+    {
+        const Hdf5Access access;
+        reader = H5Fopen(path().c_str(), H5F_ACC_RDONLY, hdf5FileAccess());
+        seen = storedSamples(reader);
+    }
+    for (int i = 0; i < 40; ++i) {
+        QCOMPARE(append(), std::string());
+        QTRY_COMPARE(readResults(path()).samples.size(), k);
+        const Hdf5Access access;
+        QCOMPARE(storedSamples(reader), seen);
+    }
+    {
+        const Hdf5Access access;
+        H5Fclose(reader);
+    }
+    QCOMPARE(writer.finish(sampleSummary()), std::string());
+    QCOMPARE(wrongSample(readResults(path()).samples), QString());
+}
+
+void TestResultsExchange::symbolicLinkStaysALink()
+{
+    put(path("target.h5"), "older results");
+    fs::create_symlink("target.h5", path());
+    ResultsWriter writer;
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QCOMPARE(writer.finish(sampleSummary()), std::string());
+    QVERIFY(fs::is_symlink(path()));
+    QCOMPARE(readResults(path("target.h5")).problem, std::string());
+}
+
+void TestResultsExchange::secondWriterToOneName()
+{
+    ResultsWriter first(std::chrono::hours(1));
+    ResultsWriter second(std::chrono::hours(1));
+    QCOMPARE(first.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QCOMPARE(second.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QVERIFY(first.finish(sampleSummary()).find("another run writes to it") != std::string::npos);
+    QCOMPARE(second.append(sampleBatch(0, 5)), std::string());
+    QCOMPARE(second.finish(sampleSummary()), std::string());
+    QCOMPARE(readResults(path()).samples.size(), std::size_t{5});
+}
+
+void TestResultsExchange::fileRemovedDuringARun()
+{
+    ResultsWriter writer(0ms);
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QCOMPARE(writer.append(sampleBatch(0, 5)), std::string());
+    QTRY_VERIFY(fs::exists(path()));
+    fs::remove(path());
+    QCOMPARE(writer.append(sampleBatch(5, 5)).find('\n'), std::string::npos);
+    QVERIFY(writer.finish(sampleSummary()).find("removed or replaced") != std::string::npos);
+    QVERIFY(fs::is_empty(path().parent_path()));
+}
+
+// A limit on the size of files stands in for a full disk: it fails in the same calls, and needs no rights.
+void TestResultsExchange::fullDisk()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 400000;
+
+    ResultsWriter writer(0ms);
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    QCOMPARE(writer.append(sampleBatch(0, 1000)), std::string());
+    QTRY_VERIFY(fs::exists(path()));
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string problem;
+    std::size_t k = 1000;
+    for (; problem.empty() && k < 400000; k += 1000) problem = writer.append(sampleBatch(k, 1000));
+    if (problem.empty()) problem = writer.finish(sampleSummary());
+
+    ResultsWriter none;
+    rlimit tiny = small;
+    tiny.rlim_cur = 1000;
+    setrlimit(RLIMIT_FSIZE, &tiny);
+    const std::string atOnce = none.open(path("other.h5"), sampleCase(), sampleCaseText, sampleQuantities);
+    setrlimit(RLIMIT_FSIZE, &before);
+
+    QVERIFY2(problem.find("File too large") != std::string::npos, problem.c_str());
+    QVERIFY2(problem.find("run.h5") != std::string::npos, problem.c_str());
+    QVERIFY2(atOnce.find("File too large") != std::string::npos, atOnce.c_str());
+    QVERIFY(!fs::exists(path("other.h5")) && !fs::exists(path("other.h5.part")));
+    // The last state that fitted is whole.
+    const StoredRun run = readResults(path());
+    QCOMPARE(run.problem, std::string());
+    QCOMPARE(run.status, std::string("interrupted"));
+    QVERIFY(run.samples.size() >= 1000);
+    QCOMPARE(wrongSample(run.samples), QString());
+}
+
+TOUCHDOWN_TEST(TestResultsExchange)
+#include "test_results_exchange.moc"

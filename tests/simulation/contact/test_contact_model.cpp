@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The laws without surfaces; those with them: test_elastic_pad.cpp.
+#include "core/simulation/contact/contact_model.h"
+
+#include <cmath>
+
+#include <QTest>
+
+#include "core/physics/contact/asperity_contact.h"
+#include "core/case/fields.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+Case contactCase(ContactKind kind)
+{
+    Case c = defaultsOf(ModelKind::Contact);
+    c.contact = kind;
+    c.approach = {6e-9, 1e-9};
+    return c;
+}
+
+} // namespace
+
+class TestContactModel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void valuesFitTheirQuantities_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("count");
+        QTest::newRow("ono-yamane") << int(ContactKind::OnoYamane) << 6;
+        QTest::newRow("elastic") << int(ContactKind::Elastic) << 8;
+        QTest::newRow("asperity") << int(ContactKind::Asperity) << 6;
+        QTest::newRow("multi-asperity") << int(ContactKind::MultiAsperity) << 9;
+    }
+    void valuesFitTheirQuantities()
+    {
+        QFETCH(int, kind);
+        QFETCH(int, count);
+        Case c = contactCase(static_cast<ContactKind>(kind));
+        const std::vector<Quantity> quantities = contactQuantities(c);
+        QCOMPARE(quantities.size(), static_cast<std::size_t>(count));
+        ContactForces forces;
+        forces.separation = 1.0;
+        forces.contact = 2.0;
+        forces.adhesion = -0.5;
+        c.disk.skew = 0.5;
+        c.disk.field = VelocityField::Uniform;
+        c.slider.thickness = 0.2;
+        const double mu = frictionOf(c).coefficient;
+        QVERIFY(mu > 0.0);
+        std::vector<double> values(quantities.size() + 1, NAN);
+        contactValues(c, forces, values.data());
+        const auto at = [&](const char* name) {
+            return values[static_cast<std::size_t>(findQuantity(quantities, name))];
+        };
+        QCOMPARE(at("minimum_spacing"), 1.0);
+        QCOMPARE(at("contact_force"), 2.0);
+        QCOMPARE(at("net_contact_force"), 1.5);
+        // mu N against the disk's speed of metres a second, half the thickness below the mass centre, its part along the slider.
+        QCOMPARE(at("friction_force"), 2.0 * mu);
+        QVERIFY(std::abs(at("friction_torque") + 0.1 * 2.0 * mu * std::cos(0.5)) < 1e-12);
+        QVERIFY(!std::isnan(values[quantities.size() - 1]));
+        QVERIFY(std::isnan(values.back()));
+        c.adhesion.kind = AdhesionKind::LennardJones;
+        QCOMPARE(contactQuantities(c).size(), quantities.size() + (c.contact == ContactKind::Elastic ? 1 : 0));
+    }
+
+    /// Between d_s = 3 nm and d_e = 5 nm the way decides.
+    void characteristicRemembers()
+    {
+        const auto model = makeContactModel(contactCase(ContactKind::OnoYamane));
+        QCOMPARE(model->move(4e-9, 0.0).net(), 0.0);
+        QCOMPARE(model->switchesUntil(3.5e-9).size(), std::size_t{0});
+        QCOMPARE(model->switchesUntil(2e-9).front().name, std::string("touch-down"));
+        QCOMPARE(model->switchesUntil(2e-9).front().separation, 3e-9);
+        model->move(2e-9, 0.0);
+        QVERIFY(model->switchesUntil(1e-9).empty());
+        QVERIFY(std::abs(model->move(4.5e-9, 0.0).net() + 10e-3) < 1e-15);
+        QCOMPARE(model->switchesUntil(5.5e-9).front().name, std::string("take-off"));
+        QCOMPARE(model->move(5.5e-9, 0.0).net(), 0.0);
+        QVERIFY(model->switchesUntil(4e-9).empty());
+    }
+    /// The pad's area times the law's pressure.
+    void asperities()
+    {
+        Case c = contactCase(ContactKind::Asperity);
+        c.pad.length = 10e-6;
+        c.pad.width = 30e-6;
+        const auto model = makeContactModel(c);
+        const AsperityContact law(c.asperity, c.elastic.pair);
+        const ContactForces& forces = model->move(2e-9, 0.0);
+        QVERIFY(forces.contact > 0.0);
+        QCOMPARE(forces.contact, 300e-12 * law.pressure(2e-9));
+        QCOMPARE(forces.area, 300e-12 * law.contactArea(2e-9));
+        QVERIFY(!model->canJump());
+    }
+    void multiAsperity()
+    {
+        Case c = contactCase(ContactKind::MultiAsperity);
+        c.pad.length = c.pad.width = 62e-6;
+        const auto model = makeContactModel(c);
+        QVERIFY(model->fit() && model->fit()->describes);
+        QCOMPARE(model->move(6e-9, 0.0).net(), 0.0);
+        const auto in = model->switchesUntil(1e-9);
+        QVERIFY(!in.empty());
+        QCOMPARE(in.front().name, std::string("touch-down"));
+        // Short of the jump nothing has switched, beyond it menisci pull.
+        QVERIFY(model->switchesUntil(in.front().separation + 1e-12).empty());
+        QVERIFY(model->move(in.front().separation - 1e-12, 0.0).adhesion < -1e-3);
+        model->move(1e-9, 0.0);
+        const auto out = model->switchesUntil(6e-9);
+        QVERIFY(!out.empty());
+        QCOMPARE(out.front().name, std::string("take-off"));
+        QVERIFY(out.front().separation > in.front().separation);
+        QCOMPARE(model->move(6e-9, 0.0).adhesion, 0.0);
+    }
+    void lawsWithoutSurfacesHaveNoMaps()
+    {
+        for (const ContactKind kind : {ContactKind::OnoYamane, ContactKind::Asperity, ContactKind::MultiAsperity})
+            QVERIFY(contactMaps(contactCase(kind)).empty());
+        QVERIFY(!contactMaps(contactCase(ContactKind::Elastic)).empty());
+    }
+};
+
+TOUCHDOWN_TEST(TestContactModel)
+#include "test_contact_model.moc"

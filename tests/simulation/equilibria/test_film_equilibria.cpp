@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/equilibria/film_equilibria.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QTest>
+
+#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/static_state/slider_body.h"
+#include "core/simulation/static_state/steady.h"
+#include "tests/support/small_slider.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+/// The small slider with menisci that reach from 2 nm below its static spacing to 3 nm above.
+Case withMenisci(int degreesOfFreedom)
+{
+    Case c = test::smallSlider(33);
+    c.degreesOfFreedom = degreesOfFreedom;
+    c.film.grid = GridKind::Graded; // the same at every attitude
+    c.steady.stiffness = false;
+    const double spacing = steady(c).minimumSpacing;
+    c.contact = ContactKind::OnoYamane;
+    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3,
+                   .touchDown = spacing - 2e-9, .takeOff = spacing + 3e-9, .friction = 0.3};
+    return c;
+}
+
+const FilmEquilibrium* touchingOne(const FilmEquilibria& all)
+{
+    const FilmEquilibrium* found = nullptr;
+    for (const FilmEquilibrium& at : all.found)
+        if (at.touching) found = &at;
+    return found;
+}
+
+} // namespace
+
+class TestFilmEquilibria : public QObject {
+    Q_OBJECT
+
+private slots:
+    void flyingHasTheModesOfTheStaticState()
+    {
+        const Case c = withMenisci(3);
+        const FilmEquilibria all = filmEquilibria(c, {}, [] { return true; });
+        QVERIFY2(all.problem.empty(), all.problem.c_str());
+        QCOMPARE(all.lost, 0);
+        const ModesResult expected = modes(c);
+        QCOMPARE(expected.modes.size(), std::size_t(3));
+        QVERIFY(!all.found.front().touching);
+        QCOMPARE(all.found.front().eigenvalues.size(), std::size_t(3));
+        QCOMPARE(all.found.front().lost, 0);
+        for (const std::complex<double> s : all.found.front().eigenvalues) {
+            bool known = false;
+            for (const AirBearingMode& mode : expected.modes) {
+                // s to 1e-5, the film at it to 1e-8
+                known = known || (std::abs(s.imag() / (2.0 * std::numbers::pi) - mode.frequency) < 1e-4 * mode.frequency &&
+                                  std::abs(-s.real() / std::abs(s) - mode.dampingRatio) < 1e-4);
+            }
+            QVERIFY(known);
+        }
+    }
+
+    void contactBalances_data()
+    {
+        QTest::addColumn<int>("degreesOfFreedom");
+        QTest::newRow("height and pitch") << 2;
+        QTest::newRow("height, pitch and roll") << 3;
+    }
+    /// What contact, friction and the suspension's springs do at the equilibrium, put into the load instead: without contact
+    /// the static state must be there.
+    void contactBalances()
+    {
+        QFETCH(int, degreesOfFreedom);
+        const Case c = withMenisci(degreesOfFreedom);
+        const FilmEquilibria all = filmEquilibria(c, {}, [] { return true; });
+        const FilmEquilibrium* at = touchingOne(all);
+        QVERIFY(at != nullptr);
+        QVERIFY(at->spacing > c.onoYamane.touchDown && at->spacing < c.onoYamane.takeOff);
+        QVERIFY(at->netContactForce < 0.0);
+
+        Case free = c;
+        free.contact = ContactKind::None;
+        const SliderBody body(c, steady(free).attitude);
+        const Recess recess(c.surface, c.slider.length, c.slider.width);
+        const MinimumSpacing spacing(c.surface, recess);
+        Case held = c;
+        held.initial.branch = ContactBranch::TakeOff;
+        const Vector3 touch = OnoYamaneContact(held, spacing).at(at->attitude, 0.0).load();
+        const Vector3 springs = body.suspension(body.coordinates(at->attitude), {});
+        free.suspension.offsetX = free.suspension.offsetY = 0.0;
+        free.suspension.preload = -(springs[0] + touch[0]);
+        free.suspension.pitchTorque = springs[1] + touch[1];
+        free.suspension.rollTorque = springs[2] + touch[2];
+        const SteadyResult expected = steady(free);
+        QCOMPARE(expected.status, SteadyStatus::Converged);
+        // Loads to 1e-9 of the preload, over the film's stiffness of some 1e5 N/m.
+        QVERIFY2(std::abs(expected.minimumSpacing - at->spacing) < 1e-12, qPrintable(QString::number(expected.minimumSpacing - at->spacing)));
+        QVERIFY2(std::abs(expected.attitude.pitch - at->attitude.pitch) < 1e-9, qPrintable(QString::number(expected.attitude.pitch - at->attitude.pitch)));
+        QVERIFY(std::abs(expected.attitude.roll - at->attitude.roll) < 1e-9);
+    }
+
+    void saysWhereThereAreNone()
+    {
+        Case c = test::smallSlider(33);
+        QVERIFY(!reasonForNoFilmEquilibria(c).empty());
+        c.contact = ContactKind::OnoYamane;
+        QVERIFY(reasonForNoFilmEquilibria(c).empty());
+    }
+
+    void stopsWhenAsked()
+    {
+        const Case c = withMenisci(2);
+        int left = 60;
+        QVERIFY(filmEquilibria(c, {}, [&] { return left-- > 0; }).stopped);
+    }
+};
+
+TOUCHDOWN_TEST(TestFilmEquilibria)
+#include "test_film_equilibria.moc"

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/coupled_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/simulation/contact/ono_yamane_contact.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/flying_slider.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using namespace touchdown::test;
+
+namespace {
+
+/// So tight that what is left of a step does not count beside its discretisation.
+CoupledStepOptions tight(FilmCoupling coupling)
+{
+    return {.coupling = coupling, .film = {.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30}, .tolerance = 1e-17};
+}
+
+CoupledStepOptions byDefault(FilmCoupling coupling)
+{
+    CoupledStepOptions options;
+    options.coupling = coupling;
+    return options;
+}
+
+const Case& pico()
+{
+    static const Case c = coarseFlight("film_pico");
+    return c;
+}
+const SteadyResult& picoAtRest()
+{
+    static const SteadyResult rest = steady(pico());
+    return rest;
+}
+
+/// A spring under the mass centre and a force that jumps when the law is crossed.
+class SpringAndJump final : public SliderContact {
+public:
+    SpringAndJump(double stiffness, double middle, double jump) : stiffness_(stiffness), middle_(middle), jump_(jump) {}
+    const SliderContactForces& at(const Attitude& attitude, double) override
+    {
+        forces_.contact = -stiffness_ * (attitude.height + 0.5 * length * attitude.pitch - middle_) + force_;
+        return forces_;
+    }
+    Matrix3 stiffness() const override
+    {
+        Matrix3 result{};
+        result[0][0] = stiffness_;
+        return result;
+    }
+    bool outOfReach(const Attitude&) const override { return false; }
+    void accept() override {}
+    std::string cross(bool) override
+    {
+        force_ += jump_;
+        return "jump";
+    }
+    static constexpr double length = 1.25e-3; // of the slider [m]
+
+private:
+    double stiffness_, middle_, jump_, force_ = 0.0; // [N/m], [m], [N]
+    SliderContactForces forces_;
+};
+
+/// A spring that pushes where the mass centre is below it.
+class Wall final : public SliderContact {
+public:
+    Wall(double stiffness, double top) : stiffness_(stiffness), top_(top) {}
+    const SliderContactForces& at(const Attitude& attitude, double) override
+    {
+        depth_ = std::max(0.0, top_ - attitude.height - 0.5 * SpringAndJump::length * attitude.pitch);
+        forces_.contact = stiffness_ * depth_;
+        return forces_;
+    }
+    Matrix3 stiffness() const override
+    {
+        Matrix3 result{};
+        if (depth_ > 0.0) result[0][0] = stiffness_;
+        return result;
+    }
+    bool outOfReach(const Attitude&) const override { return false; }
+    void accept() override {}
+    double energy() const { return 0.5 * stiffness_ * depth_ * depth_; }
+
+private:
+    double stiffness_, top_, depth_ = 0.0; // [N/m], [m], [m]
+    SliderContactForces forces_;
+};
+
+/// Next to no air, a disk that stands still, no suspension: what moves is the mass on the contact's spring.
+Case almostVacuum()
+{
+    Case c = openCase("film_plane").value;
+    c.film.nodes = {17, 17};
+    c.film.grid = GridKind::Uniform;
+    c.air.given.pressure = 1e-6;
+    c.disk.speed = 0.0;
+    c.suspension.stiffness = c.suspension.pitchStiffness = c.suspension.rollStiffness = 0.0;
+    c.suspension.damping = c.suspension.pitchDamping = c.suspension.rollDamping = 0.0;
+    return c;
+}
+SteadyResult filmAtAmbient(const Case& c)
+{
+    SteadyResult rest;
+    rest.attitude = {1e-6, 0.0, 0.0};
+    rest.grid = uniformGrid(c.slider.length, c.slider.width, 16, 16);
+    rest.pressure.assign(16 * 16, c.air.given.pressure);
+    return rest;
+}
+
+} // namespace
+
+class TestCoupledStep : public QObject {
+    Q_OBJECT
+
+private slots:
+    void order_data()
+    {
+        QTest::addColumn<int>("coupling");
+        QTest::newRow("monolithic") << int(FilmCoupling::Monolithic);
+        QTest::newRow("staggered") << int(FilmCoupling::Staggered);
+    }
+    /// A pico slider let go 1 nm above its static state, for 4 us: a quarter of the slowest mode's period, about one of the fastest's.
+    /// Results with halved steps differ by e, e/4, e/16.
+    void order()
+    {
+        QFETCH(int, coupling);
+        const int steps = 100;
+        Vector3 last{};
+        double before = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            FlyingSlider slider(pico(), picoAtRest(), tight(FilmCoupling(coupling)), {1e-9, 0.0, 0.0});
+            QVERIFY(slider.takeAll(4e-6, steps << k));
+            const double change = k > 0 ? slider.from(last) : 0.0;
+            if (k > 1) {
+                const double observed = std::log2(before / change);
+                QVERIFY2(std::abs(observed - 2.0) < 0.15, qPrintable(QString("order %1 with %2 steps").arg(observed).arg(steps << k)));
+            }
+            before = change;
+            last = slider.q();
+        }
+    }
+    /// Both go to the same motion: with steps h and h/2, e and e/4 from it, (4 q(h/2) - q(h))/3 is nearer still. The slider has gone
+    /// 1 nm; what is left of either is of the third order, a hundredth of the last change.
+    void bothWaysGoToTheSameMotion()
+    {
+        std::array<Vector3, 2> limits{};
+        double coarse = 0.0;
+        for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
+            Vector3& limit = limits[coupling == FilmCoupling::Staggered ? 1 : 0];
+            for (const int steps : {200, 400}) {
+                FlyingSlider slider(pico(), picoAtRest(), tight(coupling), {1e-9, 0.0, 0.0});
+                QVERIFY(slider.takeAll(4e-6, steps));
+                if (steps == 400) coarse = std::max(coarse, slider.from(limit));
+                for (std::size_t k = 0; k < 3; ++k) limit[k] = steps == 200 ? slider.q()[k] : (4.0 * slider.q()[k] - limit[k]) / 3.0;
+            }
+        }
+        const SliderBody body(pico(), picoAtRest().attitude);
+        const double apart = body.displacement({limits[0][0] - limits[1][0], limits[0][1] - limits[1][1], limits[0][2] - limits[1][2]});
+        QVERIFY2(apart < 0.02 * coarse, qPrintable(QString("%1 of %2 m").arg(apart).arg(coarse)));
+    }
+    /// A force of a third of the preload sets in between steps.
+    void orderAfterAJump()
+    {
+        Vector3 last{};
+        double before = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            SpringAndJump contact(0.0, 0.0, 5e-3);
+            FlyingSlider slider(pico(), picoAtRest(), tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
+            QVERIFY(slider.takeAll(2e-6, 50 << k));
+            contact.cross(true);
+            slider.stepper.restartAcceleration();
+            QVERIFY(slider.takeAll(2e-6, 50 << k));
+            const double change = k > 0 ? slider.from(last) : 0.0;
+            if (k > 1) {
+                const double observed = std::log2(before / change);
+                QVERIFY2(std::abs(observed - 2.0) < 0.15, qPrintable(QString("order %1 with %2 steps").arg(observed).arg(50 << k)));
+            }
+            before = change;
+            last = slider.q();
+        }
+    }
+
+    void massOnASpring_data()
+    {
+        QTest::addColumn<int>("coupling");
+        QTest::addColumn<double>("w"); // omega dt
+        QTest::addColumn<double>("beta");
+        const int monolithic = int(FilmCoupling::Monolithic), staggered = int(FilmCoupling::Staggered);
+        QTest::newRow("monolithic, short: Fox and Goodwin") << monolithic << 0.1 << 1.0 / 12;
+        QTest::newRow("monolithic, near its end") << monolithic << 1.3 << 1.0 / 12;
+        QTest::newRow("monolithic, long: trapezoidal") << monolithic << 1.6 << 0.25;
+        QTest::newRow("monolithic, very long") << monolithic << 30.0 << 0.25;
+        QTest::newRow("staggered, short: trapezoidal") << staggered << 0.1 << 0.25;
+        QTest::newRow("staggered") << staggered << 0.8 << 0.25;
+    }
+    /// Newmark's exact discrete answer for M z'' = -k z - f0: about the equilibrium z_{n+1} + z_{n-1} = 2 cos(phi) z_n with
+    /// cos(phi) = 1 - w^2/2/(1 + beta w^2), so that phi/w - 1 is w^4/480 for Fox and Goodwin, -w^2/12 for the trapezoidal rule.
+    void massOnASpring()
+    {
+        QFETCH(int, coupling);
+        QFETCH(double, w);
+        QFETCH(double, beta);
+        const Case c = almostVacuum();
+        const SteadyResult rest = filmAtAmbient(c);
+        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass), amplitude = 1e-9;
+        const double middle = rest.attitude.height;
+        SpringAndJump contact(stiffness, middle, 0.0);
+        FlyingSlider slider(c, rest, tight(FilmCoupling(coupling)), {amplitude, 0.0, 0.0}, &contact);
+        const double balanced = middle - c.suspension.preload / stiffness;
+        const double twice = 2.0 - w * w / (1.0 + beta * w * w);
+        QVERIFY(slider.take(w / omega).converged()); // the first step knows no stiffness yet
+        double z2 = slider.q()[0] - balanced;
+        QVERIFY(slider.take(w / omega).converged());
+        double z1 = slider.q()[0] - balanced;
+        for (int n = 0; n < 40; ++n) {
+            QVERIFY(slider.take(w / omega).converged());
+            const double z = slider.q()[0] - balanced;
+            QVERIFY2(std::abs(z - (twice * z1 - z2)) < 1e-7 * amplitude,
+                     qPrintable(QString("%1 instead of %2").arg(z / amplitude).arg((twice * z1 - z2) / amplitude)));
+            z2 = z1;
+            z1 = z;
+        }
+    }
+    /// Fox and Goodwin's discrete motion of a uniform step has a velocity of 1 - w^4/288 times omega z, with u = v (1 - w^2/12): where
+    /// lengths change the energy is off by twice the difference of two of these, and must not add up from change to change.
+    void changingStepsKeepEnergy()
+    {
+        const Case c = almostVacuum();
+        const SteadyResult rest = filmAtAmbient(c);
+        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass);
+        const double middle = rest.attitude.height, balanced = middle - c.suspension.preload / stiffness;
+        SpringAndJump contact(stiffness, middle, 0.0);
+        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
+        const auto energy = [&] {
+            const double z = slider.q()[0] - balanced, v = slider.stepper.motion().v[0];
+            return 0.5 * stiffness * z * z + 0.5 * c.slider.mass * v * v;
+        };
+        const double first = energy();
+        for (int n = 0; n < 1000; ++n) {
+            QVERIFY(slider.take((n % 2 == 0 ? 0.6 : 0.3) / omega).converged());
+            const double off = std::abs(energy() / first - 1.0);
+            QVERIFY2(off < 4.0 * std::pow(0.6, 4) / 288, qPrintable(QString("%1 after %2 steps").arg(off).arg(n + 1)));
+        }
+    }
+    /// Falls on a wall in steps of omega dt = 2.2, too long for Fox and Goodwin's velocities, u = v (1 - w^2/12) at best, and chosen before
+    /// the wall was met. The trapezoidal rule then loses and gains what a step's penetration stores: no more than there was.
+    void stiffnessMetWithinAStep()
+    {
+        const Case c = almostVacuum();
+        const SteadyResult rest = filmAtAmbient(c);
+        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass), top = rest.attitude.height - 3e-9;
+        Wall wall(stiffness, top);
+        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), {}, &wall);
+        const double first = c.suspension.preload * (slider.q()[0] - top);
+        bool touched = false;
+        for (int n = 0; n < 60; ++n) {
+            QVERIFY(slider.take(2.2 / omega).converged());
+            const double v = slider.stepper.motion().v[0];
+            const double energy = wall.energy() + 0.5 * c.slider.mass * v * v + c.suspension.preload * (slider.q()[0] - top);
+            QVERIFY2(energy < 2.0 * first, qPrintable(QString("%1 after %2 steps").arg(energy / first).arg(n + 1)));
+            touched = touched || wall.energy() > 0.0;
+        }
+        QVERIFY(touched);
+    }
+    /// beta k dt^2 < M, thus omega dt < 2, is where the staggered iteration ends; monolithic has no such limit.
+    void staggeredEndsAtLongSteps()
+    {
+        const Case c = almostVacuum();
+        const SteadyResult rest = filmAtAmbient(c);
+        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass);
+        for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
+            SpringAndJump contact(stiffness, rest.attitude.height, 0.0);
+            FlyingSlider slider(c, rest, byDefault(coupling), {1e-9, 0.0, 0.0}, &contact);
+            const CoupledStepResult result = slider.stepper.step(2.2 / omega);
+            QVERIFY(result.failure == (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
+            QVERIFY(slider.stepper.step(1.0 / omega).converged());
+        }
+    }
+    /// The same on air, whose stiffness is about that of the fastest mode, 228 kHz: 2/omega = 1.4 us; steps twice as long.
+    void staggeredEndsAtLongStepsOnAir()
+    {
+        for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
+            FlyingSlider slider(pico(), picoAtRest(), byDefault(coupling), {1e-9, 0.0, 0.0});
+            const CoupledStepResult result = slider.stepper.step(2.8e-6);
+            QVERIFY(result.failure == (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
+            QVERIFY(slider.stepper.step(2e-7).converged());
+        }
+    }
+
+    /// Asked for each attitude and, of the first step, within the film's three responses: whenever it says no, that was the last time.
+    void stops()
+    {
+        int calls = 0, last = 1000000;
+        CoupledStepOptions options = byDefault(FilmCoupling::Monolithic);
+        options.goOn = [&] { return ++calls < last; };
+        const auto tryStep = [&] {
+            FlyingSlider slider(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
+            calls = 0;
+            return slider.stepper.step(2e-8);
+        };
+        const CoupledStepResult whole = tryStep();
+        QVERIFY(whole.converged());
+        const int asked = calls;
+        QVERIFY2(asked >= whole.iterations + 3, qPrintable(QString::number(asked)));
+        for (last = 1; last <= asked; ++last) {
+            QVERIFY(tryStep().failure == CoupledFailure::Stopped);
+            QCOMPARE(calls, last);
+        }
+    }
+
+    void triesAreAlike_data() { order_data(); }
+    /// Another try of a step, of another length, forgets the one before; both end within their tolerances.
+    void triesAreAlike()
+    {
+        QFETCH(int, coupling);
+        const CoupledStepOptions options = tight(FilmCoupling(coupling));
+        FlyingSlider once(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0}), often(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
+        for (int n = 0; n < 6; ++n) {
+            QVERIFY(often.stepper.step(3e-7).converged());
+            QVERIFY(often.stepper.step(2e-8).converged());
+            QVERIFY(often.take(1e-7).converged());
+            QVERIFY(once.take(1e-7).converged());
+            QVERIFY2(once.from(often.q()) < 1e-15, qPrintable(QString::number(once.from(often.q()))));
+        }
+    }
+    void forcesBalance_data() { order_data(); }
+    /// Staggered, a step of h leaves M/(beta h^2) = 4e9 N/m times its position's rest unbalanced: 1e-18 m are 3e-7 of the load, 15 mN.
+    /// Monolithic ends with forces that know the last change. The acceleration is that of the forces, both ways.
+    void forcesBalance()
+    {
+        QFETCH(int, coupling);
+        CoupledStepOptions options = byDefault(FilmCoupling(coupling));
+        options.tolerance = FilmCoupling(coupling) == FilmCoupling::Monolithic ? 5e-14 : 1e-18;
+        FlyingSlider slider(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
+        for (int n = 0; n < 50; ++n) {
+            const CoupledStepResult result = slider.take(4e-8);
+            QVERIFY(result.converged());
+            QVERIFY2(result.forceBalance < 1e-6, qPrintable(QString::number(result.forceBalance)));
+            QVERIFY(result.positionLeft <= options.tolerance);
+            slider.level.film.setAttitude(slider.body.attitude(slider.q()));
+            const double load = slider.level.film.load(slider.stepper.pressure())[0];
+            const SliderMotion& m = slider.stepper.motion();
+            const double missing = load + slider.body.suspension(m.q, m.v)[0] - slider.body.inertia()[0] * m.a[0];
+            QVERIFY2(std::abs(missing) < 1e-6 * pico().suspension.preload, qPrintable(QString::number(missing)));
+        }
+    }
+    /// A roll that is held stays to the last bit; the same slider free to roll does not.
+    void rollThatIsHeldStays()
+    {
+        for (const int freedom : {2, 3}) {
+            Case c = coarseFlight("film_femto"); // at a skew
+            c.degreesOfFreedom = freedom;
+            const SteadyResult rest = steady(c);
+            FlyingSlider slider(c, rest, {}, {1e-9, 0.0, 0.0});
+            QVERIFY(slider.takeAll(1e-6, 20));
+            QCOMPARE(slider.q()[2] == rest.attitude.roll, freedom == 2);
+            QCOMPARE(slider.stepper.motion().v[2] == 0.0, freedom == 2);
+        }
+    }
+    void restStays()
+    {
+        FlyingSlider slider(pico(), picoAtRest(), {}, {});
+        const Vector3 rest = slider.q();
+        QVERIFY(slider.takeAll(4e-6, 40));
+        QVERIFY2(slider.from(rest) < 1e-13, qPrintable(QString::number(slider.from(rest))));
+    }
+
+    void doesNotAllocate_data() { order_data(); }
+    void doesNotAllocate()
+    {
+        QFETCH(int, coupling);
+        Case c = pico();
+        c.onoYamane.touchDown = 9.5e-9;
+        c.onoYamane.takeOff = 12e-9;
+        const Recess recess(c.surface, c.slider.length, c.slider.width);
+        const MinimumSpacing spacing(c.surface, recess);
+        OnoYamaneContact contact(c, spacing);
+        FlyingSlider slider(c, picoAtRest(), byDefault(FilmCoupling(coupling)), {-1e-9, 0.0, 0.0}, &contact);
+        QVERIFY(slider.takeAll(1e-7, 5));
+        const long long before = allocations;
+        for (int n = 0; n < 20; ++n) QVERIFY(slider.take(n < 10 ? 2e-8 : 5e-8).converged());
+        QCOMPARE(allocations.load(), before);
+        QVERIFY(slider.stepper.contactInReach());
+        QVERIFY(slider.stepper.cost().contactSolves > 20);
+    }
+};
+
+TOUCHDOWN_TEST(TestCoupledStep)
+#include "test_coupled_step.moc"

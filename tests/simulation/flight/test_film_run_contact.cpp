@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs in which a slider on its film touches the disk by the law of Ono & Yamane.
+#include "core/simulation/flight/film_run.h"
+
+#include <cmath>
+
+#include "tests/support/film_flight.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using namespace touchdown::test;
+
+namespace {
+
+/// A pico, without roll, let go some nanometres above a disk that it touches on its way down.
+Case bouncing(double duration)
+{
+    Case c = fromRest("film_pico", duration);
+    c.contact = ContactKind::OnoYamane;
+    c.degreesOfFreedom = 2;
+    c.onoYamane = {.meniscusForce = 5e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3, .touchDown = 3e-9, .takeOff = 4e-9,
+                   .friction = 0.3};
+    c.initial.heightOffset = 15e-9;
+    c.run.sampleInterval = 0.02e-6;
+    return c;
+}
+
+std::size_t count(const Flight& flight, const char* event)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(flight.events, [&](const RunEvent& e) { return e.name == event; }));
+}
+
+} // namespace
+
+class TestFilmRunContact : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// Samples so near to each switch that the spacing there is read off them: within 20 ns at 20 mm/s and 2e6 m/s^2 a parabola through
+    /// three samples misses less than a tenth of run.step_error. At touch-down it is d_s, at take-off d_e.
+    void switchesAreLocated()
+    {
+        Case c = bouncing(12e-6);
+        c.run.sampleInterval = 2e-9;
+        const Flight flight = fly(c);
+        QVERIFY_STATUS(flight, RunStatus::Completed);
+        QVERIFY(count(flight, "touch-down") >= 2);
+        QVERIFY(count(flight, "take-off") >= 1);
+        const std::vector<double>& spacing = flight.of("minimum_spacing");
+        for (const RunEvent& event : flight.events) {
+            const double place = event.time / c.run.sampleInterval;
+            const std::size_t k = std::min(static_cast<std::size_t>(place), spacing.size() - 2);
+            const double share = place - double(k);
+            const double found = (1.0 - share) * spacing[k] + share * spacing[k + 1];
+            const double expected = event.name == "touch-down" ? c.onoYamane.touchDown
+                                    : event.name == "take-off" ? c.onoYamane.takeOff
+                                                               : c.onoYamane.touchDown + c.onoYamane.initialContactForce / c.onoYamane.contactStiffness;
+            QVERIFY2(std::abs(found - expected) < c.run.stepError,
+                     qPrintable(QString("%1 at %2 nm").arg(event.name.c_str()).arg(found * 1e9)));
+        }
+    }
+    /// In every sample: no contact force above d_e, menisci below d_s, forces of the law in between by the branch.
+    void forcesAreThoseOfTheLaw()
+    {
+        const Case c = bouncing(20e-6);
+        const Flight flight = fly(c);
+        QVERIFY_STATUS(flight, RunStatus::Completed);
+        const OnoYamane& law = c.onoYamane;
+        for (std::size_t n = 0; n < flight.time.size(); ++n) {
+            const double d = flight.of("minimum_spacing")[n], contact = flight.of("contact_force")[n];
+            const double adhesion = flight.of("adhesion_force")[n];
+            if (d > law.takeOff + c.run.stepError) QVERIFY(contact == 0.0 && adhesion == 0.0);
+            if (d < law.touchDown - c.run.stepError) {
+                // Linear in time between the ends of a step, in which d moves by up to some tenths of a nanometre.
+                const double expected = law.initialContactForce + law.contactStiffness * (law.touchDown - d);
+                QVERIFY(std::abs(contact - expected) < 0.05 * expected);
+                QCOMPARE(adhesion, -law.meniscusForce);
+            }
+            QVERIFY(std::abs(flight.of("net_contact_force")[n] - contact - adhesion) < 1e-15);
+            QVERIFY(std::abs(flight.of("friction_force")[n] - law.friction * contact) < 1e-3 * law.friction * contact + 1e-15);
+        }
+    }
+    /// Pressed down by all of a fall from 250 nm, deeper than there is a gap: the contact carries.
+    void fallsDeep()
+    {
+        Case c = bouncing(10e-6);
+        c.initial.heightOffset = 250e-9;
+        const Flight flight = fly(c);
+        QVERIFY_STATUS(flight, RunStatus::Completed);
+        QCOMPARE(count(flight, "touch-down"), std::size_t(1));
+        QVERIFY(std::ranges::min(flight.of("minimum_spacing")) < 0.0);
+        QVERIFY(flight.of("minimum_spacing").front() > 250e-9);
+        for (const auto& [quantity, values] : flight.columns)
+            for (const double value : values) QVERIFY2(std::isfinite(value), quantity.c_str());
+    }
+    /// Two ways to solve the same equations. Each ends a step with up to run.step_error of its own, 1e-12 m, and they fall by some
+    /// 30 mm/s and 2e4 m/s^2: after the hundreds of steps to the first switch that is less than 5 ns and 0.1 nm.
+    void staggeredAgrees()
+    {
+        Case c = bouncing(4e-6);
+        c.run.stepError = 1e-12;
+        Case staggered = c;
+        staggered.film.coupling = FilmCoupling::Staggered;
+        const Flight one = fly(c), other = fly(staggered);
+        QVERIFY_STATUS(one, RunStatus::Completed);
+        QVERIFY_STATUS(other, RunStatus::Completed);
+        QVERIFY(!one.events.empty());
+        QCOMPARE(one.events.size(), other.events.size());
+        for (std::size_t k = 0; k < one.events.size(); ++k) {
+            QCOMPARE(one.events[k].name, other.events[k].name);
+            QVERIFY2(std::abs(one.events[k].time - other.events[k].time) < 5e-9,
+                     qPrintable(QString::number(one.events[k].time - other.events[k].time)));
+        }
+        const double apart = std::abs(one.final("minimum_spacing") - other.final("minimum_spacing"));
+        QVERIFY2(apart < 1e-10, qPrintable(QString::number(apart)));
+    }
+    /// Never asked where the slider is above d_e on the touch-down branch.
+    void leavesOutWhatIsOutOfReach()
+    {
+        Case c = bouncing(5e-6);
+        c.initial.heightOffset = 1e-9;
+        c.onoYamane.touchDown = 1e-9;
+        c.onoYamane.takeOff = 2e-9;
+        const Flight flight = fly(c);
+        QVERIFY_STATUS(flight, RunStatus::Completed);
+        QCOMPARE(flight.figure("contact_solves"), 0.0);
+        QVERIFY(flight.figure("contact_skipped") > 0.0);
+        QVERIFY(flight.events.empty());
+    }
+    void isDeterministic()
+    {
+        const Case c = bouncing(10e-6);
+        const Flight one = fly(c), other = fly(c);
+        QVERIFY_STATUS(one, RunStatus::Completed);
+        for (const auto& [quantity, values] : one.columns) QCOMPARE(values, other.columns.at(quantity));
+        QCOMPARE(one.events.size(), other.events.size());
+    }
+};
+
+TOUCHDOWN_TEST(TestFilmRunContact)
+#include "test_film_run_contact.moc"

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The free decay of a run in time against the modes about the static state.
+#include <complex>
+#include <numbers>
+
+#include "core/simulation/flight/film_run.h"
+#include "tests/support/flying_slider.h"
+#include "tests/support/matrix_pencil.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using namespace touchdown::test;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int samplesPerPeriod = 24, periods = 5;
+
+Complex exponent(const AirBearingMode& mode)
+{
+    const double omega = 2.0 * std::numbers::pi * mode.frequency;
+    return {-mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio), omega};
+}
+
+/// s of the free motion after the slider was displaced and kicked as the mode moves; its air is that of the displaced slider at
+/// rest, which fades within the first period.
+Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, double amplitude, int stepsPerSample)
+{
+    const Complex s = exponent(mode);
+    std::array<Complex, 3> shape;
+    for (std::size_t k = 0; k < 3; ++k) shape[k] = amplitude * Complex(mode.shape[k][0], mode.shape[k][1]);
+    c.initial.state = InitialState::Static;
+    c.initial.heightOffset = shape[0].real();
+    c.initial.pitchOffset = shape[1].real();
+    c.initial.rollOffset = shape[2].real();
+    c.initial.verticalVelocity = (s * shape[0]).real();
+    c.initial.pitchVelocity = (s * shape[1]).real();
+    c.initial.rollVelocity = (s * shape[2]).real();
+    c.run.sampleInterval = 1.0 / (samplesPerPeriod * mode.frequency);
+    c.run.duration = periods / mode.frequency;
+    c.run.steps = StepControl::Fixed;
+    c.run.step = c.run.sampleInterval / stepsPerSample;
+    c.run.stepError = 1e-14; // for what is left of a step
+    const SliderBody body(c, rest.attitude);
+    std::vector<Eigen::Vector3d> samples;
+    std::array<std::size_t, 3> columns{};
+    const std::vector<Quantity> quantities = filmQuantities(c);
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (quantities[i].name == std::array{"height", "pitch", "roll"}[k]) columns[k] = i;
+    const Summary summary = runFilm(c, [&](const RunUpdate& update) {
+        for (std::size_t n = 0; n < update.samples.size(); ++n) {
+            if (update.samples.time[n] * mode.frequency < 0.99) continue;
+            Eigen::Vector3d motion;
+            for (std::size_t k = 0; k < 3; ++k) motion[Eigen::Index(k)] = update.samples.columns[columns[k]][n] - body.rest()[k];
+            samples.push_back(motion.cwiseProduct(Eigen::Vector3d(1.0, 0.5 * c.slider.length, 0.5 * c.slider.width)));
+        }
+        return true;
+    });
+    if (summary.status != RunStatus::Completed) return std::nan("");
+    return std::log(leadingFactor(samples, samplesPerPeriod, 1e-6)) / c.run.sampleInterval;
+}
+
+} // namespace
+
+class TestFilmRunDecay : public QObject {
+    Q_OBJECT
+
+private slots:
+    void decaysAsItsModes_data()
+    {
+        QTest::addColumn<QString>("slider");
+        QTest::addColumn<int>("coupling");
+        QTest::newRow("femto, monolithic") << "film_femto" << int(FilmCoupling::Monolithic);
+        QTest::newRow("pico, monolithic") << "film_pico" << int(FilmCoupling::Monolithic);
+        QTest::newRow("pico, staggered") << "film_pico" << int(FilmCoupling::Staggered);
+    }
+    /// Of second order, so that s with two lengths of step, h and h/2, gives (4 s(h/2) - s(h))/3 with an error far below. Amplitudes
+    /// of 2e-3 of the spacing: nonlinearity changes frequencies by their square.
+    void decaysAsItsModes()
+    {
+        QFETCH(QString, slider);
+        QFETCH(int, coupling);
+        Case c = coarseFlight(slider.toStdString());
+        c.film.coupling = FilmCoupling(coupling);
+        const ModesResult known = modes(c);
+        QCOMPARE(known.status, SteadyStatus::Converged);
+        QCOMPARE(known.modes.size(), std::size_t(3));
+        for (const AirBearingMode& mode : known.modes) {
+            const double amplitude = 2e-3 * known.steady.minimumSpacing;
+            const Complex coarse = decay(c, known.steady, mode, amplitude, 2), fine = decay(c, known.steady, mode, amplitude, 4);
+            const Complex s = (4.0 * fine - coarse) / 3.0;
+            const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
+            const QString found = QString("%1 mode: %2 Hz with damping ratio %3, in time %4 Hz with %5")
+                                      .arg(mode.kind.c_str()).arg(mode.frequency).arg(mode.dampingRatio)
+                                      .arg(frequency).arg(damping);
+            QVERIFY2(std::abs(frequency / mode.frequency - 1.0) < 1e-3, qPrintable(found));
+            QVERIFY2(std::abs(damping / mode.dampingRatio - 1.0) < 1e-2, qPrintable(found));
+        }
+    }
+};
+
+TOUCHDOWN_TEST(TestFilmRunDecay)
+#include "test_film_run_decay.moc"

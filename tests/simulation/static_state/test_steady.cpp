@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include <algorithm>
+#include <set>
+
+#include "core/simulation/static_state/steady.h"
+#include "tests/support/small_slider.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+class TestSteady : public QObject {
+    Q_OBJECT
+
+private slots:
+    void forcesBalanceTheLoad();
+    void aFixedAttitudeIsKept();
+    void aHeldRollCarriesAnyTorque();
+    void reportsWhereItIsNearest();
+    void theErrorEstimateCoversTheFinerGrid();
+    void sensitivitiesAgreeWithDifferences_data();
+    void sensitivitiesAgreeWithDifferences();
+    void mirroredSlidersRollTheOtherWay();
+    void progressNamesTheGrids();
+    void cancelling();
+    void notConverging();
+    void aLoadThatOnlyContactCarries();
+};
+
+void TestSteady::forcesBalanceTheLoad()
+{
+    const Case c = test::smallSlider();
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    const double preload = c.suspension.preload, length = c.slider.length;
+    QVERIFY(std::abs(r.forces.net - preload) < 1e-8 * preload);
+    QVERIFY(std::abs(r.forces.pitchTorque + preload * c.suspension.offsetX + r.shearPitchTorque) < 1e-8 * preload * length);
+    QVERIFY(std::abs(r.forces.rollTorque + r.shearRollTorque) < 1e-8 * preload * length);
+    QVERIFY(std::abs(r.forces.positive + r.forces.negative - r.forces.net) < 1e-12 * preload);
+    QVERIFY(r.forces.shearX > 0.0); // the disk drags the slider along
+    QCOMPARE(r.grid.nx(), 64);
+    QCOMPARE(r.pressure.size(), r.grid.cells());
+    QVERIFY(*std::min_element(r.pressure.begin(), r.pressure.end()) > 0.0);
+}
+
+void TestSteady::aFixedAttitudeIsKept()
+{
+    Case c = test::smallSlider();
+    c.steady.fixedAttitude = true;
+    c.initial.roll = 3e-6;
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    QCOMPARE(r.attitude.height, c.initial.nominalTrailingEdgeHeight);
+    QCOMPARE(r.attitude.pitch, c.initial.pitch);
+    QCOMPARE(r.attitude.roll, c.initial.roll);
+    QVERIFY(r.discretisationError.load > 0.0);
+    QCOMPARE(r.discretisationError.minimumSpacing, 0.0);
+}
+
+void TestSteady::aHeldRollCarriesAnyTorque()
+{
+    // With two degrees of freedom the roll stays the initial one; what presses on one side changes nothing.
+    Case c = test::smallSlider();
+    c.degreesOfFreedom = 2;
+    c.initial.roll = 4e-6;
+    c.steady.sensitivities = true;
+    const SteadyResult r = steady(c);
+    c.suspension.offsetY = 0.05e-3;
+    const SteadyResult pressed = steady(c);
+    for (const SteadyResult* result : {&r, &pressed}) {
+        QCOMPARE(result->status, SteadyStatus::Converged);
+        QVERIFY(std::abs(result->attitude.roll - 4e-6) < 1e-15);
+        QVERIFY(std::abs(result->forces.net - c.suspension.preload) < 1e-8 * c.suspension.preload);
+    }
+    QVERIFY(std::abs(pressed.attitude.height / r.attitude.height - 1.0) < 1e-7);
+    QVERIFY(std::abs(pressed.attitude.pitch / r.attitude.pitch - 1.0) < 1e-7);
+    QVERIFY(!r.sensitivities.empty());
+    for (const Sensitivity& s : r.sensitivities) QCOMPARE(s.roll, 0.0);
+}
+
+void TestSteady::reportsWhereItIsNearest()
+{
+    Case c = test::smallSlider();
+    c.surface.pointsOfInterest = {{0.97e-3, 0.4e-3}, {0.5e-3, 0.4e-3}};
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.interestSpacing.size(), std::size_t(2));
+    // In the middle of the slider's length the base recess, 10 nm of crown off, and half the pitch times the length.
+    const double expected = 1.5e-6 - 10e-9 - 3e-9 + r.attitude.height + 0.5e-3 * r.attitude.pitch;
+    QVERIFY(std::abs(r.interestSpacing[1] - expected) < 1e-15);
+    QVERIFY(r.minimumSpacing <= r.interestSpacing[0] + 2e-14); // edges are sampled 1e-10 m beside them
+    QVERIFY(std::abs(r.minimumAt.x - 0.97e-3) < 1e-9);
+}
+
+void TestSteady::theErrorEstimateCoversTheFinerGrid()
+{
+    const SteadyResult coarse = steady(test::smallSlider(97)), fine = steady(test::smallSlider(193));
+    QCOMPARE(fine.status, SteadyStatus::Converged);
+    const double change = std::abs(fine.minimumSpacing - coarse.minimumSpacing);
+    QVERIFY2(change < 3.0 * coarse.discretisationError.minimumSpacing + 1e-12,
+             qPrintable(QString("%1 nm, estimate %2 nm").arg(change * 1e9).arg(coarse.discretisationError.minimumSpacing * 1e9)));
+    QVERIFY(change > 0.03 * coarse.discretisationError.minimumSpacing);
+}
+
+namespace {
+
+struct Change {
+    const char* parameter;
+    double step;
+    void (*add)(Case&, double);
+};
+
+const std::vector<Change>& changes()
+{
+    static const std::vector<Change> list{
+        {"abs.crown", 2e-11, [](Case& c, double d) { c.surface.crown += d; }},
+        {"abs.camber", 2e-11, [](Case& c, double d) { c.surface.camber += d; }},
+        {"abs.twist", 2e-11, [](Case& c, double d) { c.surface.twist += d; }},
+        {"abs.base_recess", 1e-10, [](Case& c, double d) { c.surface.baseRecess += d; }},
+        {"abs.rail[4].recess", 2e-11, [](Case& c, double d) { c.surface.rails[3].recess[0] += d; }},
+        {"suspension.preload", 1e-6, [](Case& c, double d) { c.suspension.preload += d; }},
+        {"suspension.pitch_torque", 1e-10, [](Case& c, double d) { c.suspension.pitchTorque += d; }},
+        {"suspension.offset_y", 1e-8, [](Case& c, double d) { c.suspension.offsetY += d; }},
+        {"air.viscosity", 1e-9, [](Case& c, double d) { c.air.given.viscosity += d; }},
+        {"air.pressure", 5.0, [](Case& c, double d) { c.air.given.pressure += d; }},
+        {"disk.speed", 0.05, [](Case& c, double d) { c.disk.speed += d; }},
+        {"disk.skew", 1e-5, [](Case& c, double d) { c.disk.skew += d; }},
+    };
+    return list;
+}
+
+/// On a grid that does not move with the case.
+Case onUniformGrid()
+{
+    Case c = test::smallSlider(49);
+    c.film.grid = GridKind::Uniform;
+    c.steady.stiffness = false;
+    c.film.tolerance = 1e-12;
+    c.steady.loadTolerance = 1e-12;
+    return c;
+}
+
+} // namespace
+
+void TestSteady::sensitivitiesAgreeWithDifferences_data()
+{
+    QTest::addColumn<int>("index");
+    for (std::size_t k = 0; k < changes().size(); ++k) QTest::newRow(changes()[k].parameter) << static_cast<int>(k);
+}
+
+void TestSteady::sensitivitiesAgreeWithDifferences()
+{
+    QFETCH(int, index);
+    const Change& change = changes()[static_cast<std::size_t>(index)];
+    static const SteadyResult reference = [] {
+        Case c = onUniformGrid();
+        c.steady.sensitivities = true;
+        return steady(c);
+    }();
+    QCOMPARE(reference.status, SteadyStatus::Converged);
+    const auto found = std::find_if(reference.sensitivities.begin(), reference.sensitivities.end(),
+                                    [&](const Sensitivity& s) { return s.parameter == change.parameter; });
+    QVERIFY(found != reference.sensitivities.end());
+    std::array<SteadyResult, 2> sides;
+    for (int side = 0; side < 2; ++side) {
+        Case c = onUniformGrid();
+        c.initial = {.nominalTrailingEdgeHeight = reference.attitude.height, .roll = reference.attitude.roll};
+        c.initial.pitch = reference.attitude.pitch;
+        change.add(c, side == 0 ? -change.step : change.step);
+        sides[static_cast<std::size_t>(side)] = steady(c);
+        QCOMPARE(sides[static_cast<std::size_t>(side)].status, SteadyStatus::Converged);
+    }
+    const auto difference = [&](auto get) { return (get(sides[1]) - get(sides[0])) / (2.0 * change.step); };
+    const double height = difference([](const SteadyResult& r) { return r.attitude.height; });
+    const double pitch = difference([](const SteadyResult& r) { return r.attitude.pitch; });
+    const double roll = difference([](const SteadyResult& r) { return r.attitude.roll; });
+    const double nearest = difference([](const SteadyResult& r) { return r.minimumSpacing; });
+    // Against the size of the answer in heights over the slider.
+    const double length = test::smallSlider().slider.length;
+    const double size = std::abs(height) + length * (std::abs(pitch) + std::abs(roll));
+    QVERIFY2(std::abs(found->height - height) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->height).arg(height)));
+    QVERIFY2(length * std::abs(found->pitch - pitch) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->pitch).arg(pitch)));
+    QVERIFY2(length * std::abs(found->roll - roll) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->roll).arg(roll)));
+    QVERIFY2(std::abs(found->minimumSpacing - nearest) < 1e-4 * (size + std::abs(nearest)),
+             qPrintable(QString("%1 %2").arg(found->minimumSpacing).arg(nearest)));
+}
+
+void TestSteady::mirroredSlidersRollTheOtherWay()
+{
+    // The rails are symmetric; with a uniform disk velocity, the other skew mirrors the whole problem.
+    Case c = test::smallSlider();
+    c.film.grid = GridKind::Uniform; // the others may sort lines a little differently from the other side
+    for (Rail& rail : c.surface.rails) // off the grid's lines: an edge on a line belongs to one side
+        for (RailPoint& point : rail.points) point.y += point.y < 0.4e-3 ? 1.3e-6 : -1.3e-6;
+    c.disk.field = VelocityField::Uniform;
+    c.disk.skew = 0.1;
+    const SteadyResult one = steady(c);
+    c.disk.skew = -0.1;
+    const SteadyResult other = steady(c);
+    QVERIFY(std::abs(one.attitude.roll) > 1e-8);
+    QVERIFY2(std::abs(one.attitude.roll + other.attitude.roll) < 1e-6 * std::abs(one.attitude.roll),
+             qPrintable(QString("%1 and %2 rad").arg(one.attitude.roll).arg(other.attitude.roll)));
+    QVERIFY(std::abs(one.attitude.pitch - other.attitude.pitch) < 1e-8 * one.attitude.pitch);
+    QVERIFY(std::abs(one.minimumSpacing - other.minimumSpacing) < 1e-7 * one.minimumSpacing);
+}
+
+void TestSteady::progressNamesTheGrids()
+{
+    std::set<std::string> stages;
+    steady(test::smallSlider(97), [&](const SteadyProgress& p) {
+        stages.insert(p.stage);
+        return true;
+    });
+    QCOMPARE(stages, (std::set<std::string>{"grid 49 x 49", "grid 97 x 97"}));
+}
+
+void TestSteady::cancelling()
+{
+    int calls = 0;
+    const SteadyResult r = steady(test::smallSlider(), [&](const SteadyProgress&) { return ++calls < 4; });
+    QCOMPARE(r.status, SteadyStatus::Cancelled);
+    QVERIFY(!r.message.empty());
+    QCOMPARE(calls, 4);
+}
+
+void TestSteady::notConverging()
+{
+    Case c = test::smallSlider(49);
+    c.film.maximumIterations = 3;
+    c.suspension.preload = 100.0; // no air bearing of this size carries that
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::NotConverged);
+    QVERIFY(QString::fromStdString(r.message).contains("not converged"));
+    QVERIFY(std::isfinite(r.minimumSpacing));
+}
+
+void TestSteady::aLoadThatOnlyContactCarries()
+{
+    Case c = test::smallSlider(33);
+    c.film.grid = GridKind::Uniform;
+    c.suspension.preload = 30.0;
+    const SteadyResult r = steady(c);
+    QVERIFY(r.status != SteadyStatus::Converged);
+    QVERIFY(!r.message.empty());
+}
+
+TOUCHDOWN_TEST(TestSteady)
+#include "test_steady.moc"

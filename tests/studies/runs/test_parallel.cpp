@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/runs/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <vector>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+class TestParallel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTaskOnce_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("jobs");
+        QTest::newRow("none") << 0 << 4;
+        QTest::newRow("one after the other") << 20 << 1;
+        QTest::newRow("three at a time") << 20 << 3;
+        QTest::newRow("more threads than tasks") << 2 << 8;
+        QTest::newRow("no thread asked for counts as one") << 3 << 0;
+    }
+    void everyTaskOnce()
+    {
+        QFETCH(int, count);
+        QFETCH(int, jobs);
+        std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
+        std::atomic<int> atOnce = 0, most = 0;
+        std::size_t told = 0;
+        const auto task = [&](std::size_t i, const GoOn& goOn) {
+            const int now = ++atOnce;
+            for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {}
+            if (goOn()) ++calls[i];
+            --atOnce;
+        };
+        const bool ended = runParallel(calls.size(), jobs, task, [&](std::size_t done) {
+            told = std::max(told, done);
+            return true;
+        });
+        QVERIFY(ended);
+        for (const auto& each : calls) QCOMPARE(each.load(), 1);
+        QVERIFY(most <= std::max(jobs, 1));
+        QVERIFY(told <= calls.size());
+    }
+
+    void oneThreadKeepsTheOrder()
+    {
+        std::vector<std::size_t> order;
+        QVERIFY(runParallel(5, 1, [&](std::size_t i, const GoOn&) { order.push_back(i); }, [](std::size_t) { return true; }));
+        std::vector<std::size_t> rising(5);
+        std::iota(rising.begin(), rising.end(), std::size_t{0});
+        QCOMPARE(order, rising);
+    }
+
+    /// Each task waits to be told: without a stop it would not end at all.
+    void stops()
+    {
+        std::atomic<int> begun = 0;
+        const auto waitForStop = [&](std::size_t, const GoOn& goOn) {
+            ++begun;
+            while (goOn()) {}
+        };
+        QVERIFY(!runParallel(10, 2, waitForStop, [&](std::size_t done) { return done > 0 || begun < 2; }));
+        QCOMPARE(begun.load(), 2);
+    }
+};
+
+TOUCHDOWN_TEST(TestParallel)
+#include "test_parallel.moc"

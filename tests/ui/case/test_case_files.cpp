@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Import and export of the established program's cases; the rest of CaseFiles is tested with the window.
+#include "ui/case/case_files.h"
+
+#include <memory>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/case_files/cml_case.h"
+#include "tests/ui/sample_slider.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+class TestCaseFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void importsWhatItExported_data();
+    void importsWhatItExported();
+    void savingNeverWritesOverAnImport();
+    void tellsWhatIsNotModelled();
+    void namesAnImport_data();
+    void namesAnImport();
+    void saysWhyAnExportFails();
+    void knowsWhatCanBeDropped_data();
+    void knowsWhatCanBeDropped();
+
+private:
+    QString path(const QString& name) const { return folder_->filePath(name); }
+    QMessageBox* problems() const { return window_->findChild<QMessageBox*>(QStringLiteral("problems")); }
+
+    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<QWidget> window_;
+    std::unique_ptr<CaseEdits> edits_;
+    CaseFiles* files_ = nullptr;
+};
+
+void TestCaseFiles::initTestCase()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("test_case_files"));
+}
+
+void TestCaseFiles::init()
+{
+    QSettings().clear();
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<QWidget>();
+    edits_ = std::make_unique<CaseEdits>();
+    files_ = new CaseFiles(*edits_, *window_);
+    edits_->open(sampleFilmCase());
+}
+
+void TestCaseFiles::importsWhatItExported_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("folder") << "slider";
+    QTest::newRow("archive") << "slider.cml";
+}
+
+void TestCaseFiles::importsWhatItExported()
+{
+    QFETCH(const QString, name);
+    QSignalSpy exported(files_, &CaseFiles::exported);
+    files_->exportTo(path(name));
+    QCOMPARE(exported.count(), 1);
+    QVERIFY(QFileInfo::exists(path(name)));
+
+    QSignalSpy imported(files_, &CaseFiles::imported);
+    QVERIFY(files_->openNow(path(name)));
+    QCOMPARE(imported.count(), 1);
+    const Case& read = edits_->value();
+    QCOMPARE(read.model, ModelKind::Film);
+    QCOMPARE(read.surface, sampleSurface());
+    QCOMPARE(read.slider.length, 0.85e-3);
+    QVERIFY(!files_->modified());
+    QVERIFY(files_->file().isEmpty());
+    QCOMPARE(files_->shortName(), QStringLiteral("slider"));
+}
+
+void TestCaseFiles::savingNeverWritesOverAnImport()
+{
+    files_->exportTo(path(QStringLiteral("slider")));
+    const QString rail = path(QStringLiteral("slider/rail.dat"));
+    QFile file(rail);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray before = file.readAll();
+    file.close();
+    QVERIFY(files_->openNow(rail));
+    files_->save(); // asks for a name
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), before);
+    QVERIFY(files_->file().isEmpty());
+    QVERIFY(files_->recent().contains(rail));
+}
+
+void TestCaseFiles::tellsWhatIsNotModelled()
+{
+    CaseDocument document;
+    document.value = sampleFilmCase();
+    document.text = formatCase(document.value);
+    document.warnings = {{"run.dat", 12, "", "the established program's sensitivity increments are not used"}};
+    files_->exportTo(path(QStringLiteral("slider.cml")));
+    QSignalSpy imported(files_, &CaseFiles::imported);
+    files_->take(document, path(QStringLiteral("slider.cml")));
+    QCOMPARE(imported[0][1].toStringList().size(), 1);
+    QVERIFY(imported[0][1].toStringList().front().startsWith(QStringLiteral("run.dat:12")));
+
+    QSignalSpy warned(files_, &CaseFiles::warned);
+    files_->take(document, path(QStringLiteral("slider.toml")));
+    QCOMPARE(imported.count(), 1);
+    QCOMPARE(warned.count(), 1);
+    QCOMPARE(warned[0][0], imported[0][1]);
+}
+
+void TestCaseFiles::namesAnImport_data()
+{
+    QTest::addColumn<QString>("opened");
+    QTest::newRow("folder") << "femto";
+    QTest::newRow("file in it") << "femto/run.dat";
+}
+
+void TestCaseFiles::namesAnImport()
+{
+    QFETCH(const QString, opened);
+    files_->exportTo(path(QStringLiteral("femto")));
+    QVERIFY(files_->openNow(path(opened)));
+    QCOMPARE(files_->shortName(), QStringLiteral("femto"));
+}
+
+void TestCaseFiles::saysWhyAnExportFails()
+{
+    QSignalSpy exported(files_, &CaseFiles::exported);
+    files_->exportTo(path(QStringLiteral("no/such/folder/slider.cml")));
+    QCOMPARE(exported.count(), 0);
+    QVERIFY(problems());
+    QVERIFY(!problems()->informativeText().isEmpty());
+}
+
+void TestCaseFiles::knowsWhatCanBeDropped_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("accepted");
+    QTest::newRow("case file") << "a.toml" << true;
+    QTest::newRow("archive") << "slider.cml" << true;
+    QTest::newRow("folder with a rail.dat") << "slider" << true;
+    QTest::newRow("the rails") << "slider/rail.dat" << true;
+    QTest::newRow("folder without") << "." << false;
+    QTest::newRow("something else") << "picture.png" << false;
+}
+
+void TestCaseFiles::knowsWhatCanBeDropped()
+{
+    QFETCH(const QString, name);
+    QFETCH(const bool, accepted);
+    files_->exportTo(path(QStringLiteral("slider")));
+    QCOMPARE(CaseFiles::isCaseFile(QDir::cleanPath(path(name))), accepted);
+}
+
+TOUCHDOWN_TEST(TestCaseFiles)
+#include "test_case_files.moc"

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/film_window.h"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/ui/sample_slider.h"
+#include "ui/plot/plot_export.h"
+#include "ui/style/theme.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using Page = FilmView::Page;
+using State = SteadyController::State;
+
+class TestFilmWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void showsTheSurfaceBeforeASolution();
+    void offersToSolveWhereThereIsNoResult();
+    void showsTheResultEverywhere();
+    void solvesAtTheGivenAttitude();
+    void anEditMakesTheResultStale();
+    void anEditBackMakesItFresh();
+    void whatDoesNotMatterDoesNotMakeItStale();
+    void anEditWhileSolvingIsNoticed();
+    void stoppedKeepsTheLastResult();
+    void notConvergedIsShownAllTheSame();
+    void anotherCaseForgetsTheResult();
+    void reportsProgress();
+    void tabsChooseTheField();
+    void theGridIsOnBoth();
+    void copiesTheTables();
+    void exportsThePage();
+    void ambientPressureOfTheAir();
+
+private:
+    void solve(bool given = false)
+    {
+        QSignalSpy solved(film_, &FilmWindow::solved);
+        film_->solve(case_, given);
+        QTRY_COMPARE(solved.count(), 1);
+    }
+
+    std::unique_ptr<QWidget> window_;
+    QAction* action_ = nullptr;
+    FilmWindow* film_ = nullptr;
+    Case case_;
+    std::atomic<bool> fixed_ = false;   // what the solver was asked for
+    std::atomic<bool> waiting_ = false; // the solver goes on until it is stopped
+    SteadyStatus status_ = SteadyStatus::Converged;
+};
+
+void TestFilmWindow::initTestCase()
+{
+    QLocale::setDefault(QLocale::c());
+    applyTheme(Theme::Light);
+}
+
+void TestFilmWindow::init()
+{
+    case_ = sampleFilmCase();
+    fixed_ = false;
+    waiting_ = false;
+    status_ = SteadyStatus::Converged;
+    window_ = std::make_unique<QWidget>();
+    action_ = new QAction(QStringLiteral("Solve"), window_.get());
+    film_ = new FilmWindow(
+        [this](const Case& c, const SteadyCallback& callback) {
+            fixed_ = c.steady.fixedAttitude;
+            int iteration = 0;
+            while (callback({"grid 97 x 97", ++iteration, 2e-5, 1e-3, {9e-9, 95e-6, 0.0}}) && waiting_) std::this_thread::yield();
+            if (waiting_) {
+                SteadyResult stopped;
+                stopped.status = SteadyStatus::Cancelled;
+                return stopped;
+            }
+            SteadyResult result = sampleResult(c);
+            result.status = status_;
+            return result;
+        },
+        action_, window_.get());
+    film_->view()->resize(900, 700);
+    film_->open(case_);
+    window_->resize(900, 700);
+    window_->show();
+}
+
+void TestFilmWindow::cleanup() { window_.reset(); }
+
+void TestFilmWindow::showsTheSurfaceBeforeASolution()
+{
+    QCOMPARE(film_->view()->page(), Page::Surface);
+    QVERIFY(film_->view()->surface()->isVisible());
+    QCOMPARE(film_->view()->surface()->surface(), case_.surface);
+    QVERIFY(!film_->view()->gridShown()->isEnabled());
+    QVERIFY(film_->attitude()->sections().empty());
+}
+
+void TestFilmWindow::offersToSolveWhereThereIsNoResult()
+{
+    film_->view()->setPage(Page::Gap);
+    QVERIFY(!film_->view()->maps()->isVisible());
+    QSignalSpy asked(action_, &QAction::triggered);
+    QToolButton* button = nullptr;
+    for (QToolButton* candidate : film_->view()->findChildren<QToolButton*>())
+        if (candidate->defaultAction() == action_) button = candidate;
+    QVERIFY(button && button->isVisible());
+    button->click();
+    QCOMPARE(asked.count(), 1);
+}
+
+void TestFilmWindow::showsTheResultEverywhere()
+{
+    solve();
+    const SteadyResult& result = *film_->result();
+    QCOMPARE(film_->view()->surface()->minimumSpacingAt()->x, result.minimumAt.x);
+    QCOMPARE(film_->view()->surface()->grid().nx(), 48);
+    QVERIFY(film_->attitude()->toPlainText().contains(QStringLiteral("Minimum spacing")));
+    film_->view()->setPage(Page::Pressure);
+    QVERIFY(film_->view()->maps()->isVisible());
+    QCOMPARE(film_->view()->maps()->map()->value(3), result.pressure[3] - 101325.0);
+    QVERIFY(!film_->stale());
+    QVERIFY(!fixed_);
+}
+
+void TestFilmWindow::solvesAtTheGivenAttitude()
+{
+    solve(true);
+    QVERIFY(fixed_);
+    QVERIFY(!film_->stale()); // the case itself does not say so
+}
+
+void TestFilmWindow::anEditMakesTheResultStale()
+{
+    solve();
+    case_.surface.rails[1].recess[0] = 5e-9;
+    film_->edit(case_);
+    QVERIFY(film_->stale());
+    QVERIFY(!film_->view()->surface()->minimumSpacingAt()); // of another surface
+    QVERIFY(film_->attitude()->toPlainText().startsWith(QStringLiteral("The parameters have changed since.")));
+    solve();
+    QVERIFY(!film_->stale());
+    QVERIFY(film_->view()->surface()->minimumSpacingAt());
+}
+
+void TestFilmWindow::anEditBackMakesItFresh()
+{
+    solve();
+    const double before = case_.suspension.preload;
+    case_.suspension.preload = 2.0 * before;
+    film_->edit(case_);
+    QVERIFY(film_->stale());
+    case_.suspension.preload = before;
+    film_->edit(case_);
+    QVERIFY(!film_->stale());
+}
+
+void TestFilmWindow::whatDoesNotMatterDoesNotMakeItStale()
+{
+    solve();
+    case_.title = "Another name";
+    film_->edit(case_);
+    QVERIFY(!film_->stale());
+}
+
+void TestFilmWindow::anEditWhileSolvingIsNoticed()
+{
+    QSignalSpy solved(film_, &FilmWindow::solved);
+    film_->solve(case_, false);
+    case_.disk.speed *= 1.1;
+    film_->edit(case_);
+    QTRY_COMPARE(solved.count(), 1);
+    QVERIFY(film_->stale());
+}
+
+void TestFilmWindow::stoppedKeepsTheLastResult()
+{
+    solve();
+    const double before = film_->result()->minimumSpacing;
+    waiting_ = true;
+    QSignalSpy solved(film_, &FilmWindow::solved);
+    film_->solve(case_, false);
+    film_->controller().stop();
+    QTRY_COMPARE(solved.count(), 1);
+    QCOMPARE(film_->result()->status, SteadyStatus::Converged);
+    QCOMPARE(film_->result()->minimumSpacing, before);
+    QVERIFY(film_->progress()->findChild<QLabel*>()->text() == QStringLiteral("Stopped"));
+}
+
+void TestFilmWindow::notConvergedIsShownAllTheSame()
+{
+    status_ = SteadyStatus::NotConverged;
+    solve();
+    QCOMPARE(film_->result()->status, SteadyStatus::NotConverged);
+    QVERIFY(film_->attitude()->toPlainText().contains(QStringLiteral("not converged")));
+    QVERIFY(!film_->view()->maps()->map()->empty());
+}
+
+void TestFilmWindow::anotherCaseForgetsTheResult()
+{
+    solve();
+    case_.slider.length = 1.2e-3;
+    film_->open(case_);
+    QVERIFY(!film_->result());
+    QVERIFY(film_->attitude()->sections().empty());
+    QVERIFY(film_->view()->maps()->map()->empty());
+    QVERIFY(!film_->view()->surface()->minimumSpacingAt());
+    QCOMPARE(film_->view()->surface()->sliderLength(), 1.2e-3);
+    QCOMPARE(film_->controller().state(), State::Idle);
+}
+
+void TestFilmWindow::reportsProgress()
+{
+    waiting_ = true;
+    film_->solve(case_, false);
+    film_->view()->setPage(Page::Gap);
+    const auto says = [this](const QString& text) {
+        for (const QLabel* label : film_->view()->findChildren<QLabel*>())
+            if (label->isVisible() && label->text() == text) return true;
+        return false;
+    };
+    QVERIFY(says(QStringLiteral("Solving…")));
+    QTRY_VERIFY2(film_->progress()->text().startsWith(QStringLiteral("grid 97 × 97 · iteration ")), qPrintable(film_->progress()->text()));
+    QVERIFY(film_->progress()->text().contains(QStringLiteral("residual 2.0e−05")));
+    QVERIFY(film_->progress()->text().contains(QStringLiteral("height 9\u00a0nm")));
+    film_->controller().stopAndWait();
+    QVERIFY(says(QStringLiteral("There is no solution yet.")));
+}
+
+void TestFilmWindow::tabsChooseTheField()
+{
+    solve();
+    for (const auto& [page, quantity] : {std::pair(Page::Pressure, MapsView::Quantity::Pressure), std::pair(Page::Gap, MapsView::Quantity::Gap),
+                                         std::pair(Page::Recess, MapsView::Quantity::Recess)}) {
+        film_->view()->setPage(page);
+        QCOMPARE(film_->view()->maps()->quantity(), quantity);
+        QVERIFY(film_->view()->maps()->controls()->isVisible());
+    }
+    film_->view()->setPage(Page::Surface);
+    QVERIFY(!film_->view()->maps()->controls()->isVisible());
+}
+
+void TestFilmWindow::theGridIsOnBoth()
+{
+    solve();
+    film_->view()->gridShown()->click();
+    QVERIFY(film_->view()->surface()->gridShown());
+    film_->view()->setPage(Page::Recess);
+    const QImage with = film_->view()->maps()->map()->grab().toImage();
+    film_->view()->gridShown()->click();
+    QVERIFY(!film_->view()->surface()->gridShown());
+    QVERIFY(with != film_->view()->maps()->map()->grab().toImage());
+}
+
+void TestFilmWindow::copiesTheTables()
+{
+    solve();
+    film_->attitude()->copy();
+    const QString text = QGuiApplication::clipboard()->text();
+    QVERIFY2(text.startsWith(QStringLiteral("Attitude\nTrailing edge height\t10.00\u00a0nm\n")), qPrintable(text.left(80)));
+    QVERIFY(text.contains(QStringLiteral("Force [mN]\t2.500\t1.200\t0.003000")));
+}
+
+// What the page shows leaves as a picture of twice its pixels, in the colours of paper.
+void TestFilmWindow::exportsThePage()
+{
+    const QTemporaryDir folder;
+    QTRY_VERIFY(film_->view()->surface()->settled());
+    const QString file = folder.filePath(QStringLiteral("page.png"));
+    QCOMPARE(savePage(*film_->view(), file), QString());
+    const QImage image(file);
+    QCOMPARE(image.size(), 2 * film_->view()->size());
+    SurfaceView* surface = film_->view()->surface();
+    const QPointF pad = surface->mapTo(film_->view(), surface->toPixel({0.2e-3, 0.2e-3}));
+    QCOMPARE(image.pixelColor((2.0 * pad).toPoint()).rgb(), surface->scale().colour(0.0));
+    for (const char* ending : {"svg", "pdf"}) {
+        const QString other = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
+        QCOMPARE(savePage(*film_->view(), other), QString());
+        QVERIFY(QFileInfo(other).size() > 5000);
+    }
+}
+
+// The standard atmosphere at 3000 m: 101325 (1 - 0.0065 * 3000/288.16)^5.256 = 70109 Pa.
+void TestFilmWindow::ambientPressureOfTheAir()
+{
+    case_.air.given.pressure = 90e3;
+    QCOMPARE(ambientPressure(case_), 90e3);
+    case_.air.source = AirSource::EstablishedStandard;
+    QCOMPARE(ambientPressure(case_), 101325.0);
+    case_.air.source = AirSource::Atmosphere;
+    case_.air.altitude = 3000.0;
+    QVERIFY2(std::abs(ambientPressure(case_) - 70109.0) < 1.0, qPrintable(QString::number(ambientPressure(case_))));
+}
+
+TOUCHDOWN_TEST(TestFilmWindow)
+#include "test_film_window.moc"

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+PlotAxis axis(double low, double high, AxisScale scale = AxisScale::Linear)
+{
+    PlotAxis axis;
+    axis.label.scale = scale;
+    axis.setRange({low, high});
+    return axis;
+}
+
+} // namespace
+
+class TestPlotPath : public QObject {
+    Q_OBJECT
+
+private slots:
+    void arrowsPointTheWay();
+    void dashesOfAWayBackCoverThoseOfTheWayThere();
+    void cutLineKeepsItsSlope();
+    void nothingFarOutside();
+    void denseLineKeepsItsExtremes();
+    void zerosNeverReachALogarithmicAxis();
+    void piecesEndAtTheBorder();
+    void phasePortraitIsACircle();
+    void phasePortraitOfDifferentTimes();
+};
+
+// A straight line from (0, -1e6) to (1, 1e6) crosses y = 0 .. 1 within 1e-6 of x = 0.5: the cut must not tilt it.
+void TestPlotPath::cutLineKeepsItsSlope()
+{
+    MinMaxPyramid data;
+    data.append(std::vector{0.0, 1.0}, std::vector{-1e6, 1e6});
+    const auto path = timePath(data, axis(0.0, 1.0), axis(0.0, 1.0), 100);
+    const auto pieces = insideArea(path);
+    QCOMPARE(pieces.size(), std::size_t(1));
+    QVERIFY(std::abs(pieces[0].first().x() - 0.5) < 1e-9);
+    QCOMPARE(pieces[0].first().y(), 0.0);
+    QVERIFY(std::abs(pieces[0].last().x() - (0.5 + 0.5e-6)) < 1e-9);
+    QCOMPARE(pieces[0].last().y(), 1.0);
+}
+
+void TestPlotPath::nothingFarOutside()
+{
+    MinMaxPyramid data;
+    data.append(std::vector{0.0, 1.0, 2.0, 3.0}, std::vector{1e9, -1e9, 1e9, 0.5});
+    for (const QPointF& point : timePath(data, axis(1.4, 1.6), axis(0.0, 1.0), 100)) {
+        QVERIFY(std::abs(point.x()) <= 1.5);
+        QVERIFY(std::abs(point.y()) <= 1.5);
+    }
+}
+
+void TestPlotPath::denseLineKeepsItsExtremes()
+{
+    std::vector<double> times;
+    std::vector<double> values;
+    for (int i = 0; i < 100000; ++i) {
+        times.push_back(i);
+        values.push_back(i == 61803 ? 0.01 : 0.5 + 0.2 * std::sin(0.7 * i)); // one sample dips
+    }
+    MinMaxPyramid data;
+    data.append(times, values);
+    const auto path = timePath(data, axis(0.0, 1e5), axis(0.0, 1.0), 500);
+    const auto lowest = std::min_element(path.begin(), path.end(), [](QPointF a, QPointF b) { return a.y() < b.y(); });
+    QCOMPARE(lowest->y(), 0.01);
+    QVERIFY(std::abs(lowest->x() - 0.61803) < 1.0 / 500);
+    QVERIFY(path.size() <= 2004);
+}
+
+void TestPlotPath::zerosNeverReachALogarithmicAxis()
+{
+    MinMaxPyramid data;
+    data.append(std::vector{0.0, 1.0, 2.0, 3.0}, std::vector{1e-3, 0.0, -5.0, 1e-1});
+    const auto path = timePath(data, axis(0.0, 3.0), axis(1e-4, 1.0, AxisScale::Logarithmic), 100);
+    QVERIFY(path.size() >= 4);
+    for (const QPointF& point : path) QVERIFY(std::isfinite(point.y()) && point.y() >= -0.5);
+    QCOMPARE(path.front(), QPointF(0.0, 0.25)); // 1e-3 on 1e-4 .. 1
+    QCOMPARE(path.back().y(), 0.75);            // 1e-1
+    const auto below = std::count_if(path.begin(), path.end(), [](QPointF p) { return p.y() == -0.5; });
+    QVERIFY(below >= 2); // the zero and the negative value leave through the floor
+}
+
+void TestPlotPath::piecesEndAtTheBorder()
+{
+    // In from the left, out through the top, in again, out to the right.
+    const std::vector<QPointF> path{{-0.5, 0.5}, {0.25, 0.5}, {0.25, 1.5}, {0.75, 1.5}, {0.75, 0.5}, {1.5, 0.5}};
+    const auto pieces = insideArea(path);
+    QCOMPARE(pieces.size(), std::size_t(2));
+    QCOMPARE(pieces[0], (QPolygonF{QPointF(0.0, 0.5), QPointF(0.25, 0.5), QPointF(0.25, 1.0)}));
+    QCOMPARE(pieces[1], (QPolygonF{QPointF(0.75, 1.0), QPointF(0.75, 0.5), QPointF(1.0, 0.5)}));
+    QVERIFY(insideArea({{-0.5, 1.2}, {1.5, 1.2}}).empty());
+}
+
+// x = cos t, y = sin t on axes from -2 to 2: a circle of radius 1/4 about the middle of the area.
+void TestPlotPath::phasePortraitIsACircle()
+{
+    std::vector<double> times;
+    std::vector<double> x;
+    std::vector<double> y;
+    constexpr int count = 1'000'000;
+    for (int i = 0; i < count; ++i) {
+        const double t = 20.0 * std::numbers::pi * i / count; // ten times around
+        times.push_back(t);
+        x.push_back(std::cos(t));
+        y.push_back(std::sin(t));
+    }
+    MinMaxPyramid across;
+    MinMaxPyramid up;
+    across.append(times, x);
+    up.append(times, y);
+    const auto path = phasePath(across, up, {0.0, 100.0}, axis(-2.0, 2.0), axis(-2.0, 2.0), {400.0, 400.0});
+    QVERIFY(path.size() > 1000); // 10 circles of 628 px, points some 0.7 px apart
+    QVERIFY(path.size() < 10000);
+    for (const QPointF& point : path) QVERIFY(std::abs(std::hypot(point.x() - 0.5, point.y() - 0.5) - 0.25) < 1e-6);
+    const auto [left, right] =
+        std::minmax_element(path.begin(), path.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
+    QVERIFY(left->x() < 0.2501 && right->x() > 0.7499);
+}
+
+void TestPlotPath::phasePortraitOfDifferentTimes()
+{
+    MinMaxPyramid across;
+    MinMaxPyramid up;
+    across.append(std::vector{0.0, 2.0}, std::vector{0.0, 1.0});                 // x = t / 2
+    up.append(std::vector{0.0, 1.0, 2.0, 3.0}, std::vector{0.0, 1.0, 0.0, 5.0}); // beyond t = 2 there is no x
+    const auto path = phasePath(across, up, {0.0, 10.0}, axis(0.0, 1.0), axis(0.0, 1.0), {100.0, 100.0});
+    QCOMPARE(path, (std::vector<QPointF>{{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}));
+}
+
+void TestPlotPath::arrowsPointTheWay()
+{
+    // To the right and back to the left, half a height up: each head lies on the line and points along it.
+    const std::vector<QPointF> path{{0.1, 0.5}, {0.9, 0.5}, {0.9, 0.6}, {0.1, 0.6}};
+    const QSizeF pixels(400.0, 200.0);
+    const std::vector<PathArrow> arrows = pathArrows(path, pixels);
+    QVERIFY(arrows.size() >= 4);
+    for (const PathArrow& arrow : arrows) {
+        const bool there = arrow.tip.y() < 0.55;
+        if (arrow.tip.x() < 0.9) QCOMPARE(arrow.along, QPointF(there ? 1.0 : -1.0, 0.0));
+    }
+    QVERIFY(arrows.front().along.x() > 0.0 && arrows.back().along.x() < 0.0);
+    // Outside the area there are none, nor on a line too short to carry one.
+    QVERIFY(pathArrows({{1.1, 0.5}, {1.4, 0.5}, {1.4, 0.9}}, pixels).empty());
+    QVERIFY(pathArrows({{0.1, 0.5}, {0.15, 0.5}}, pixels).empty());
+}
+
+void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
+{
+    // There in one line, back with a detour of 0.23 at the far end: both ways share the piece beside the turning point and the
+    // one beside the ends.
+    const std::vector<QPointF> path{{0.9, 0.5}, {0.1, 0.5}, {0.6, 0.5}, {0.6, 0.27}, {0.8, 0.27}, {0.8, 0.5}, {0.9, 0.5}};
+    const QSizeF pixels(400.0, 400.0);
+    QPen pen(Qt::black, 1.5);
+    pen.setDashPattern({5.0, 3.0});
+    const QPen fitted = penThereAndBack(path, pixels, pen);
+    const QList<qreal> dashes = fitted.dashPattern();
+    QVERIFY(std::abs(dashes[0] / 5.0 - 1.0) < 0.1 && std::abs(dashes[1] / dashes[0] - 0.6) < 1e-9);
+    const auto inked = [&](double walked) { // [px]
+        const double period = dashes[0] + dashes[1];
+        const double phase = std::fmod(walked / fitted.widthF() + fitted.dashOffset(), period);
+        return std::min(std::abs(phase - dashes[0]), std::min(phase, period - phase)) < 0.05 ? -1 : phase < dashes[0] ? 1 : 0; // -1: an end
+    };
+    const double turn = 0.8 * 400.0;
+    const double whole = pathLength(path, pixels);
+    for (double away = 0.0; away < 190.0; away += 3.1) QVERIFY(inked(turn - away) < 0 || inked(turn - away) == inked(turn + away));
+    for (double away = 0.0; away < 39.0; away += 1.3) QVERIFY(inked(away) < 0 || inked(away) == inked(whole - away));
+    // A solid pen stays what it is.
+    QVERIFY(penThereAndBack(path, pixels, QPen(Qt::black, 1.5)).dashPattern().isEmpty());
+}
+
+TOUCHDOWN_TEST(TestPlotPath)
+#include "test_plot_path.moc"

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/spectrum_view.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+/// 0 to 500 kHz in steps of 1 kHz: a floor of 1e-24 with peaks of 1e-18 at 42 kHz and 1e-20 at 152 kHz, and some bad
+/// values.
+Spectrum sample()
+{
+    Spectrum spectrum;
+    for (int i = 0; i <= 500; ++i) {
+        spectrum.frequency.push_back(1e3 * i);
+        spectrum.power.push_back(i == 42 ? 1e-18 : i == 152 ? 1e-20 : 1e-24);
+    }
+    spectrum.power[0] = 0.0;
+    spectrum.power[7] = -1e-24;
+    spectrum.power[9] = std::numeric_limits<double>::quiet_NaN();
+    return spectrum;
+}
+
+} // namespace
+
+class TestSpectrumView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void init();
+    void cleanup() { view_.reset(); }
+
+    void beginsWithTheUsualOptions();
+    void choicesAreRequested();
+    void settingEmitsNothing();
+    void badValuesStayAway();
+    void peaksAreLabelledInKilohertz();
+    void theHighestPeakHasRoomForItsLabel();
+    void unitsFollowQuantityAndScaling();
+    void logarithmicFrequency();
+    void otherUnitsClear();
+    void spectraComeAndGo();
+    void controlsHaveNames();
+
+private:
+    template <typename Widget>
+    Widget* field(const QString& name) const
+    {
+        for (Widget* widget : view_->findChildren<Widget*>())
+            if (widget->accessibleName() == name) return widget;
+        return nullptr;
+    }
+
+    std::unique_ptr<SpectrumView> view_;
+};
+
+void TestSpectrumView::init()
+{
+    view_ = std::make_unique<SpectrumView>();
+    view_->resize(760, 400);
+    view_->setQuantities({{"flying_height", "m", "nm", "Flying height"}, {"pitch", "rad", "urad", "Pitch"}});
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+}
+
+void TestSpectrumView::beginsWithTheUsualOptions()
+{
+    const WelchOptions expected;
+    QCOMPARE(view_->options().segment, expected.segment);
+    QCOMPARE(view_->options().overlap, expected.overlap);
+    QCOMPARE(view_->options().window, expected.window);
+    QCOMPARE(view_->options().scaling, expected.scaling);
+    QCOMPARE(view_->quantity(), QStringLiteral("flying_height"));
+}
+
+void TestSpectrumView::choicesAreRequested()
+{
+    QSignalSpy requested(view_.get(), &SpectrumView::requested);
+    QTest::keyClick(field<QComboBox>("Quantity"), Qt::Key_Down);
+    QCOMPARE(requested.count(), 1);
+    QCOMPARE(requested.last()[0].toString(), QStringLiteral("pitch"));
+    QTest::keyClick(field<QComboBox>("Segment"), Qt::Key_Down);
+    QCOMPARE(requested.last()[1].value<WelchOptions>().segment, std::size_t(4096));
+    QTest::keyClick(field<QComboBox>("Window"), Qt::Key_Down);
+    QCOMPARE(requested.last()[1].value<WelchOptions>().window, SpectrumWindow::Hamming);
+    QTest::keyClick(field<QSpinBox>("Overlap"), Qt::Key_Up); // by 5 %
+    QCOMPARE(requested.last()[1].value<WelchOptions>().overlap, 0.55);
+    QTest::keyClick(field<QComboBox>("Scaling"), Qt::Key_Down);
+    QCOMPARE(requested.last()[1].value<WelchOptions>().scaling, SpectrumScaling::Amplitude);
+    QCOMPARE(requested.count(), 5);
+}
+
+void TestSpectrumView::settingEmitsNothing()
+{
+    QSignalSpy requested(view_.get(), &SpectrumView::requested);
+    WelchOptions options;
+    options.segment = 3000; // none of the offered ones
+    options.overlap = 0.75;
+    options.window = SpectrumWindow::FlatTop;
+    view_->setOptions(options);
+    view_->setQuantity("pitch");
+    view_->setQuantities({{"pitch", "rad", "urad", "Pitch"}});
+    QCOMPARE(requested.count(), 0);
+    QCOMPARE(view_->options().segment, std::size_t(3000));
+    QCOMPARE(view_->options().overlap, 0.75);
+    QCOMPARE(view_->options().window, SpectrumWindow::FlatTop);
+    QCOMPARE(view_->quantity(), QStringLiteral("pitch")); // still there, still chosen
+}
+
+void TestSpectrumView::badValuesStayAway()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample());
+    PlotWidget* plot = view_->plot();
+    plot->refreshNow();
+    QVERIFY(plot->yAxis().logarithmic());
+    QCOMPARE(plot->curves()[0].data->size(), std::size_t(498)); // 501 without the zero, the negative one and the NaN
+    QVERIFY(plot->yAxis().range().low > 1e-26 && plot->yAxis().range().low < 1e-24);
+    QVERIFY(plot->yAxis().range().high > 1e-18);
+    const auto paths = plot->curvePaths();
+    QCOMPARE(paths.size(), std::size_t(1));
+    for (const QPointF& point : paths[0]) QVERIFY(std::isfinite(point.y()) && point.y() > 0.0);
+}
+
+void TestSpectrumView::peaksAreLabelledInKilohertz()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}, {152.4e3, 1e-10}, {9e9, 1.0}});
+    const auto& marks = view_->plot()->pointMarks();
+    QCOMPARE(marks.size(), std::size_t(2)); // the third lies beyond the spectrum
+    QCOMPARE(marks[0].label, QStringLiteral("42.30 kHz"));
+    QCOMPARE(marks[0].y, 1e-18); // on the top of the line
+    QCOMPARE(marks[1].label, QStringLiteral("152.4 kHz"));
+    QCOMPARE(marks[1].y, 1e-20);
+}
+
+/// The curve reaches almost to the plot's upper edge: what stands above it there would be cut off.
+void TestSpectrumView::theHighestPeakHasRoomForItsLabel()
+{
+    PlotWidget* plot = view_->plot();
+    for (const int height : {160, 200, 300, 600}) {
+        view_->resize(700, height);
+        view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}});
+        plot->refreshNow();
+        const QImage labelled = plot->grab().toImage();
+        std::vector<PointMark> marks = plot->pointMarks();
+        marks[0].label.clear();
+        plot->setPointMarks(std::move(marks));
+        QVERIFY2(plot->grab().toImage() != labelled, qPrintable(QStringLiteral("%1 px").arg(height)));
+    }
+}
+
+void TestSpectrumView::unitsFollowQuantityAndScaling()
+{
+    QCOMPARE(view_->plot()->yAxis().text(), QStringLiteral("Density [nm\u00b2/Hz]"));
+    QVERIFY(std::abs(view_->plot()->yAxis().label.factor - 1e-18) < 1e-30);
+    WelchOptions options;
+    options.scaling = SpectrumScaling::Amplitude;
+    view_->setOptions(options);
+    view_->setQuantity("pitch");
+    QCOMPARE(view_->plot()->yAxis().text(), QStringLiteral("Power [\u00b5rad\u00b2]"));
+    QVERIFY(view_->plot()->title().contains("Pitch"));
+}
+
+void TestSpectrumView::logarithmicFrequency()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample());
+    QTest::mouseClick(view_->findChild<QCheckBox*>(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    PlotWidget* plot = view_->plot();
+    plot->refreshNow();
+    QVERIFY(plot->xAxis().logarithmic());
+    QCOMPARE(plot->xAxis().range().low, 1e3); // the first frequency above zero
+    QCOMPARE(plot->xAxis().range().high, 500e3);
+    QVERIFY(plot->curvePaths()[0].size() > 100);
+}
+
+void TestSpectrumView::otherUnitsClear()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample());
+    QTest::keyClick(field<QComboBox>("Window"), Qt::Key_Down);
+    QCOMPARE(view_->plot()->curves().size(), std::size_t(1)); // the same unit: stays until the new one comes
+    QTest::keyClick(field<QComboBox>("Quantity"), Qt::Key_Down);
+    QVERIFY(view_->plot()->curves().empty());
+}
+
+void TestSpectrumView::spectraComeAndGo()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1.0}});
+    view_->setSpectrum("2", "Run 2", {1, 1}, sample(), {{152e3, 1.0}});
+    view_->setSpectrum("1", "Run 1 anew", {0, 0}, sample());
+    QCOMPARE(view_->plot()->curves().size(), std::size_t(2));
+    QCOMPARE(view_->plot()->curves()[0].name, QStringLiteral("Run 1 anew"));
+    QCOMPARE(view_->plot()->pointMarks().size(), std::size_t(1));
+    view_->removeSpectrum("2");
+    QCOMPARE(view_->plot()->curves().size(), std::size_t(1));
+    QVERIFY(view_->plot()->pointMarks().empty());
+    view_->clear();
+    QVERIFY(view_->plot()->curves().empty());
+    view_->setSpectrum("3", "Empty", {0, 0}, Spectrum{});
+    view_->plot()->refreshNow();
+    QVERIFY(view_->plot()->curvePaths()[0].empty());
+}
+
+void TestSpectrumView::controlsHaveNames()
+{
+    for (QWidget* widget : view_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (widget->focusPolicy() == Qt::NoFocus) continue;
+        const auto* button = qobject_cast<QAbstractButton*>(widget);
+        QVERIFY2(!widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty()),
+                 widget->metaObject()->className());
+    }
+}
+
+TOUCHDOWN_TEST(TestSpectrumView)
+#include "test_spectrum_view.moc"

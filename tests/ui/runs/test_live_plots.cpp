@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which plots stand there for which runs, and the forces against the separation.
+#include "ui/runs/live_plots.h"
+
+#include <memory>
+
+#include <QTest>
+
+#include "core/case_files/case_file.h"
+#include "tests/ui/sample_contact.h"
+#include "ui/style/theme.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+class TestLivePlots : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void standsReadyForTheCase();
+    void showsForcesAgainstSeparation();
+    void marksWhereThingsHappened();
+    void pointsTheWayOfTime();
+    void leavesOutANetForceThatIsTheContactForce();
+    void dashesTheFittedCharacteristic();
+    void offersForcesOfASliderOnSprings();
+    void remembersWhatWasChosenForAModel();
+    void aBaselineLeavesTheWayAsItIs();
+    void aHiddenCurveStaysHiddenInItsPlotAlone();
+
+private:
+    bool visible(const char* name) const { return plots_->plot(QString::fromLatin1(name))->isVisibleTo(plots_.get()); }
+    PlotWidget* forces() const { return plots_->plot(QStringLiteral("force_separation")); }
+
+    std::unique_ptr<RunsModel> runs_;
+    std::unique_ptr<LivePlots> plots_;
+};
+
+void TestLivePlots::initTestCase()
+{
+    QLocale::setDefault(QLocale::c());
+    applyTheme(Theme::Light);
+}
+
+void TestLivePlots::init()
+{
+    plots_.reset();
+    runs_ = std::make_unique<RunsModel>();
+    plots_ = std::make_unique<LivePlots>(*runs_);
+    plots_->resize(800, 900);
+}
+
+void TestLivePlots::standsReadyForTheCase()
+{
+    plots_->setCase(openCase("fig10a").value);
+    QVERIFY(visible("spacing") && visible("pitch") && visible("energy") && visible("forces"));
+    QVERIFY(!visible("force_separation") && !visible("area") && !visible("roll"));
+    plots_->setCase(openCase("contact_hertz").value);
+    QVERIFY(visible("force_separation") && visible("spacing") && visible("area") && visible("pressure"));
+    QVERIFY(!visible("pitch") && !visible("energy") && !visible("forces"));
+}
+
+void TestLivePlots::showsForcesAgainstSeparation()
+{
+    plots_->setCase(sampleContactCase());
+    runs_->add(sampleContactRun(1));
+    QVERIFY(forces()->isPhasePortrait());
+    QCOMPARE(forces()->curves().size(), std::size_t(3));
+    for (const PlotCurve& curve : forces()->curves()) {
+        QVERIFY(curve.visible);
+        QVERIFY(curve.xData == runs_->record(0).pyramid("minimum_spacing"));
+    }
+    // From 5 nm to -5 nm and back; contact up to 5 mN, the menisci with 0.5 mN.
+    const auto range = forces()->dataRangeX();
+    QVERIFY(range && std::abs(range->low + 5e-9) < 1e-15 && std::abs(range->high - 5e-9) < 1e-15);
+    QVERIFY(forces()->xNumbersVisible());
+    // Beside the plots over time it is the tallest.
+    plots_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(plots_.get()));
+    QVERIFY(forces()->height() > 2 * plots_->plot(QStringLiteral("spacing"))->height());
+    QCOMPARE(forces()->y(), 0);
+}
+
+void TestLivePlots::marksWhereThingsHappened()
+{
+    runs_->add(sampleContactRun(1));
+    const std::vector<PointMark>& marks = forces()->pointMarks();
+    QCOMPARE(marks.size(), std::size_t(2));
+    QCOMPARE(marks[0].label, QStringLiteral("snap-in"));
+    // At 0.2 ms the pad is at 1 nm, at 0.9 ms at 3 nm.
+    QVERIFY(std::abs(marks[0].x - 1e-9) < 1e-14);
+    QVERIFY(std::abs(marks[1].x - 3e-9) < 1e-14);
+    QVERIFY(marks[0].y <= 0.0);
+    // A run with many bounces is marked once for each kind.
+    std::vector<RunEvent> bounces;
+    for (int i = 0; i < 100; ++i) bounces.push_back({0.91e-3 + 1e-7 * i, i % 2 == 0 ? "touch-down" : "take-off"});
+    runs_->append(1, {}, bounces);
+    plots_->runFinished(1);
+    QCOMPARE(forces()->pointMarks().size(), std::size_t(4));
+}
+
+void TestLivePlots::pointsTheWayOfTime()
+{
+    runs_->add(sampleContactRun(1));
+    plots_->setCase(sampleContactCase());
+    plots_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(plots_.get()));
+    forces()->refreshNow();
+    QVERIFY(forces()->curves()[0].arrows);
+    QCOMPARE(forces()->phasePaths().size(), std::size_t(3));
+    // The first way leads to smaller separations, the second back.
+    const std::vector<QPointF>& path = forces()->phasePaths()[0];
+    QVERIFY(path[1].x() < path[0].x());
+    QVERIFY(path.back().x() > path[path.size() - 2].x());
+    // A cursor in time is a point on the way: its mark appears in the picture.
+    const QImage before = forces()->grab().toImage();
+    plots_->group()->setCursor(0, 0.35e-3);
+    QVERIFY(forces()->grab().toImage() != before);
+}
+
+void TestLivePlots::leavesOutANetForceThatIsTheContactForce()
+{
+    runs_->add(sampleContactRun(1, contactSnapshots, false));
+    QCOMPARE(forces()->curves().size(), std::size_t(2));
+    QVERIFY(forces()->curves()[0].visible);
+    QVERIFY(!forces()->curves()[1].visible);
+}
+
+void TestLivePlots::dashesTheFittedCharacteristic()
+{
+    std::vector<Quantity> quantities = sampleContactQuantities();
+    quantities.push_back({"fitted_contact_force", "N", "mN", "Fitted"});
+    auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", quantities);
+    SampleBatch batch = sampleContactBatch(0.0, 1e-3);
+    batch.columns.push_back(batch.columns[1]);
+    run->append(batch, {});
+    runs_->add(std::move(run));
+    QCOMPARE(forces()->curves().size(), std::size_t(4));
+    const PlotCurve& fitted = forces()->curves().back();
+    QCOMPARE(fitted.style.dash, 1);
+    QVERIFY(!fitted.arrows);
+    QCOMPARE(forces()->curves()[0].style.dash, 0);
+}
+
+void TestLivePlots::offersForcesOfASliderOnSprings()
+{
+    const Case c = openCase("fig10a").value;
+    plots_->setCase(c);
+    runs_->add(std::make_unique<RunRecord>(1, c, "", recordedQuantities(c)));
+    QVERIFY(!visible("force_separation"));
+    plots_->wanted(QStringLiteral("force_separation"))->trigger();
+    QVERIFY(visible("force_separation"));
+    // Dropped from 250 nm, but nothing acts above d_e = 5 nm: the axis ends at 10 nm.
+    SampleBatch batch;
+    batch.columns.assign(recordedQuantities(c).size(), {0.0, 0.0});
+    batch.time = {0.0, 1e-3};
+    batch.columns[static_cast<std::size_t>(findQuantity(recordedQuantities(c), "minimum_spacing"))] = {250e-9, 1e-9};
+    runs_->append(1, batch, {});
+    forces()->refreshNow();
+    QVERIFY(forces()->xAxis().range().high >= 10e-9 && forces()->xAxis().range().high < 20e-9);
+}
+
+void TestLivePlots::remembersWhatWasChosenForAModel()
+{
+    plots_->setCase(sampleContactCase());
+    plots_->wanted(QStringLiteral("force_separation"))->trigger(); // off
+    plots_->wanted(QStringLiteral("forces"))->trigger();           // on
+    plots_->setCase(openCase("fig10a").value);
+    QVERIFY(!plots_->wanted(QStringLiteral("force_separation"))->isChecked());
+    plots_->wanted(QStringLiteral("pitch"))->trigger();
+    plots_->setCase(sampleContactCase());
+    QVERIFY(!visible("force_separation") && visible("forces"));
+    plots_->setCase(openCase("fig10a").value);
+    QVERIFY(!visible("pitch") && visible("energy"));
+}
+
+void TestLivePlots::aBaselineLeavesTheWayAsItIs()
+{
+    runs_->add(sampleContactRun(1));
+    runs_->add(sampleContactRun(2));
+    runs_->finish(1, Summary{});
+    runs_->finish(2, Summary{});
+    runs_->setBaseline(1);
+    QCOMPARE(forces()->title(), QStringLiteral("Force against separation"));
+    QCOMPARE(forces()->curves().size(), std::size_t(6));
+    QCOMPARE(plots_->plot(QStringLiteral("spacing"))->title(), QStringLiteral("Minimum spacing minus run 1"));
+}
+
+void TestLivePlots::aHiddenCurveStaysHiddenInItsPlotAlone()
+{
+    runs_->add(sampleContactRun(1));
+    forces()->setCurveVisible(forces()->curves()[2].id, false);
+    runs_->add(sampleContactRun(2));
+    QVERIFY(!forces()->curves()[5].visible);
+    QVERIFY(plots_->plot(QStringLiteral("forces"))->curves()[5].visible);
+}
+
+TOUCHDOWN_TEST(TestLivePlots)
+#include "test_live_plots.moc"

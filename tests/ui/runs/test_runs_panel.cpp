@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QStyleOptionViewItem>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/case_files/case_file.h"
+#include "ui/case/case_difference.h"
+#include "ui/runs/run_delegate.h"
+#include "ui/runs/runs_panel.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+/// A record of a run of the default case, with `change` applied, whole.
+std::unique_ptr<RunRecord> ranRecord(int number, const std::function<void(Case&)>& change = {})
+{
+    CaseDocument document = openCase("fig10a");
+    document.value.run.duration = 0.1e-3;
+    document.value.spectrum.segment = 0.05e-3;
+    if (change) change(document.value);
+    auto record = std::make_unique<RunRecord>(number, document.value, formatCase(document.value), recordedQuantities(document.value));
+    record->finish(run(document.value, [&record](const RunUpdate& update) {
+        record->append(update.samples, update.events);
+        return true;
+    }));
+    return record;
+}
+
+} // namespace
+
+class TestRunsPanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isAProperModel();
+    void saysWhatChanged();
+    void showsResults_data();
+    void showsResults();
+    void togglesOverlayByMouseAndKey();
+    void editsNotes();
+    void removesRuns();
+    void keepsTheRunUnderWay();
+    void takesABaseline();
+    void savesAndReopensRuns();
+    void saysWhyAFileCannotBeOpened();
+    void boundsItsMemoryAndSaysSo();
+};
+
+void TestRunsPanel::isAProperModel()
+{
+    RunsModel model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.add(ranRecord(model.nextNumber()));
+    model.add(ranRecord(model.nextNumber()));
+    model.add(ranRecord(model.nextNumber()));
+    model.setData(model.index(1), Qt::Unchecked, Qt::CheckStateRole);
+    model.setBaseline(2);
+    model.remove(1);
+    model.remove(0);
+    QCOMPARE(model.rowCount(), 1);
+    // A number is not given twice, so that a colour stays with its run.
+    QCOMPARE(model.nextNumber(), 4);
+}
+
+void TestRunsPanel::saysWhatChanged()
+{
+    RunsModel model;
+    model.add(ranRecord(1));
+    model.add(ranRecord(2, [](Case& c) { c.onoYamane.takeOff = 8e-9; }));
+    model.add(ranRecord(3, [](Case& c) { c.onoYamane.takeOff = 8e-9; }));
+    model.add(ranRecord(4, [](Case& c) { c.contact = ContactKind::None; }));
+    const auto changes = [&model](int row) { return model.index(row).data(RunsModel::ChangesRole).toString(); };
+    QCOMPARE(changes(1), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
+    QCOMPARE(changes(2), QStringLiteral("same parameters as run 2"));
+    // d_e is used by run 3 only, and still differs.
+    QVERIFY2(changes(3).startsWith(QStringLiteral("contact ono-yamane → none")), qPrintable(changes(3)));
+    // What neither run uses is no change.
+    Case before, after;
+    after.run.step = 1e-9; // of fixed-step methods; both use dopri5
+    QVERIFY(caseDifference(before, after).isEmpty());
+}
+
+void TestRunsPanel::showsResults_data()
+{
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("result");
+    QTest::addColumn<bool>("failed");
+    QTest::newRow("completed") << static_cast<int>(RunStatus::Completed) << "3.200\u00a0nm" << false;
+    QTest::newRow("stopped") << static_cast<int>(RunStatus::Cancelled) << "stopped" << false;
+    QTest::newRow("diverged") << static_cast<int>(RunStatus::Diverged) << "diverged" << true;
+    QTest::newRow("failed") << static_cast<int>(RunStatus::Failed) << "failed" << true;
+}
+
+void TestRunsPanel::showsResults()
+{
+    QFETCH(const int, status);
+    QFETCH(const QString, result);
+    QFETCH(const bool, failed);
+    RunsModel model;
+    auto record = std::make_unique<RunRecord>(1, Case{}, std::string(), std::vector<Quantity>{{"flying_height", "m", "nm", "Flying height"}});
+    record->append({{0.0, 1e-6}, {{7e-9, 3.2e-9}}}, {});
+    model.add(std::move(record));
+    QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("running"));
+    Summary summary;
+    summary.status = static_cast<RunStatus>(status);
+    model.finish(1, summary);
+    QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), result);
+    QCOMPARE(model.index(0).data(RunsModel::FailedRole).toBool(), failed);
+}
+
+void TestRunsPanel::togglesOverlayByMouseAndKey()
+{
+    RunsModel model;
+    RunsPanel panel(model);
+    const QSignalSpy shown(&model, &RunsModel::shownChanged);
+    model.add(ranRecord(1));
+    panel.resize(320, 300);
+    panel.show();
+    QStyleOptionViewItem option;
+    option.widget = panel.list();
+    option.fontMetrics = panel.list()->fontMetrics();
+    option.rect = panel.list()->visualRect(model.index(0));
+    const QPoint box = RunDelegate::checkRect(option).center();
+    QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box);
+    QCOMPARE(shown.count(), 1);
+    QVERIFY(!model.record(0).shown);
+    // A click on the name chooses the run and changes nothing.
+    QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box + QPoint(120, 0));
+    QCOMPARE(shown.count(), 1);
+    QTest::keyClick(panel.list(), Qt::Key_Space);
+    QVERIFY(model.record(0).shown);
+}
+
+void TestRunsPanel::editsNotes()
+{
+    RunsModel model;
+    RunsPanel panel(model);
+    model.add(ranRecord(1));
+    panel.resize(320, 300);
+    panel.show();
+    const int height = panel.list()->visualRect(model.index(0)).height();
+    QTest::keyClick(panel.list(), Qt::Key_F2);
+    auto* editor = panel.list()->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    QTest::keyClicks(editor, QStringLiteral("bounces twice"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(model.record(0).note, QStringLiteral("bounces twice"));
+    // The row makes room for it.
+    QTRY_VERIFY(panel.list()->visualRect(model.index(0)).height() > height);
+}
+
+void TestRunsPanel::removesRuns()
+{
+    RunsModel model;
+    RunsPanel panel(model);
+    const QSignalSpy removed(&model, &RunsModel::aboutToRemove);
+    model.add(ranRecord(1));
+    model.add(ranRecord(2));
+    QCOMPARE(panel.chosen(), 2);
+    for (QToolButton* button : panel.findChildren<QToolButton*>())
+        if (button->text() == QStringLiteral("Delete")) button->click();
+    QCOMPARE(removed.count(), 1);
+    QCOMPARE(removed[0][0].toInt(), 2);
+    QCOMPARE(model.count(), 1);
+    QCOMPARE(panel.chosen(), 1);
+}
+
+void TestRunsPanel::keepsTheRunUnderWay()
+{
+    RunsModel model;
+    RunsPanel panel(model);
+    model.add(ranRecord(1));
+    panel.setRunningRun(1);
+    for (QToolButton* button : panel.findChildren<QToolButton*>())
+        if (button->text() == QStringLiteral("Delete")) QVERIFY(!button->isEnabled());
+    panel.setRunningRun(-1);
+    for (QToolButton* button : panel.findChildren<QToolButton*>())
+        if (button->text() == QStringLiteral("Delete")) QVERIFY(button->isEnabled());
+}
+
+void TestRunsPanel::takesABaseline()
+{
+    RunsModel model;
+    RunsPanel panel(model);
+    model.add(ranRecord(1));
+    model.add(ranRecord(2));
+    for (QToolButton* button : panel.findChildren<QToolButton*>())
+        if (button->text() == QStringLiteral("Baseline")) button->click();
+    QCOMPARE(model.baseline(), 2);
+    QVERIFY(model.index(1).data(RunsModel::BaselineRole).toBool());
+    model.remove(1);
+    QCOMPARE(model.baseline(), -1);
+}
+
+void TestRunsPanel::savesAndReopensRuns()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5"));
+    const std::unique_ptr<RunRecord> record = ranRecord(1, [](Case& c) { c.springs.flyingHeight = 4e-9; });
+    QCOMPARE(saveHdf5(*record, file), QString());
+    QString problem;
+    const std::unique_ptr<RunRecord> again = recordFromFile(5, file, problem);
+    QCOMPARE(problem, QString());
+    QCOMPARE(again->number, 5);
+    QCOMPARE(again->value.springs.flyingHeight, 4e-9);
+    QCOMPARE(again->sampleCount(), record->sampleCount());
+    QCOMPARE(again->samples().time, record->samples().time);
+    QCOMPARE(again->samples().columns, record->samples().columns);
+    QCOMPARE(again->summary->status, RunStatus::Completed);
+
+    const QString table = folder.filePath(QStringLiteral("run.csv"));
+    QCOMPARE(saveTimeSeries(*record, table), QString());
+    QFile csv(table);
+    QVERIFY(csv.open(QIODevice::ReadOnly | QIODevice::Text));
+    const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
+    QVERIFY(lines.front().startsWith("time [s],flying_height [m]"));
+    QCOMPARE(lines.size(), static_cast<qsizetype>(record->sampleCount()) + 1);
+}
+
+void TestRunsPanel::saysWhyAFileCannotBeOpened()
+{
+    const QTemporaryDir folder;
+    QString problem;
+    QVERIFY(!recordFromFile(1, folder.filePath(QStringLiteral("missing.h5")), problem));
+    QVERIFY2(problem.contains(QStringLiteral("missing.h5")), qPrintable(problem));
+    QFile noise(folder.filePath(QStringLiteral("noise.h5")));
+    QVERIFY(noise.open(QIODevice::WriteOnly));
+    noise.write("not HDF5");
+    noise.close();
+    problem.clear();
+    QVERIFY(!recordFromFile(1, noise.fileName(), problem));
+    QVERIFY2(problem.contains(QStringLiteral("noise.h5")), qPrintable(problem));
+}
+
+void TestRunsPanel::boundsItsMemoryAndSaysSo()
+{
+    RunRecord record(1, Case{}, {}, {{"flying_height", "m", "nm", "Flying height"}});
+    // One more sample than are held, with one minimum among them.
+    SampleBatch batch;
+    batch.columns.resize(1);
+    for (std::size_t k = 0; k <= RunRecord::capacity; ++k) {
+        batch.time.push_back(static_cast<double>(k) * 1e-9);
+        batch.columns[0].push_back(k == 12'345 ? -1.0 : 1.0);
+    }
+    record.append(batch, {});
+    QCOMPARE(record.sampleCount(), RunRecord::capacity + 1);
+    QVERIFY(!record.complete());
+    QVERIFY(record.pyramid("flying_height")->size() <= RunRecord::capacity);
+    QCOMPARE(record.pyramid("flying_height")->extremes(0.0, 1.0)->low, -1.0);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5"));
+    QVERIFY(saveHdf5(record, file).contains(QStringLiteral("Record to file")));
+    QVERIFY(!QFile::exists(file));
+}
+
+TOUCHDOWN_TEST(TestRunsPanel)
+#include "test_runs_panel.moc"

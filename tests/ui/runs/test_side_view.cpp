@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/side_view.h"
+
+#include <memory>
+
+#include <QTest>
+
+#include "tests/ui/sample_slider.h"
+#include "ui/style/theme.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+const std::vector<Quantity> quantities{{"minimum_spacing", "m", "nm", "Minimum spacing"}, {"pitch", "rad", "urad", "Pitch"},
+                                       {"height", "m", "nm", "Height"}, {"contact_force", "N", "mN", "Contact"}};
+
+/// A slider that falls: 60 nm above the disk with 100 urad at 0, 52 nm with 110 urad at 1 us and in contact.
+SampleBatch falling() { return {{0.0, 1e-6}, {{17e-9, 5e-9}, {100e-6, 110e-6}, {60e-9, 52e-9}, {0.0, 1e-3}}}; }
+
+} // namespace
+
+class TestSideView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void beginsWithoutARun();
+    void showsTheLatestSample();
+    void showsAChosenTime();
+    void keepsItsScale();
+    void springsHaveNone();
+    void paintsBothThemes_data();
+    void paintsBothThemes();
+
+private:
+    void add(const Case& c) { runs_->add(std::make_unique<RunRecord>(1, c, "", quantities)); }
+
+    std::unique_ptr<RunsModel> runs_;
+    std::unique_ptr<SideView> view_;
+};
+
+void TestSideView::init()
+{
+    QLocale::setDefault(QLocale::c());
+    applyTheme(Theme::Light);
+    view_.reset();
+    runs_ = std::make_unique<RunsModel>();
+    view_ = std::make_unique<SideView>(*runs_);
+    view_->resize(800, 500);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+}
+
+void TestSideView::beginsWithoutARun()
+{
+    QVERIFY(!view_->state());
+    add(sampleFilmCase());
+    view_->showRun(1);
+    QVERIFY(!view_->state()); // no sample yet
+}
+
+void TestSideView::showsTheLatestSample()
+{
+    add(sampleFilmCase());
+    view_->showRun(1);
+    runs_->append(1, falling(), {});
+    view_->dataArrived(1);
+    // Half of 0.85 mm times 110 urad is 46.75 nm: the trailing edge lies 52 - 46.75 nm above the disk.
+    QVERIFY(std::abs(view_->state()->trailingHeight - 5.25e-9) < 1e-15);
+    QCOMPARE(view_->state()->contactForce, 1e-3);
+    // At 0.3 mm there is the front pad, on which only the crown is left: 15 nm (1 - (0.3 - 0.425)^2/0.425^2) above the chord or
+    // below it; the shelf and the base beside it are no part of the outline.
+    const double share = 0.3 / 0.85;
+    const double chord = 5.25e-9 + 110e-6 * 0.55e-3;
+    QVERIFY2(std::abs(view_->heightAt(share) - chord) < 15.1e-9, qPrintable(QString::number(view_->heightAt(share) - chord)));
+    // Between the rails, at 0.5 mm, the base is lowest: 1.5 um higher.
+    QVERIFY(view_->heightAt(0.5 / 0.85) > 1.4e-6);
+}
+
+void TestSideView::showsAChosenTime()
+{
+    add(sampleFilmCase());
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    view_->showTime(0.0);
+    QCOMPARE(view_->state()->spacing, 17e-9);
+    QCOMPARE(view_->state()->contactForce, 0.0);
+    view_->showTime(0.5e-6); // between two samples
+    QVERIFY(std::abs(view_->state()->pitch - 105e-6) < 1e-15);
+    view_->showTime(std::nullopt);
+    QCOMPARE(view_->state()->time, 1e-6);
+    runs_->remove(0);
+    QVERIFY(!view_->state());
+}
+
+void TestSideView::keepsItsScale()
+{
+    add(sampleFilmCase());
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    const double before = view_->exaggeration();
+    QVERIFY(before > 1000.0);
+    view_->showTime(0.0);
+    view_->showTime(1e-6);
+    QCOMPARE(view_->exaggeration(), before);
+}
+
+void TestSideView::springsHaveNone()
+{
+    add(Case{});
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    QVERIFY(!view_->state());
+}
+
+void TestSideView::paintsBothThemes_data()
+{
+    QTest::addColumn<bool>("dark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+void TestSideView::paintsBothThemes()
+{
+    QFETCH(const bool, dark);
+    applyTheme(dark ? Theme::Dark : Theme::Light);
+    add(sampleFilmCase());
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    QTRY_COMPARE(view_->grab().toImage().pixelColor(2, 2).lightness() < 128, dark);
+    const QImage image = view_->grab().toImage();
+    int coloured = 0;
+    for (int y = 0; y < image.height(); y += 3)
+        for (int x = 0; x < image.width(); x += 3) coloured += image.pixelColor(x, y).saturation() > 60;
+    QVERIFY2(coloured > 500, qPrintable(QString::number(coloured)));
+}
+
+TOUCHDOWN_TEST(TestSideView)
+#include "test_side_view.moc"

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page of studies in the window, with studies that are made up.
+#include <atomic>
+#include <thread>
+
+#include <QDockWidget>
+#include <QPlainTextEdit>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/ui/sample_study.h"
+#include "ui/window/main_window.h"
+#include "ui/style/theme.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using Page = MainWindow::Page;
+using State = StudyController::State;
+
+namespace {
+
+/// Until it is stopped: a report with its first chart so far.
+StudyReport endless(const StudyCallback& callback)
+{
+    StudyReport report = sampleReport();
+    report.charts.resize(1);
+    const StudyReport* show = &report;
+    while (callback({0.25, "rk4, 10 ns", std::exchange(show, nullptr)})) std::this_thread::yield();
+    report.status = StudyStatus::Cancelled;
+    return report;
+}
+
+/// The text decides: "endless" goes on, "wrong" on a line is a problem of it.
+StudyPlan planned(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path&, const Case& c)
+{
+    StudyPlan plan;
+    plan.kind = kind;
+    plan.name = name;
+    plan.text = text;
+    plan.start.value = c;
+    plan.start.text = formatCase(c);
+    int line = 1;
+    for (const char letter : text.substr(0, text.find("wrong"))) line += letter == '\n';
+    if (text.find("wrong") != std::string::npos) plan.problems.push_back({name, line, "steps", "is wrong"});
+    else if (text.find("endless") != std::string::npos) plan.perform = [](int, const StudyCallback& callback) { return endless(callback); };
+    else
+        plan.perform = [kind, c](int, const StudyCallback& callback) {
+            callback({1.0, "all", nullptr});
+            StudyReport report = sampleReport();
+            report.kind = kind;
+            if (kind == "advise") {
+                report.found = c;
+                report.found->springs.flyingHeight = 5e-9;
+            }
+            return report;
+        };
+    return plan;
+}
+
+StudyCatalogue madeUp()
+{
+    return {{{"work-precision", "Accuracy against speed", "charts errors against times"}, {"advise", "No more model than needed", "finds the cheapest"}},
+            {{"drop", "work-precision", "A drop", "# of the sample\n"}},
+            [](const std::string& kind, const Case& c) { return "kind = \"" + kind + "\"\n# " + c.title + "\n"; },
+            planned};
+}
+
+struct Fixture {
+    Fixture()
+    {
+        window.resize(1400, 900);
+        window.show();
+        window.files().openNow(QStringLiteral("fig10a"));
+        window.setPage(Page::Studies);
+    }
+    StudyEditor& editor() { return *window.studies().editor(); }
+    StudyResults& results() { return *window.studies().results(); }
+    void perform()
+    {
+        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
+        window.performStudy();
+        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 30'000)) qFatal("the study does not end");
+    }
+    QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
+
+    MainWindow window{madeUp()};
+};
+
+} // namespace
+
+class TestStudyPage : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init() { QSettings().clear(); }
+    void beginsWithAWordAndTheDefaults();
+    void showsAReport();
+    void showsWhatThereIsWhileUnderWay();
+    void stops();
+    void saysWhatIsWrongWhileItIsWritten();
+    void keepsTheTextAndTheReportOfEachKind();
+    void anUntouchedTextFollowsTheCase();
+    void saysWhenTheCaseHasChanged();
+    void appliesWhatWasFound();
+    void opensAndSavesTexts();
+    void exportsTheCharts();
+    void hasItsPane();
+    void namesEveryControl();
+    void fitsASmallScreen();
+    void offersTheStudiesOfTheCore();
+};
+
+void TestStudyPage::initTestCase()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("test_study_page"));
+    QLocale::setDefault(QLocale::c());
+    applyTheme(Theme::Light);
+}
+
+void TestStudyPage::beginsWithAWordAndTheDefaults()
+{
+    Fixture f;
+    QVERIFY(f.results().isEmpty() && f.results().isVisible());
+    QTRY_VERIFY(f.editor().toText().startsWith(QStringLiteral("kind = \"work-precision\"")));
+    QVERIFY(f.editor().toText().contains(QString::fromStdString(f.window.edits().value().title)));
+    QVERIFY(f.editor().run()->isEnabled() && !f.editor().stop()->isEnabled());
+}
+
+void TestStudyPage::showsAReport()
+{
+    Fixture f;
+    f.perform();
+    QVERIFY(!f.results().isEmpty());
+    QCOMPARE(f.results().charts().size(), std::size_t(3));
+    QCOMPARE(f.results().chartTabs()->count(), 3);
+    QCOMPARE(f.results().tables().size(), std::size_t(1));
+    QCOMPARE(f.results().factTabs()->tabText(1), QStringLiteral("Runs"));
+    QVERIFY(f.results().findings().contains(QStringLiteral("40 times faster")));
+    QVERIFY(f.results().findings().contains(QStringLiteral("⚠")));
+    QVERIFY(!f.results().apply()->isVisible());
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Warning); // the report has one
+    QVERIFY(f.window.studies().progress()->text().contains(QStringLiteral("1.500\u00a0s")));
+}
+
+void TestStudyPage::showsWhatThereIsWhileUnderWay()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("endless"));
+    f.window.actions().study->trigger();
+    QTRY_COMPARE(f.results().charts().size(), std::size_t(1));
+    QTRY_VERIFY(f.window.studies().progress()->text().startsWith(QStringLiteral("25 % · rk4, 10 ns")));
+    QVERIFY(f.window.actions().stop->isEnabled() && f.editor().stop()->isEnabled());
+    f.editor().setKind(QStringLiteral("advise")); // nothing is known of that one
+    QVERIFY(f.results().isEmpty());
+    f.editor().setKind(QStringLiteral("work-precision"));
+    QVERIFY(!f.results().isEmpty());
+    f.window.actions().stop->trigger();
+    QTRY_COMPARE(f.window.studies().controller().state(), State::Idle);
+}
+
+void TestStudyPage::stops()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("endless"));
+    const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+    f.window.performStudy();
+    QTRY_COMPARE(f.window.studies().controller().state(), State::Running);
+    QTest::mouseClick(f.editor().stop(), Qt::LeftButton);
+    QTRY_COMPARE(ended.count(), 1);
+    QCOMPARE(ended[0][0].toBool(), false);
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Information);
+    QVERIFY(f.results().findings().contains(QStringLiteral("Stopped")));
+}
+
+void TestStudyPage::saysWhatIsWrongWhileItIsWritten()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("a = 1\nb = 2\nwrong\n"));
+    QTRY_VERIFY(f.editor().problems().contains(QStringLiteral("line 3")));
+    QVERIFY(!f.editor().run()->isEnabled());
+    QCOMPARE(f.editor().text()->extraSelections().size(), 1);
+    f.window.performStudy();
+    QCOMPARE(f.window.studies().controller().state(), State::Idle);
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
+    f.editor().setText(QStringLiteral("a = 1\n"));
+    QTRY_VERIFY(f.editor().run()->isEnabled() && f.editor().problems().isEmpty());
+}
+
+void TestStudyPage::keepsTheTextAndTheReportOfEachKind()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("# mine\n"));
+    f.perform();
+    f.editor().setKind(QStringLiteral("advise"));
+    QVERIFY(f.editor().toText().contains(QStringLiteral("advise")) && f.results().isEmpty());
+    f.editor().setKind(QStringLiteral("work-precision"));
+    QCOMPARE(f.editor().toText(), QStringLiteral("# mine\n"));
+    QVERIFY(!f.results().isEmpty());
+}
+
+void TestStudyPage::anUntouchedTextFollowsTheCase()
+{
+    Fixture f;
+    f.window.files().openNow(QStringLiteral("fig10b"));
+    QVERIFY(f.results().isVisible()); // still the page of studies
+    const QString title = QString::fromStdString(f.window.edits().value().title);
+    QTRY_VERIFY(f.editor().toText().contains(title));
+    f.editor().setText(f.editor().toText() + QStringLiteral("# mine\n"));
+    f.window.files().openNow(QStringLiteral("fig10a"));
+    f.editor().plan();
+    QVERIFY(f.editor().toText().contains(title));
+}
+
+void TestStudyPage::saysWhenTheCaseHasChanged()
+{
+    Fixture f;
+    const auto* mark = f.results().findChild<QLabel*>(QStringLiteral("stale"));
+    f.perform();
+    QVERIFY(mark && !mark->isVisible());
+    f.window.edits().enter(*findField("springs.flying_height"), QStringLiteral("6"));
+    QTRY_VERIFY(mark->isVisible());
+    f.window.actions().undo->trigger();
+    QTRY_VERIFY(!mark->isVisible());
+}
+
+void TestStudyPage::appliesWhatWasFound()
+{
+    Fixture f;
+    f.editor().setKind(QStringLiteral("advise"));
+    f.perform();
+    QVERIFY(f.results().apply()->isVisible());
+    QTest::mouseClick(f.results().apply(), Qt::LeftButton);
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 5e-9);
+    f.window.actions().undo->trigger();
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 7e-9);
+}
+
+void TestStudyPage::opensAndSavesTexts()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    Fixture f;
+    f.editor().setKind(QStringLiteral("advise"));
+    f.editor().setText(QStringLiteral("kind = \"advise\"\n# mine\n"));
+    QCOMPARE(f.editor().save(file), QString());
+    f.editor().setKind(QStringLiteral("work-precision"));
+    QCOMPARE(f.editor().open(file), QString());
+    QCOMPARE(f.editor().kind(), QStringLiteral("advise")); // as the file says
+    QCOMPARE(f.editor().toText(), QStringLiteral("kind = \"advise\"\n# mine\n"));
+    QCOMPARE(QString::fromStdString(f.editor().plan().name), QStringLiteral("mine.toml"));
+    QVERIFY(f.editor().open(folder.filePath(QStringLiteral("none.toml"))).contains(QStringLiteral("none.toml")));
+}
+
+void TestStudyPage::exportsTheCharts()
+{
+    const QTemporaryDir folder;
+    Fixture f;
+    f.perform();
+    for (const char* ending : {"png", "svg", "pdf"}) {
+        const QString file = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
+        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QVERIFY(QFileInfo(file).size() > 1000);
+    }
+}
+
+void TestStudyPage::hasItsPane()
+{
+    Fixture f;
+    QVERIFY(f.dock("study")->isVisible() && !f.dock("runs")->isVisible() && !f.dock("about")->isVisible());
+    f.dock("study")->close();
+    f.window.setPage(Page::Run);
+    QVERIFY(!f.dock("study")->isVisible() && f.dock("runs")->isVisible() && f.dock("about")->isVisible());
+    f.window.setPage(Page::Studies);
+    QVERIFY(!f.dock("study")->isVisible()); // it was closed
+    f.dock("study")->toggleViewAction()->trigger();
+    QVERIFY(f.dock("study")->isVisible());
+    f.window.startRun(); // its curves are to be seen
+    QTRY_VERIFY(f.window.runView().isVisible());
+}
+
+void TestStudyPage::namesEveryControl()
+{
+    Fixture f;
+    f.perform();
+    for (const QWidget* part : {static_cast<QWidget*>(&f.results()), static_cast<QWidget*>(&f.editor())})
+        for (const QWidget* widget : part->findChildren<QWidget*>()) {
+            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->inherits("QScrollBar") || widget->objectName().startsWith(QLatin1String("qt_"))) continue;
+            QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
+        }
+}
+
+void TestStudyPage::fitsASmallScreen()
+{
+    Fixture f;
+    f.perform();
+    QVERIFY2(f.window.minimumSizeHint().width() <= 1280, qPrintable(QString::number(f.window.minimumSizeHint().width())));
+    QVERIFY2(f.window.minimumSizeHint().height() <= 800, qPrintable(QString::number(f.window.minimumSizeHint().height())));
+}
+
+void TestStudyPage::offersTheStudiesOfTheCore()
+{
+    MainWindow window;
+    window.files().openNow(QStringLiteral("fig10a"));
+    const QComboBox* kinds = window.studies().editor()->kinds();
+    QCOMPARE(static_cast<std::size_t>(kinds->count()), studyKinds().size());
+    for (const StudyKind& kind : studyKinds()) QVERIFY(kinds->findData(QString::fromStdString(kind.name)) >= 0);
+}
+
+TOUCHDOWN_TEST(TestStudyPage)
+#include "test_study_page.moc"

@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "ui/window/main_window.h"
+#include "ui/plot/plot_export.h"
+#include "ui/style/theme.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+using State = RunController::State;
+
+namespace {
+
+/// A window on a sample case, at full speed.
+struct Fixture {
+    explicit Fixture(const char* sample = "fig10a")
+    {
+        window.resize(1400, 900);
+        window.show();
+        window.files().openNow(QString::fromLatin1(sample));
+    }
+
+    void edit(const char* key, const QString& text) { window.edits().enter(*findField(key), text); }
+    /// The record of a run that has ended.
+    const RunRecord& runToEnd()
+    {
+        const QSignalSpy finished(&window.controller(), &RunController::finished);
+        window.startRun();
+        if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
+        return window.runs().record(window.runs().count() - 1);
+    }
+    QLineEdit* line(const char* key) { return qobject_cast<QLineEdit*>(window.casePanel().editor(key)->input()); }
+    QMessageBox* box(const char* name) { return window.findChild<QMessageBox*>(QString::fromLatin1(name)); }
+
+    MainWindow window;
+};
+
+} // namespace
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init() { QSettings().clear(); }
+    void runsTheDefaultCase();
+    void runsEverySampleCase_data();
+    void runsEverySampleCase();
+    void opensWithTheDefaultCase();
+    void disablesRunForABadField();
+    void takesWhatWasTypedWhenRunning();
+    void overlaysASecondRun();
+    void hidesEarlierRunsWithoutOverlay();
+    void keepsTheLastStateOfAFailedRun();
+    void stopsASlowRun();
+    void pausesAndSteps();
+    void runsAgainWhileRunning();
+    void warnsWhenTheStepChangesTheEnd();
+    void subtractsABaseline();
+    void takesParametersOfARunBack();
+    void deletesARun();
+    void showsTheSpectrum();
+    void marksReferenceLinesAndEvents();
+    void keepsCommentsWhenSaving();
+    void asksAboutUnsavedChanges_data();
+    void asksAboutUnsavedChanges();
+    void changedBackIsUnchanged();
+    void closesOnlyWhenSettled();
+    void showsProblemsOfABadFile();
+    void takesDroppedFiles();
+    void restoresTheSession();
+    void changesThemeAndFont();
+    void exportsThePage();
+    void opensHelp();
+    void namesEveryControl();
+};
+
+void TestMainWindow::initTestCase()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("test_main_window"));
+}
+
+void TestMainWindow::runsTheDefaultCase()
+{
+    Fixture f;
+    const RunRecord& run = f.runToEnd();
+    QCOMPARE(run.summary->status, RunStatus::Completed);
+    // Every 0.1 us of 2 ms, and the start.
+    QCOMPARE(run.sampleCount(), std::size_t(20'001));
+    // The static state of the case: 7 nm, 90 urad.
+    QVERIFY(std::abs(*run.last("flying_height") - 7e-9) < 0.001e-9);
+    QVERIFY(std::abs(*run.last("pitch") - 90e-6) < 0.01e-6);
+    QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("7.000\u00a0nm"));
+    QVERIFY(f.window.messages().text().contains(QStringLiteral("flying height 7.000\u00a0nm")));
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Success);
+    QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("90.00 µrad")));
+    QCOMPARE(f.window.plots().plot(QStringLiteral("spacing"))->curves().size(), std::size_t(1));
+    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
+    QVERIFY(f.window.plots().plot(QStringLiteral("roll"))->isHidden()); // the model has none
+}
+
+void TestMainWindow::runsEverySampleCase_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const SampleCase& sample : sampleCases())
+        if (openCase(sample.name).value.model == ModelKind::Springs) QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
+}
+
+void TestMainWindow::runsEverySampleCase()
+{
+    QFETCH(const QString, name);
+    Fixture f(name.toLatin1().constData());
+    QCOMPARE(f.window.casePanel().preset()->currentData().toString(), name);
+    const RunRecord& record = f.runToEnd();
+    // What the window shows is what the core says.
+    const Summary alone = run(openCase(name.toStdString()).value);
+    QCOMPARE(record.summary->status, alone.status);
+    QCOMPARE(record.summary->final, alone.final);
+    QCOMPARE(record.events.size(), alone.events.size());
+}
+
+void TestMainWindow::opensWithTheDefaultCase()
+{
+    MainWindow window;
+    window.openLastCase();
+    QCOMPARE(window.files().sample(), QStringLiteral("fig10a"));
+    QVERIFY(!window.files().modified());
+    QVERIFY(window.actions().run->isEnabled());
+    QVERIFY(!window.actions().stop->isEnabled());
+    QVERIFY(!window.actions().exportCsv->isEnabled());
+}
+
+void TestMainWindow::disablesRunForABadField()
+{
+    Fixture f;
+    f.edit("springs.flying_height", QStringLiteral("7 mN"));
+    QVERIFY(!f.window.actions().run->isEnabled());
+    QVERIFY(f.window.actions().run->toolTip().contains(QStringLiteral("flying height"), Qt::CaseInsensitive));
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
+    f.window.actions().undo->trigger();
+    QVERIFY(f.window.actions().run->isEnabled());
+    QVERIFY(f.window.messages().isHidden());
+}
+
+void TestMainWindow::takesWhatWasTypedWhenRunning()
+{
+    Fixture f;
+    QApplication::setActiveWindow(&f.window);
+    QLineEdit* line = f.line("springs.flying_height");
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, QStringLiteral("0.0065 um"));
+    f.runToEnd();
+    QCOMPARE(f.window.runs().record(0).value.springs.flyingHeight, 6.5e-9);
+}
+
+void TestMainWindow::overlaysASecondRun()
+{
+    Fixture f;
+    f.runToEnd();
+    f.edit("ono_yamane.take_off", QStringLiteral("8"));
+    f.runToEnd();
+    QCOMPARE(f.window.runs().index(1).data(RunsModel::ChangesRole).toString(), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
+    const std::vector<PlotCurve>& curves = f.window.plots().plot(QStringLiteral("spacing"))->curves();
+    QCOMPARE(curves.size(), std::size_t(2));
+    QVERIFY(curves[0].visible && curves[1].visible);
+    QVERIFY(curves[0].style.colour != curves[1].style.colour);
+    QVERIFY(curves[0].style.dash != curves[1].style.dash);
+    QVERIFY(curves[0].data != curves[1].data);
+    f.window.runs().setData(f.window.runs().index(0), Qt::Unchecked, Qt::CheckStateRole);
+    QVERIFY(!f.window.plots().plot(QStringLiteral("spacing"))->curves()[0].visible);
+    QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->curves()[1].visible);
+}
+
+void TestMainWindow::hidesEarlierRunsWithoutOverlay()
+{
+    Fixture f;
+    f.runToEnd();
+    f.window.runsPanel().setOverlay(false);
+    f.runToEnd();
+    QVERIFY(!f.window.runs().record(0).shown);
+    QVERIFY(f.window.runs().record(1).shown);
+}
+
+void TestMainWindow::keepsTheLastStateOfAFailedRun()
+{
+    Fixture f("fig12b");
+    const RunRecord& run = f.runToEnd();
+    QCOMPARE(run.summary->status, RunStatus::Failed);
+    QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
+    QVERIFY2(f.window.messages().text().contains(QStringLiteral("rear air spring is lost")), qPrintable(f.window.messages().text()));
+    QVERIFY(run.sampleCount() > 1);
+    QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->curves()[0].data->size() > 1);
+    QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("failed"));
+    QVERIFY(f.window.actions().run->isEnabled());
+}
+
+void TestMainWindow::stopsASlowRun()
+{
+    Fixture f;
+    f.window.actions().choosePace(1e-5); // 200 s for this run
+    f.window.startRun();
+    QTRY_VERIFY(f.window.runs().record(0).sampleCount() > 1);
+    QVERIFY(f.window.progress().text().contains(QStringLiteral("of 2.000\u00a0ms")));
+    QVERIFY(f.window.actions().stop->isEnabled());
+    f.window.actions().stop->trigger();
+    QTRY_COMPARE(f.window.controller().state(), State::Idle);
+    QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("stopped"));
+    QVERIFY(!f.window.actions().stop->isEnabled());
+}
+
+void TestMainWindow::pausesAndSteps()
+{
+    Fixture f;
+    f.window.actions().choosePace(1e-5);
+    f.window.startRun();
+    QVERIFY(!f.window.actions().step->isEnabled());
+    f.window.actions().pause->trigger();
+    QCOMPARE(f.window.controller().state(), State::Paused);
+    QVERIFY(f.window.actions().pause->isChecked());
+    QVERIFY(f.window.actions().step->isEnabled());
+    f.window.actions().choosePace(RunController::fullSpeed);
+    f.window.actions().step->trigger();
+    // 1/200 of 2 ms, every 0.1 us.
+    QTRY_VERIFY(f.window.runs().record(0).sampleCount() >= 100);
+    QVERIFY(f.window.runs().record(0).sampleCount() < 2000);
+    f.window.actions().pause->trigger();
+    QTRY_COMPARE(f.window.controller().state(), State::Idle);
+    QCOMPARE(f.window.runs().record(0).sampleCount(), std::size_t(20'001));
+}
+
+void TestMainWindow::runsAgainWhileRunning()
+{
+    Fixture f;
+    f.window.actions().choosePace(1e-5);
+    f.window.startRun();
+    QTRY_VERIFY(f.window.runs().record(0).sampleCount() > 0);
+    f.window.actions().choosePace(RunController::fullSpeed);
+    f.window.actions().choosePace(1e-5);
+    f.window.startRun();
+    QCOMPARE(f.window.runs().count(), 2);
+    QVERIFY(f.window.runs().record(0).finished());
+    QVERIFY(!f.window.runs().record(1).finished());
+    f.window.actions().choosePace(RunController::fullSpeed);
+    QTRY_VERIFY(f.window.runs().record(1).finished());
+    QCOMPARE(f.window.runs().record(1).sampleCount(), std::size_t(20'001));
+}
+
+void TestMainWindow::warnsWhenTheStepChangesTheEnd()
+{
+    Fixture f;
+    // The paper's way: a switch is seen once per step. With 0.1 us a step goes far through the contact.
+    f.edit("run.integrator", QStringLiteral("rk4"));
+    f.edit("run.step", QStringLiteral("100 ns"));
+    f.edit("ono_yamane.take_off", QStringLiteral("8"));
+    const RunRecord& run = f.runToEnd();
+    QVERIFY(run.summary->stepCheck.has_value() || run.summary->status != RunStatus::Completed);
+    if (run.summary->stepCheck)
+        QVERIFY2(f.window.messages().text().contains(QString::fromStdString(run.summary->stepCheck->message).mid(1)),
+                 qPrintable(f.window.messages().text()));
+    QVERIFY(f.window.messages().kind() != MessageStrip::Kind::Information);
+}
+
+void TestMainWindow::subtractsABaseline()
+{
+    Fixture f;
+    f.runToEnd();
+    f.runToEnd();
+    f.window.runs().setBaseline(1);
+    const std::vector<PlotCurve>& curves = f.window.plots().plot(QStringLiteral("pitch"))->curves();
+    // The baseline itself is no curve; the same run minus itself is zero everywhere.
+    QCOMPARE(curves.size(), std::size_t(1));
+    const std::optional<PlotRange> extremes = curves[0].data->extremes(0.0, 1.0);
+    QVERIFY(extremes);
+    QCOMPARE(extremes->low, 0.0);
+    QCOMPARE(extremes->high, 0.0);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch minus run 1"));
+    f.window.runs().setBaseline(-1);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
+    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->curves().size(), std::size_t(2));
+}
+
+void TestMainWindow::takesParametersOfARunBack()
+{
+    Fixture f;
+    f.runToEnd();
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    emit f.window.runsPanel().parametersRequested(1);
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 7e-9);
+    f.window.actions().undo->trigger();
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 4e-9);
+}
+
+void TestMainWindow::deletesARun()
+{
+    Fixture f;
+    f.runToEnd();
+    f.runToEnd();
+    f.window.runs().remove(0);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
+    f.window.runs().remove(0);
+    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(0));
+    QVERIFY(!f.window.actions().saveResults->isEnabled());
+}
+
+void TestMainWindow::showsTheSpectrum()
+{
+    Fixture f;
+    const RunRecord& record = f.runToEnd();
+    SpectrumView* view = f.window.spectrum().view();
+    QCOMPARE(view->quantity(), QStringLiteral("minimum_spacing"));
+    QCOMPARE(view->plot()->curves().size(), std::size_t(1));
+    // 0.2 ms of samples every 0.1 us, as the case asks for.
+    QCOMPARE(view->options().segment, std::size_t(2000));
+    const Spectrum expected = spectrumOf(record, "minimum_spacing", view->options(), 0.0);
+    QCOMPARE(expected.segment, std::size_t(2000));
+    QCOMPARE(expected.frequency.back(), 5e6); // half the sampling rate
+    view->setQuantity(QStringLiteral("pitch"));
+    emit view->requested(QStringLiteral("pitch"), view->options());
+    QCOMPARE(view->plot()->curves().size(), std::size_t(1));
+}
+
+void TestMainWindow::marksReferenceLinesAndEvents()
+{
+    Fixture f;
+    const RunRecord& run = f.runToEnd();
+    const PlotWidget* plot = f.window.plots().plot(QStringLiteral("spacing"));
+    QCOMPARE(plot->referenceLines().size(), std::size_t(3)); // d_1, d_s, d_e
+    QCOMPARE(plot->referenceLines()[1].value, 3e-9);
+    QVERIFY(!run.events.empty());
+    QCOMPARE(plot->eventMarks().size(), run.events.size());
+}
+
+void TestMainWindow::keepsCommentsWhenSaving()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::WriteOnly));
+    written.write("# my slider\nmodel = \"springs\"\n\n[springs]\nflying_height = \"7 nm\" # as designed\n");
+    written.close();
+    Fixture f;
+    QVERIFY(f.window.files().openNow(file));
+    QVERIFY(f.window.windowTitle().startsWith(QStringLiteral("mine.toml")));
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    QVERIFY(f.window.isWindowModified());
+    f.window.actions().save->trigger();
+    QVERIFY(!f.window.isWindowModified());
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray text = written.readAll();
+    QVERIFY(text.startsWith("# my slider\n"));
+    QVERIFY2(text.contains("flying_height = \"4 nm\" # as designed"), text.constData());
+    QCOMPARE(f.window.files().recent().front(), file);
+}
+
+void TestMainWindow::asksAboutUnsavedChanges_data()
+{
+    QTest::addColumn<int>("answer");
+    QTest::addColumn<bool>("opened");
+    QTest::newRow("discard") << static_cast<int>(QMessageBox::Discard) << true;
+    QTest::newRow("cancel") << static_cast<int>(QMessageBox::Cancel) << false;
+}
+
+void TestMainWindow::asksAboutUnsavedChanges()
+{
+    QFETCH(const int, answer);
+    QFETCH(const bool, opened);
+    Fixture f;
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    f.window.files().open(QStringLiteral("fig11a"));
+    QMessageBox* box = f.box("unsavedChanges");
+    QVERIFY(box);
+    QCOMPARE(f.window.files().sample(), QStringLiteral("fig10a"));
+    box->button(static_cast<QMessageBox::StandardButton>(answer))->click();
+    QCOMPARE(f.window.files().sample(), opened ? QStringLiteral("fig11a") : QStringLiteral("fig10a"));
+    QCOMPARE(f.window.files().modified(), !opened);
+}
+
+void TestMainWindow::changedBackIsUnchanged()
+{
+    Fixture f;
+    const QString before = QString::fromStdString(f.window.files().text());
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    QVERIFY(f.window.isWindowModified());
+    f.edit("springs.flying_height", QStringLiteral("much"));
+    QVERIFY(f.window.isWindowModified());
+    f.edit("springs.flying_height", QStringLiteral("7"));
+    QVERIFY(!f.window.files().modified());
+    QVERIFY(!f.window.isWindowModified());
+    QCOMPARE(QString::fromStdString(f.window.files().text()), before);
+    f.window.files().open(QStringLiteral("fig11a")); // without a question
+    QVERIFY(!f.box("unsavedChanges"));
+    QCOMPARE(f.window.files().sample(), QStringLiteral("fig11a"));
+}
+
+void TestMainWindow::closesOnlyWhenSettled()
+{
+    Fixture f;
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    f.window.close();
+    QVERIFY(f.window.isVisible());
+    f.box("unsavedChanges")->button(QMessageBox::Discard)->click();
+    QTRY_VERIFY(!f.window.isVisible());
+}
+
+void TestMainWindow::showsProblemsOfABadFile()
+{
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("bad.toml")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("[slider]\nmas = \"1 mg\"\n");
+    file.close();
+    Fixture f;
+    QVERIFY(!f.window.files().openNow(file.fileName()));
+    QVERIFY(f.box("problems")->informativeText().contains(QStringLiteral("slider.mas")));
+    QCOMPARE(f.window.files().sample(), QStringLiteral("fig10a"));
+}
+
+void TestMainWindow::takesDroppedFiles()
+{
+    const QTemporaryDir folder;
+    Fixture f;
+    f.runToEnd();
+    const QString results = folder.filePath(QStringLiteral("run.h5"));
+    QCOMPARE(saveHdf5(f.window.runs().record(0), results), QString());
+    const QString caseFile = folder.filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(caseFile.toStdString(), "[springs]\nflying_height = \"5 nm\"\n"), std::string());
+
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(results), QUrl::fromLocalFile(caseFile)});
+    QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&f.window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&f.window, &drop);
+    QCOMPARE(f.window.runs().count(), 2);
+    QCOMPARE(f.window.runs().record(1).sampleCount(), std::size_t(20'001));
+    QTRY_COMPARE(f.window.spectrum().view()->plot()->curves().size(), std::size_t(2)); // its spectrum too
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 5e-9);
+}
+
+void TestMainWindow::restoresTheSession()
+{
+    {
+        Fixture f("fig12a");
+        f.window.restoreSession();
+        f.window.files().openNow(QStringLiteral("fig12a"));
+        f.window.runsPanel().setOverlay(false);
+        f.window.actions().choosePace(1e-4);
+        for (QAction* action : f.window.actions().theme->actions())
+            if (action->data() == QStringLiteral("dark")) action->trigger();
+        f.window.close();
+    }
+    MainWindow window;
+    window.restoreSession();
+    window.openLastCase();
+    QCOMPARE(window.files().sample(), QStringLiteral("fig12a"));
+    QVERIFY(!window.runsPanel().overlay());
+    QCOMPARE(window.controller().pace(), 1e-4);
+    QVERIFY(isDark(QApplication::palette()));
+    applyTheme(Theme::Light);
+}
+
+void TestMainWindow::changesThemeAndFont()
+{
+    Fixture f;
+    const int before = QApplication::font().pointSize();
+    for (QAction* action : f.window.actions().fontSize->actions())
+        if (action->data().toInt() == 5) action->trigger();
+    QCOMPARE(QApplication::font().pointSize(), before + 5);
+    for (QAction* action : f.window.actions().theme->actions())
+        if (action->data() == QStringLiteral("dark")) action->trigger();
+    QTRY_VERIFY(isDark(f.window.palette()));
+    // Fields and check boxes have only the base to stand out by; 16 of 255 is what an eye still sees on a projector.
+    const QPalette dark = f.window.palette();
+    QVERIFY(dark.color(QPalette::Window).lightness() - dark.color(QPalette::Base).lightness() >= 16);
+    QTRY_VERIFY(f.window.plots().plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
+    applyTheme(Theme::Light);
+    QTRY_VERIFY(!isDark(f.window.palette()));
+}
+
+void TestMainWindow::exportsThePage()
+{
+    const QTemporaryDir folder;
+    Fixture f;
+    f.runToEnd();
+    for (const char* ending : {"png", "svg", "pdf"}) {
+        const QString file = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
+        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QVERIFY(QFileInfo(file).size() > 1000);
+    }
+}
+
+void TestMainWindow::opensHelp()
+{
+    Fixture f;
+    f.window.actions().help->trigger();
+    auto* help = f.window.findChild<HelpWindow*>();
+    QVERIFY(help && help->isVisible());
+    help->open(HelpWindow::Page::Equations);
+    QVERIFY(help->text().contains(QStringLiteral("M z″")));
+    help->open(HelpWindow::Page::Parameters);
+    for (const Field& field : fields()) QVERIFY2(help->text().contains(QString::fromStdString(field.key)), field.key.c_str());
+    help->open(HelpWindow::Page::Shortcuts);
+    QVERIFY(help->text().contains(QStringLiteral("F5")));
+    help->open(HelpWindow::Page::About);
+    QVERIFY(help->text().contains(QStringLiteral("GNU")));
+}
+
+void TestMainWindow::namesEveryControl()
+{
+    Fixture f;
+    for (const QWidget* widget : f.window.findChildren<QWidget*>()) {
+        // What the keyboard can reach, a screen reader must be able to name.
+        if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus)) continue;
+        if (widget->objectName().startsWith(QLatin1String("qt_")) || widget->inherits("QScrollBar")) continue;
+        if (widget->focusProxy()) continue;
+        const bool named = !widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty();
+        QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
+                                   + QStringLiteral(" in ") + QString::fromLatin1(widget->parentWidget()->metaObject()->className())));
+    }
+}
+
+TOUCHDOWN_TEST(TestMainWindow)
+#include "test_main_window.moc"

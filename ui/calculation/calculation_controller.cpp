@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calculation/calculation_controller.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QEvent>
+
+namespace touchdown {
+
+namespace {
+
+constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
+constexpr auto mailEvent = QEvent::User;
+
+} // namespace
+
+CalculationController::CalculationController(QObject* parent) : QObject(parent)
+{
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &CalculationController::deliverNow);
+}
+
+CalculationController::~CalculationController() { Q_ASSERT(!thread_.joinable()); }
+
+int CalculationController::begin(Work work)
+{
+    stopAndWait();
+    ++number_;
+    setState(State::Running);
+    sinceDelivery_.invalidate();
+    rung_ = false;
+    thread_ = std::jthread([work = std::move(work)](const std::stop_token& stop) { work(stop); });
+    return number_;
+}
+
+void CalculationController::ring()
+{
+    // One event until the window takes the mail.
+    if (!rung_.exchange(true)) QCoreApplication::postEvent(this, new QEvent(mailEvent));
+}
+
+void CalculationController::stop()
+{
+    if (state_ != State::Running) return;
+    thread_.request_stop();
+    setState(State::Stopping);
+}
+
+void CalculationController::stopAndWait()
+{
+    if (!active()) return;
+    thread_.request_stop();
+    thread_.join();
+    deliverNow();
+}
+
+void CalculationController::end()
+{
+    if (thread_.joinable()) thread_.join();
+    setState(State::Idle);
+}
+
+void CalculationController::giveUp()
+{
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+}
+
+void CalculationController::customEvent(QEvent* event)
+{
+    // News of a calculation before this one is harmless: a delivery takes what there is of this one.
+    if (event->type() != mailEvent || !active() || timer_.isActive()) return;
+    const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : shortestInterval;
+    timer_.start(static_cast<int>(std::max<qint64>(0, shortestInterval - passed)));
+}
+
+void CalculationController::deliverNow()
+{
+    if (!active()) return;
+    timer_.stop();
+    sinceDelivery_.start();
+    rung_ = false; // before the mail is taken: what comes after that rings again
+    deliver();
+}
+
+void CalculationController::setState(State state)
+{
+    if (state == state_) return;
+    state_ = state;
+    emit stateChanged(state);
+}
+
+} // namespace touchdown

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/case/case_edits.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <QUndoCommand>
+
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+/// A case is small: a command keeps the whole state before and after.
+class CaseEdits::Edit : public QUndoCommand {
+public:
+    Edit(CaseEdits& edits, const QString& text, State after)
+        : QUndoCommand(text), edits_(edits), before_(edits.state_), after_(std::move(after))
+    {
+    }
+    void undo() override { edits_.apply(before_); }
+    void redo() override { edits_.apply(after_); }
+
+private:
+    CaseEdits& edits_;
+    State before_;
+    State after_;
+};
+
+CaseEdits::CaseEdits(QObject* parent) : QObject(parent)
+{
+    problems_ = checkCombinations(state_.value);
+}
+
+void CaseEdits::open(const Case& opened)
+{
+    undo_.clear();
+    opened_ = opened;
+    apply({opened, {}});
+}
+
+void CaseEdits::enter(const Field& field, const QString& typed)
+{
+    const BadEntry* bad = badEntry(field);
+    if (bad ? typed == bad->text : typed == editorText(state_.value, field)) return;
+
+    State after = state_;
+    after.bad.erase(field.key);
+    const std::optional<std::string> reason = setFromText(after.value, field, entryText(typed, field));
+    if (reason) after.bad[field.key] = {typed, sentence(*reason)};
+    // The same number written in another way is no edit, but the editor shows it in its own way again.
+    if (!reason && !bad && field.get(after.value) == field.get(state_.value)) {
+        emit edited();
+        return;
+    }
+    push(tr("change %1").arg(QString::fromStdString(field.label)), std::move(after));
+}
+
+void CaseEdits::reset(const Field& field)
+{
+    State after = state_;
+    after.bad.erase(field.key);
+    field.set(after.value, field.get(opened_));
+    push(tr("reset %1").arg(QString::fromStdString(field.label)), std::move(after));
+}
+
+void CaseEdits::resetAll()
+{
+    if (anyChanged()) push(tr("reset all parameters"), {opened_, {}});
+}
+
+void CaseEdits::setAll(const Case& value, const QString& text)
+{
+    push(text, {value, {}});
+}
+
+bool CaseEdits::changed(const Field& field) const
+{
+    return badEntry(field) != nullptr || field.get(state_.value) != field.get(opened_);
+}
+
+bool CaseEdits::anyChanged() const
+{
+    return std::ranges::any_of(fields(), [this](const Field& field) { return changed(field); });
+}
+
+const BadEntry* CaseEdits::badEntry(const Field& field) const
+{
+    const auto found = state_.bad.find(field.key);
+    return found == state_.bad.end() ? nullptr : &found->second;
+}
+
+QString CaseEdits::reasonNotToRun() const
+{
+    const auto named = [](const Field& field, const QString& reason) {
+        return tr("%1: %2").arg(sentence(field.label).chopped(1), reason);
+    };
+    for (const Field& field : fields())
+        if (const BadEntry* bad = badEntry(field); bad && field.used(state_.value)) return named(field, bad->reason);
+    if (problems_.empty()) return {};
+    const CaseProblem& problem = problems_.front();
+    const Field* field = findField(problem.key);
+    return field ? named(*field, sentence(problem.message)) : sentence(problem.message);
+}
+
+void CaseEdits::push(const QString& text, State after)
+{
+    undo_.push(new Edit(*this, text, std::move(after)));
+}
+
+void CaseEdits::apply(const State& state)
+{
+    state_ = state;
+    problems_ = checkCombinations(state_.value);
+    emit edited();
+}
+
+} // namespace touchdown

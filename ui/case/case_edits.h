@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The case that is being edited: its values, the entries that could not be taken, and undo.
+//
+// An entry that cannot be read stays where it was typed and is part of the state, so that undo and
+// redo treat it as any other edit.
+#pragma once
+
+#include "core/case_files/case_file.h"
+#include "core/case/fields.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace touchdown {
+
+/// What was typed into a field, and why it cannot be taken.
+struct BadEntry {
+    QString text;
+    QString reason;
+};
+
+class CaseEdits : public QObject {
+    Q_OBJECT
+
+public:
+    explicit CaseEdits(QObject* parent = nullptr);
+
+    /// Starts again from a case; undo does not go back beyond it.
+    void open(const Case& opened);
+
+    const Case& value() const { return state_.value; }
+    /// What the marks and resets compare with.
+    const Case& opened() const { return opened_; }
+    QUndoStack& undoStack() { return undo_; }
+
+    /// Takes what was typed, or keeps it with the reason why not.
+    void enter(const Field& field, const QString& typed);
+    void reset(const Field& field);
+    void resetAll();
+    /// All values at once, as one edit.
+    void setAll(const Case& value, const QString& text);
+
+    bool changed(const Field& field) const;
+    bool anyChanged() const;
+
+    /// nullptr when the field's entry was taken.
+    const BadEntry* badEntry(const Field& field) const;
+    /// Of the values that were taken; each names its keys.
+    const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
+    /// Why the case cannot be run, in a sentence; empty when it can.
+    QString reasonNotToRun() const;
+
+signals:
+    void edited();
+
+private:
+    struct State {
+        Case value;
+        std::map<std::string, BadEntry> bad;
+    };
+    class Edit;
+
+    void push(const QString& text, State after);
+    void apply(const State& state);
+
+    Case opened_;
+    State state_;
+    std::vector<CaseProblem> problems_;
+    QUndoStack undo_;
+};
+
+} // namespace touchdown

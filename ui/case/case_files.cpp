@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/case/case_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+
+#include "core/case_files/cml_case.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostRecent = 10;
+constexpr auto recentKey = "files/recent";
+
+std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
+
+/// Of the archive, or of the folder: all of them hold a rail.dat.
+QString importedName(const QFileInfo& file)
+{
+    if (file.isDir()) return file.fileName();
+    return file.suffix().compare(QLatin1String("cml"), Qt::CaseInsensitive) == 0 ? file.completeBaseName() : file.dir().dirName();
+}
+
+} // namespace
+
+CaseFiles::CaseFiles(CaseEdits& edits, QWidget& window) : QObject(&window), edits_(edits), window_(window) {}
+
+void CaseFiles::take(const CaseDocument& document, const QString& file)
+{
+    const bool import = !file.isEmpty() && isCmlPath(pathOf(file));
+    file_ = import ? QString() : file;
+    sample_.clear();
+    imported_ = import ? importedName(QFileInfo(file)) : QString();
+    if (file.isEmpty())
+        for (const SampleCase& sample : sampleCases())
+            if (sample.name == document.name) sample_ = QString::fromStdString(sample.name);
+    text_ = document.text;
+    folder_ = document.folder;
+    saved_ = document.value;
+    edits_.open(document.value);
+    if (!file.isEmpty()) remember(file);
+    emit opened();
+    QStringList warnings;
+    for (const auto* list : {&document.warnings, &document.unused})
+        for (const InputProblem& warning : *list) warnings << QString::fromStdString(warning.text());
+    if (import) emit imported(file, warnings);
+    else if (!warnings.isEmpty()) emit warned(warnings);
+}
+
+bool CaseFiles::openNow(const QString& fileOrSample)
+{
+    const CaseDocument document = openCase(fileOrSample.toStdString());
+    if (!document.valid()) {
+        QStringList problems;
+        for (const InputProblem& problem : document.problems) problems << QString::fromStdString(problem.text());
+        showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), problems);
+        return false;
+    }
+    const QFileInfo info(fileOrSample);
+    take(document, info.exists() ? info.absoluteFilePath() : QString());
+    return true;
+}
+
+void CaseFiles::open(const QString& fileOrSample)
+{
+    whenSettled([this, fileOrSample] { openNow(fileOrSample); });
+}
+
+void CaseFiles::newCase()
+{
+    whenSettled([this] {
+        CaseDocument document;
+        document.text = formatCase(document.value);
+        take(document, {});
+    });
+}
+
+void CaseFiles::chooseFile()
+{
+    askForFile(tr("Open a case or a saved run"),
+               tr("Cases and runs (*.toml *.h5 *.cml *.dat *.def);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
+}
+
+void CaseFiles::chooseImport()
+{
+    askForFile(tr("Import a CML case"), tr("CML cases (*.cml rail.dat run.dat dynamics.def);;All files (*)"));
+}
+
+void CaseFiles::askForFile(const QString& title, const QString& filter)
+{
+    auto* dialog = new QFileDialog(&window_, title, QFileInfo(file_).absolutePath(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (isResultsFile(file)) emit resultsFileChosen(file);
+        else open(file);
+    });
+    dialog->open();
+}
+
+void CaseFiles::chooseExport()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Export as a CML case"), QFileInfo(file_).absolutePath(),
+                                   tr("CML archive (*.cml);;Folder with rail.dat and run.dat (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("cml"));
+    dialog->selectFile(QFileInfo(shortName()).completeBaseName() + QStringLiteral(".cml"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.contains(QLatin1String("*.cml")) ? QStringLiteral("cml") : QString());
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, &CaseFiles::exportTo);
+    dialog->open();
+}
+
+void CaseFiles::exportTo(const QString& path)
+{
+    const QString what = tr("The case was not exported.");
+    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
+        showProblems(what, {reason});
+        return;
+    }
+    const CmlOutput output = formatCmlCase(edits_.value());
+    const std::string problem = output.problem.empty() ? writeCmlCase(pathOf(path), output.members) : output.problem;
+    if (!problem.empty()) {
+        showProblems(what, {QString::fromStdString(problem)});
+        return;
+    }
+    QStringList warnings;
+    for (const std::string& key : output.keptKeys) warnings << QString::fromStdString(key);
+    emit exported(QFileInfo(path).absoluteFilePath(), warnings);
+}
+
+void CaseFiles::save()
+{
+    if (file_.isEmpty()) saveAs();
+    else write(file_);
+}
+
+void CaseFiles::saveAs()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Save the case"), file_, tr("Case files (*.toml)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("toml"));
+    if (file_.isEmpty()) dialog->selectFile(shortName() + QStringLiteral(".toml"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { write(file); });
+    connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
+    dialog->open();
+}
+
+void CaseFiles::whenSettled(const std::function<void()>& next)
+{
+    if (!modified()) {
+        next();
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("The parameters of \"%1\" have changed.").arg(shortName()),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+    box->setObjectName(QStringLiteral("unsavedChanges"));
+    box->setInformativeText(tr("Do you want to save them?"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::buttonClicked, this, [this, box, next](QAbstractButton* button) {
+        switch (box->standardButton(button)) {
+        case QMessageBox::Save:
+            afterSave_ = next;
+            save();
+            break;
+        case QMessageBox::Discard: next(); break;
+        default: break;
+        }
+    });
+    box->open();
+}
+
+bool CaseFiles::modified() const
+{
+    if (edits_.undoStack().isClean()) return false;
+    // Values that were changed and changed back leave nothing to save.
+    return std::ranges::any_of(fields(), [this](const Field& field) {
+        return edits_.badEntry(field) != nullptr || field.get(edits_.value()) != field.get(saved_);
+    });
+}
+
+QString CaseFiles::shortName() const
+{
+    if (!file_.isEmpty()) return QFileInfo(file_).fileName();
+    if (!imported_.isEmpty()) return imported_;
+    return sample_.isEmpty() ? tr("Untitled") : sample_;
+}
+
+std::string CaseFiles::text() const
+{
+    return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_;
+}
+
+bool CaseFiles::write(const QString& file)
+{
+    const std::function<void()> next = std::exchange(afterSave_, nullptr);
+    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
+        showProblems(tr("The case was not saved."), {reason});
+        return false;
+    }
+    const std::filesystem::path folder = pathOf(QFileInfo(file).absolutePath());
+    const std::string text = updateCaseText(text_, edits_.value(), folder);
+    const std::string problem = writeCaseFile(pathOf(file), text);
+    if (!problem.empty()) {
+        showProblems(tr("The case was not saved."), {QString::fromStdString(problem)});
+        return false;
+    }
+    file_ = QFileInfo(file).absoluteFilePath();
+    sample_.clear();
+    imported_.clear();
+    text_ = text;
+    folder_ = folder;
+    saved_ = edits_.value();
+    edits_.undoStack().setClean();
+    remember(file_);
+    emit saved();
+    if (next) next();
+    return true;
+}
+
+QStringList CaseFiles::recent() const
+{
+    return QSettings().value(recentKey).toStringList();
+}
+
+void CaseFiles::remember(const QString& file)
+{
+    QStringList list = recent();
+    list.removeAll(file);
+    list.prepend(file);
+    while (list.size() > mostRecent) list.removeLast();
+    QSettings().setValue(recentKey, list);
+}
+
+void CaseFiles::showProblems(const QString& what, const QStringList& problems)
+{
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Touchdown"), what, QMessageBox::Close, &window_);
+    box->setObjectName(QStringLiteral("problems"));
+    box->setInformativeText(problems.mid(0, 8).join(QLatin1Char('\n')));
+    if (problems.size() > 8) box->setDetailedText(problems.join(QLatin1Char('\n')));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+bool CaseFiles::isCaseFile(const QString& file)
+{
+    return QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0 || isCmlPath(pathOf(file));
+}
+
+bool CaseFiles::isResultsFile(const QString& file)
+{
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    return suffix == QLatin1String("h5") || suffix == QLatin1String("hdf5");
+}
+
+} // namespace touchdown

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The file of the case that is being edited: new, open, save, recent, and what happens to changes
+// that were not saved. Files of the established program (CML) are imported and exported: saving never writes over them.
+// Nothing here blocks: questions are asked by boxes that leave the window alive.
+#pragma once
+
+#include "ui/case/case_edits.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+#include <filesystem>
+#include <functional>
+
+namespace touchdown {
+
+class CaseFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both must outlive this.
+    CaseFiles(CaseEdits& edits, QWidget& window);
+
+    /// A case that was read elsewhere; `file` is empty for a sample case or a new one, and where an imported one was read.
+    void take(const CaseDocument& document, const QString& file);
+    /// Opens a case file or a sample case at once; problems are shown.
+    bool openNow(const QString& fileOrSample);
+    /// As openNow, after asking about changes.
+    void open(const QString& fileOrSample);
+    void newCase();
+    void chooseFile();
+    void chooseImport();
+    void chooseExport();
+    /// Writes files of the established program: an archive if the name ends with .cml, else a folder.
+    void exportTo(const QString& path);
+    void save();
+    void saveAs();
+
+    /// Asks about changes, if there are any, and goes on unless the answer is to stay.
+    void whenSettled(const std::function<void()>& next);
+
+    bool modified() const;
+    QString file() const { return file_; }
+    QString sample() const { return sample_; }
+    /// "fig10a", "slider.toml", "femto" for one that was imported from there, "Untitled".
+    QString shortName() const;
+    /// The exact input that the current values make.
+    std::string text() const;
+    QStringList recent() const;
+
+    /// A case file, or what can be imported.
+    static bool isCaseFile(const QString& file);
+    static bool isResultsFile(const QString& file);
+
+signals:
+    void opened();
+    void saved();
+    void resultsFileChosen(const QString& file);
+    /// After `opened`; the warnings say what is not modelled.
+    void imported(const QString& path, const QStringList& warnings);
+    /// After `opened`, of a case file that says something that is not modelled or has no effect.
+    void warned(const QStringList& warnings);
+    void exported(const QString& path, const QStringList& warnings);
+
+private:
+    void askForFile(const QString& title, const QString& filter);
+    bool write(const QString& file);
+    void remember(const QString& file);
+    void showProblems(const QString& what, const QStringList& problems);
+
+    CaseEdits& edits_;
+    QWidget& window_;
+    QString file_;
+    QString sample_;
+    QString imported_; // what to call an imported case
+    std::string text_; // as opened or saved
+    std::filesystem::path folder_; // of the files that it names
+    Case saved_;       // the values in it
+    std::function<void()> afterSave_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/case/field_editor.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QStyle>
+
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int inputCharacters = 9; // wide enough for "0.0032 um"
+constexpr int spacing = 4;         // [px]
+
+bool isStandIn(const Field& field)
+{
+    return field.source.find("assumed") != std::string::npos || field.source.find("Assumed") != std::string::npos;
+}
+
+/// Under the heading of its group, "suspension stiffness" is a stiffness.
+QString labelOf(const Field& field)
+{
+    QString text = QString::fromStdString(field.label).toHtmlEscaped();
+    const QString group = QString::fromStdString(field.group()) + QLatin1Char(' ');
+    if (text.startsWith(group)) text.remove(0, group.size());
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return field.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(field.symbol);
+}
+
+/// Texts and lists have a line of their own below their label.
+bool isWide(const Field& field) { return field.kind == FieldKind::Text || field.kind == FieldKind::List; }
+
+} // namespace
+
+FieldEditor::FieldEditor(const Field& field, QWidget* parent)
+    : QWidget(parent),
+      field_(field),
+      label_(new QLabel(labelOf(field), this)),
+      unit_(new QLabel(unitText(field.displayUnit), this)),
+      assumed_(new QLabel(QStringLiteral("≈"), this)),
+      reset_(new QToolButton(this)),
+      reason_(new QLabel(this))
+{
+    setObjectName(QString::fromStdString(field.key));
+    buildInput();
+
+    label_->setBuddy(input());
+    label_->setTextFormat(Qt::RichText);
+    label_->setWordWrap(true);
+    label_->setMinimumWidth(0);
+
+    assumed_->setAccessibleName(tr("Assumed value"));
+    reset_->setText(QStringLiteral("↺"));
+    reset_->setAutoRaise(true);
+    reset_->setFocusPolicy(Qt::NoFocus);
+    reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(field.label)));
+    for (QWidget* mark : {static_cast<QWidget*>(assumed_), static_cast<QWidget*>(reset_)}) {
+        QSizePolicy policy = mark->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        mark->setSizePolicy(policy);
+    }
+    reason_->setWordWrap(true);
+    reason_->setTextFormat(Qt::PlainText);
+    reason_->hide();
+
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(4, 1, 0, 1);
+    grid->setHorizontalSpacing(spacing);
+    grid->setVerticalSpacing(1);
+    const bool wide = isWide(field);
+    grid->addWidget(label_, 0, 0, 1, wide ? 4 : 1);
+    if (wide) {
+        grid->addWidget(input(), 1, 0, 1, 3);
+        if (field.kind == FieldKind::List) grid->addWidget(unit_, 1, 3);
+        grid->addWidget(reset_, 1, 4);
+    } else {
+        grid->addWidget(assumed_, 0, 1);
+        if (choice_) {
+            grid->addWidget(choice_, 0, 2, 1, 2);
+            unit_->hide();
+        } else {
+            grid->addWidget(input(), 0, 2);
+            grid->addWidget(unit_, 0, 3);
+        }
+        grid->addWidget(reset_, 0, 4);
+    }
+    grid->addWidget(reason_, 2, 0, 1, 5);
+    grid->setColumnStretch(0, 1);
+
+    connect(reset_, &QToolButton::clicked, this, &FieldEditor::resetRequested);
+    describe();
+    colour();
+}
+
+QWidget* FieldEditor::input() const
+{
+    if (choice_) return choice_;
+    if (check_) return check_;
+    return line_;
+}
+
+void FieldEditor::buildInput()
+{
+    switch (field_.kind) {
+    case FieldKind::Choice:
+        choice_ = new QComboBox(this);
+        for (const std::string& name : field_.choices) choice_->addItem(QString::fromStdString(name));
+        choice_->setFocusPolicy(Qt::StrongFocus);
+        connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentText()); });
+        break;
+    case FieldKind::Boolean:
+        check_ = new QCheckBox(this);
+        connect(check_, &QCheckBox::clicked, this,
+                [this](bool on) { emit entered(on ? QStringLiteral("true") : QStringLiteral("false")); });
+        break;
+    case FieldKind::Number:
+    case FieldKind::Integer:
+    case FieldKind::List:
+    case FieldKind::Text:
+        line_ = new QLineEdit(this);
+        if (!isWide(field_)) {
+            line_->setAlignment(Qt::AlignRight);
+            line_->setFixedWidth(inputWidth());
+        }
+        connect(line_, &QLineEdit::editingFinished, this, &FieldEditor::commitLine);
+        break;
+    }
+    input()->installEventFilter(this);
+    input()->setAccessibleName(QString::fromStdString(field_.label));
+    setFocusProxy(input());
+}
+
+int FieldEditor::inputWidth() const
+{
+    return fontMetrics().averageCharWidth() * inputCharacters + 14;
+}
+
+void FieldEditor::setUnitWidth(int width)
+{
+    unit_->setFixedWidth(width);
+    // As wide as a number and its unit, so that the column is even; a longer name takes of its label's room.
+    if (choice_) choice_->setFixedWidth(std::max(inputWidth() + spacing + width, choice_->sizeHint().width()));
+}
+
+void FieldEditor::describe()
+{
+    QString tip = QStringLiteral("<b>%1</b>").arg(labelOf(field_));
+    const auto paragraph = [&tip](const QString& text) {
+        if (!text.isEmpty()) tip += QStringLiteral("<p style='margin:4px 0 0 0'>%1</p>").arg(text.toHtmlEscaped());
+    };
+    paragraph(QString::fromStdString(field_.help));
+    if (const std::string range = allowedRange(field_); !range.empty())
+        paragraph(tr("Allowed: %1").arg(QString::fromStdString(range)));
+    if (!field_.source.empty()) paragraph(tr("Source: %1").arg(QString::fromStdString(field_.source)));
+    paragraph(tr("Key: %1").arg(QString::fromStdString(field_.key)));
+    label_->setToolTip(tip);
+    input()->setToolTip(tip);
+    input()->setAccessibleDescription(QString::fromStdString(field_.help));
+    assumed_->setToolTip(tr("A stand-in: %1").arg(QString::fromStdString(field_.source)));
+}
+
+void FieldEditor::show(const CaseEdits& edits)
+{
+    const Case& value = edits.value();
+    const BadEntry* bad = edits.badEntry(field_);
+
+    if (choice_) {
+        choice_->setCurrentText(QString::fromStdString(toText(value, field_)));
+    } else if (check_) {
+        check_->setChecked(std::get<bool>(field_.get(value)));
+    } else {
+        shown_ = bad ? bad->text : editorText(value, field_);
+        if (line_->text() != shown_) line_->setText(shown_);
+        line_->setModified(false);
+        if (isWide(field_)) line_->setCursorPosition(0);
+    }
+
+    QString reason = bad ? bad->reason : QString();
+    for (const CaseProblem& problem : edits.combinationProblems())
+        if (!bad && problem.key == field_.key) reason = sentence(problem.message);
+    reason_->setText(reason);
+    reason_->setVisible(!reason.isEmpty());
+
+    changed_ = edits.changed(field_);
+    reset_->setVisible(changed_);
+    const QString opened = valueText(edits.opened(), field_);
+    reset_->setToolTip(tr("Back to %1").arg(opened));
+    // A stand-in is marked as long as it stands.
+    assumed_->setVisible(isStandIn(field_) && field_.get(value) == field_.get(Case{}));
+    colour();
+}
+
+bool FieldEditor::matches(const QString& search) const
+{
+    const QString text = QString::fromStdString(field_.key + ' ' + field_.label + ' ' + field_.symbol + ' ' + field_.help);
+    const QStringList words = search.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return std::ranges::all_of(words, [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != input()) return QWidget::eventFilter(watched, event);
+    // The wheel scrolls the panel unless the user works in this field.
+    if (event->type() == QEvent::Wheel && !input()->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    if (line_ && !line_->isModified() && event->type() == QEvent::ShortcutOverride) {
+        // With nothing typed, undo and redo are those of the case, not of the line.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    if (line_ && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape
+        && line_->isModified()) {
+        line_->setText(shown_);
+        line_->setModified(false);
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void FieldEditor::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) colour();
+    if (event->type() == QEvent::FontChange && line_ && !isWide(field_))
+        line_->setFixedWidth(inputWidth());
+}
+
+void FieldEditor::commitLine()
+{
+    // Enter and loss of focus both end an edit; the second must not repeat it.
+    if (line_->text() == shown_) return;
+    shown_ = line_->text();
+    line_->setModified(false);
+    emit entered(shown_);
+}
+
+void FieldEditor::colour()
+{
+    const MeaningColours colours = meaningColours(palette());
+    const auto tint = [](QWidget* widget, const QColor& text) {
+        QPalette palette;
+        if (text.isValid()) palette.setColor(QPalette::WindowText, text);
+        if (widget->palette() != palette) widget->setPalette(palette);
+    };
+    const bool bad = !reason_->isHidden();
+    tint(label_, bad ? colours.failure : changed_ ? colours.change : QColor());
+    tint(unit_, colours.muted);
+    tint(assumed_, colours.warning);
+    tint(reason_, colours.failure);
+    QFont font = label_->font();
+    if (font.bold() != changed_) {
+        font.setBold(changed_);
+        label_->setFont(font);
+    }
+    if (line_) {
+        QPalette palette;
+        if (bad) {
+            palette.setColor(QPalette::Base, isDark(palette) ? QColor("#4a2626") : QColor("#fdeaea"));
+            palette.setColor(QPalette::Highlight, colours.failure);
+        }
+        if (line_->palette() != palette) line_->setPalette(palette);
+    }
+}
+
+} // namespace touchdown

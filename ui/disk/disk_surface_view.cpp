@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/disk/disk_surface_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/formats/units.h"
+#include "ui/disk/disk_statistics.h"
+#include "ui/plot/plot_menu.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int stepsPerPiece = 8;   // of the slider
+constexpr double faintest = 1e-9;  // of the density that is shown, against its largest
+
+/// What the picture depends on.
+bool sameSurface(const Case& a, const Case& b)
+{
+    return a.diskSurface == b.diskSurface && a.folder == b.folder;
+}
+
+} // namespace
+
+DiskSurfaceView::DiskSurfaceView(QWidget* parent) : DiskSurfaceView(previewOf, parent) {}
+
+DiskSurfaceView::DiskSurfaceView(DiskSurfaceController::Maker maker, QWidget* parent)
+    : QWidget(parent),
+      controller_(std::move(maker)),
+      pages_(new QStackedWidget(this)),
+      text_(new QLabel(this)),
+      view_(new FieldsView(this)),
+      foot_(new QWidget(this)),
+      place_(new QSlider(Qt::Horizontal, foot_)),
+      placeText_(new QLabel(foot_)),
+      spectrum_(new PlotWidget(this)),
+      spectrumGroup_(new PlotGroup(this)),
+      statistics_(new QTableWidget(this))
+{
+    build();
+    connect(&controller_, &DiskSurfaceController::made, this, &DiskSurfaceView::onMade);
+    connect(place_, &QSlider::valueChanged, this, &DiskSurfaceView::showPiece);
+}
+
+void DiskSurfaceView::build()
+{
+    MapKind height;
+    height.title = tr("Height of the disk");
+    height.units = {"nm", "um"};
+    height.colours = MapKind::Colours::Signed;
+    height.aboutZero = true;
+    view_->setKinds({height});
+
+    spectrumGroup_->add(spectrum_);
+    installPlotMenu(spectrum_, spectrumGroup_);
+    spectrum_->setTitle(tr("Spectrum"));
+    spectrum_->setXLabel({tr("Wave number"), tr("rad/µm"), 1e6, AxisScale::Logarithmic});
+    spectrum_->setYLabel({tr("Density"), QStringLiteral("nm²·µm"), 1e-24, AxisScale::Logarithmic});
+
+    statistics_->setAccessibleName(tr("Statistics of the surface"));
+    statistics_->setColumnCount(3);
+    statistics_->setHorizontalHeaderLabels({tr("Quantity"), tr("Surface"), tr("Asked for")});
+    statistics_->verticalHeader()->hide();
+    statistics_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    statistics_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    statistics_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    statistics_->setShowGrid(false);
+    statistics_->setAlternatingRowColors(true);
+    statistics_->setFrameShape(QFrame::NoFrame);
+    statistics_->setWordWrap(false);
+    statistics_->setMinimumWidth(270);
+
+    place_->setAccessibleName(tr("Place along the track"));
+    place_->setToolTip(tr("Go along the track (arrow keys, Home, End)"));
+    auto* footRow = new QHBoxLayout(foot_);
+    footRow->setContentsMargins(10, 2, 10, 4);
+    footRow->setSpacing(12);
+    footRow->addWidget(place_, 1);
+    footRow->addWidget(placeText_);
+    footRow->addWidget(view_->controls());
+
+    auto* upper = new QWidget(this);
+    auto* upperLayout = new QVBoxLayout(upper);
+    upperLayout->setContentsMargins(0, 0, 0, 0);
+    upperLayout->setSpacing(0);
+    upperLayout->addWidget(view_, 1);
+    upperLayout->addWidget(foot_);
+    auto* lower = new QSplitter(Qt::Horizontal, this);
+    lower->addWidget(spectrum_);
+    lower->addWidget(statistics_);
+    lower->setStretchFactor(0, 3);
+    lower->setStretchFactor(1, 2);
+    lower->setChildrenCollapsible(false);
+    lower->setSizes({480, 320});
+    auto* whole = new QSplitter(Qt::Vertical, this);
+    whole->addWidget(upper);
+    whole->addWidget(lower);
+    whole->setStretchFactor(0, 3);
+    whole->setStretchFactor(1, 2);
+    whole->setSizes({520, 320});
+    whole->setChildrenCollapsible(false);
+
+    text_->setAlignment(Qt::AlignCenter);
+    text_->setWordWrap(true);
+    text_->setAutoFillBackground(true);
+    text_->setBackgroundRole(QPalette::Base); // as the maps that will stand there
+    pages_->addWidget(text_);
+    pages_->addWidget(whole);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(pages_);
+}
+
+void DiskSurfaceView::setCase(const Case& c)
+{
+    if (wanted_ && sameSurface(c, case_)) return;
+    if (!wanted_ && sameSurface(c, case_) && (!empty() || controller_.busy())) return;
+    case_ = c;
+    wanted_ = true;
+    controller_.cancel();
+    if (isVisible()) request();
+}
+
+void DiskSurfaceView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (wanted_) request();
+}
+
+void DiskSurfaceView::request()
+{
+    wanted_ = false;
+    if (case_.diskSurface.kind == DiskSurfaceKind::Flat) {
+        controller_.cancel();
+        say(tr("The surface of the disk is flat."));
+        return;
+    }
+    // The surface before it stays in sight until the new one is ready.
+    if (empty()) say(tr("Making the surface…"));
+    else placeText_->setText(tr("Making the surface…"));
+    controller_.request(case_);
+}
+
+void DiskSurfaceView::say(const QString& sentence)
+{
+    text_->setText(sentence);
+    pages_->setCurrentIndex(0);
+}
+
+void DiskSurfaceView::onMade()
+{
+    preview_ = controller_.take();
+    if (!preview_.problem.empty()) {
+        say(touchdown::sentence(preview_.problem));
+        return;
+    }
+    if (preview_.topography.flat()) {
+        say(tr("The surface of the disk is flat."));
+        return;
+    }
+    const UniformGrid period = preview_.topography.period();
+    const double length = pieceLength(preview_.topography);
+    const double track = period.nx * period.dx;
+    {
+        const QSignalBlocker quiet(place_);
+        place_->setRange(0, static_cast<int>(std::ceil((track - length) / length * stepsPerPiece - 1e-6)));
+        place_->setPageStep(stepsPerPiece);
+        // Bumps are few: the piece begins where the first one is in sight.
+        const std::vector<double>& bumps = preview_.asked.bumpX;
+        const double begin = hasBumps(preview_.asked) && !bumps.empty() ? bumps.front() - period.x0 - 0.5 * length : 0.0;
+        place_->setValue(static_cast<int>(begin / length * stepsPerPiece));
+    }
+    place_->setEnabled(place_->maximum() > 0);
+    pages_->setCurrentIndex(1);
+    showPiece();
+    showSpectrum();
+    showStatistics();
+    fit();
+}
+
+void DiskSurfaceView::showPiece()
+{
+    if (empty()) return;
+    const UniformGrid period = preview_.topography.period();
+    const double length = pieceLength(preview_.topography);
+    const double last = std::max(0.0, period.nx * period.dx - length);
+    const double x0 = period.x0 + std::min(last, place_->value() * length / stepsPerPiece);
+    DiskSurfacePiece piece = pieceOf(preview_.topography, x0, length);
+    const CellGrid& grid = piece.grid;
+    view_->map()->setPiece({grid.x.front(), grid.y.front(), grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()});
+    if (!view_->pinned() || !view_->map()->onSlider(*view_->sectionPoint()))
+        view_->setSectionPoint({grid.centreX(grid.nx() / 2), grid.centreY(grid.ny() / 2)}, false);
+    const SurfaceStatistics& s = preview_.statistics;
+    view_->setFields(grid, {std::move(piece.heights)}, {{s.minimum, s.maximum}});
+    // The first point of the map lies at 0, in the middle of its cell.
+    const double begin = x0 - period.x0;
+    placeText_->setText(tr("x from %1 to %2 of %3").arg(trackText(begin), trackText(begin + length), trackText(period.nx * period.dx)));
+}
+
+void DiskSurfaceView::showSpectrum()
+{
+    spectrum_->clearCurves();
+    const ProfilePsd& psd = preview_.psd;
+    std::array<std::vector<double>, 4> values{{{}, {}, {}, psd.density}}; // what is above covers what is below
+    for (const RequestedPsd& asked : preview_.requested) {
+        values[0].push_back(asked.density);
+        values[1].push_back(asked.low);
+        values[2].push_back(asked.high);
+    }
+    const double least = psd.density.empty() ? 0.0 : faintest * *std::ranges::max_element(psd.density);
+    struct Look {
+        QString name;
+        CurveStyle style;
+    };
+    const std::array<Look, 4> looks{{{tr("Asked"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
+    curves_.clear();
+    curves_.reserve(values.size()); // curves point to them
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].empty()) continue;
+        std::vector<double> at, density;
+        for (std::size_t k = 0; k < values[i].size(); ++k) {
+            if (!(values[i][k] > least)) continue;
+            at.push_back(psd.waveNumber[k]);
+            density.push_back(values[i][k]);
+        }
+        curves_.emplace_back().append(at, density);
+        spectrum_->addCurve({QStringLiteral("psd %1").arg(i), looks[i].name, looks[i].style, &curves_.back(), nullptr, true});
+    }
+    spectrumGroup_->dataChanged();
+}
+
+void DiskSurfaceView::showStatistics()
+{
+    const std::vector<QStringList> rows = diskStatistics(preview_);
+    statistics_->setRowCount(static_cast<int>(rows.size()));
+    for (int row = 0; row < statistics_->rowCount(); ++row) {
+        for (int column = 0; column < 3; ++column) {
+            auto* item = new QTableWidgetItem(rows[static_cast<std::size_t>(row)].value(column));
+            if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            statistics_->setItem(row, column, item);
+        }
+    }
+    statistics_->resizeRowsToContents();
+}
+
+void DiskSurfaceView::fit()
+{
+    view_->fit();
+    spectrumGroup_->fit();
+}
+
+void DiskSurfaceView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) statistics_->resizeRowsToContents();
+}
+
+} // namespace touchdown

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page of a film case: the air bearing surface as it is designed, and the fields of its static state.
+#pragma once
+
+#include <QAction>
+#include <QCheckBox>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QWidget>
+
+#include "core/simulation/static_state/steady.h"
+#include "ui/maps/maps_view.h"
+#include "ui/slider/surface_view.h"
+
+namespace touchdown {
+
+class FilmView : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Page { Surface, Pressure, Gap, Recess };
+    Q_ENUM(Page)
+
+    /// `solve` is offered where there is no result to show.
+    explicit FilmView(QAction* solve, QWidget* parent = nullptr);
+
+    /// The case as it is edited.
+    void setCase(const Case& c);
+    /// What was solved, and of which case.
+    void setResult(const Case& solved, const SteadyResult& result);
+    void clearResult();
+    /// The case is no longer the one that was solved.
+    void setStale(bool stale);
+
+    /// A solution is under way: says so where there is no result yet.
+    void setSolving(bool solving);
+
+    void setPage(Page page);
+    Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
+    void fit();
+
+    SurfaceView* surface() const { return surface_; }
+    MapsView* maps() const { return maps_; }
+    QCheckBox* gridShown() const { return gridShown_; }
+
+private:
+    QWidget* buildEmptyPage(QAction* solve);
+    void showPage();
+
+    QTabBar* tabs_;
+    QCheckBox* gridShown_;
+    QLabel* note_;
+    QStackedWidget* pages_;
+    SurfaceView* surface_;
+    MapsView* maps_;
+    QLabel* emptyText_ = nullptr;
+    QWidget* empty_;
+    bool solved_ = false;
+    bool stale_ = false;
+    std::optional<SurfacePoint> minimumAt_;
+    double minimumSpacing_ = 0.0; // [m]
+};
+
+} // namespace touchdown

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/film_window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/case/fields.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Nothing that a static solution depends on differs.
+bool sameFilm(const Case& a, const Case& b)
+{
+    return a.surface == b.surface && std::ranges::all_of(fields(), [&](const Field& field) {
+        return field.key == "title" || field.group() == "about" || field.get(a) == field.get(b);
+    });
+}
+
+} // namespace
+
+FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent)
+    : QObject(parent),
+      controller_(std::move(solver)),
+      view_(new FilmView(solve, parent)),
+      attitude_(new AttitudeTable(parent)),
+      progress_(new SteadyProgressLine(parent))
+{
+    connect(&controller_, &SteadyController::stateChanged, progress_, &SteadyProgressLine::setState);
+    connect(&controller_, &SteadyController::stateChanged, view_,
+            [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
+    connect(&controller_, &SteadyController::progressed, this,
+            [this](int, const SteadyProgress& progress) { progress_->advance(progress); });
+    connect(&controller_, &SteadyController::finished, this,
+            [this](int, const SteadyResult& result) { onFinished(result); });
+}
+
+void FilmWindow::open(const Case& c)
+{
+    controller_.stopAndWait();
+    result_.reset();
+    stale_ = false;
+    view_->clearResult();
+    attitude_->clear();
+    edited_ = c;
+    view_->setCase(c);
+    view_->fit();
+}
+
+void FilmWindow::edit(const Case& c)
+{
+    edited_ = c;
+    view_->setCase(c);
+    updateStale();
+}
+
+void FilmWindow::solve(const Case& c, bool given)
+{
+    controller_.stopAndWait();
+    asked_ = c;
+    Case wanted = c;
+    wanted.steady.fixedAttitude = wanted.steady.fixedAttitude || given;
+    controller_.start(std::move(wanted));
+}
+
+void FilmWindow::onFinished(const SteadyResult& result)
+{
+    progress_->end(result);
+    // What was stopped or failed before it had a field leaves the last result in its place.
+    if (!result.pressure.empty() || !result_) {
+        result_ = result;
+        solved_ = asked_;
+        view_->setResult(solved_, result);
+        attitude_->setResult(solved_, result);
+        updateStale();
+    }
+    emit solved(result);
+}
+
+void FilmWindow::updateStale()
+{
+    if (!result_) return;
+    stale_ = !sameFilm(edited_, solved_);
+    view_->setStale(stale_);
+    attitude_->setStale(stale_);
+}
+
+} // namespace touchdown

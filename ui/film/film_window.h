@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The film's part of the window: its page, the pane with the static attitude, the progress, and the solver between them.
+#pragma once
+
+#include <QObject>
+
+#include "ui/slider/attitude_table.h"
+#include "ui/film/film_view.h"
+#include "ui/film/steady_controller.h"
+#include "ui/film/steady_progress.h"
+
+namespace touchdown {
+
+class FilmWindow : public QObject {
+    Q_OBJECT
+
+public:
+    /// `solve` is the action that starts the solution.
+    FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent);
+
+    FilmView* view() const { return view_; }
+    AttitudeTable* attitude() const { return attitude_; }
+    SteadyProgressLine* progress() const { return progress_; }
+    SteadyController& controller() { return controller_; }
+
+    /// Another case was opened: its result is not known.
+    void open(const Case& c);
+    /// The case as it is edited.
+    void edit(const Case& c);
+    /// Solves for the static state, or, when `given`, for the pressure at the attitude of the start.
+    void solve(const Case& c, bool given);
+
+    /// The latest solution; nothing before the first.
+    const std::optional<SteadyResult>& result() const { return result_; }
+    bool stale() const { return stale_; }
+
+signals:
+    /// Everything shows it by now.
+    void solved(const touchdown::SteadyResult& result);
+
+private:
+    void onFinished(const SteadyResult& result);
+    void updateStale();
+
+    SteadyController controller_;
+    FilmView* view_;
+    AttitudeTable* attitude_;
+    SteadyProgressLine* progress_;
+    Case edited_;                        // as it is now
+    Case asked_;                         // of the solution under way, as it was edited
+    Case solved_;                        // of the result
+    std::optional<SteadyResult> result_;
+    bool stale_ = false;
+};
+
+} // namespace touchdown

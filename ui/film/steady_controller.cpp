@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/steady_controller.h"
+
+#include <exception>
+#include <string>
+
+namespace touchdown {
+
+SteadyController::SteadyController(Solver solver, QObject* parent) : CalculationController(parent), solver_(std::move(solver)) {}
+
+int SteadyController::start(Case c)
+{
+    return begin([this, c = std::move(c)](const std::stop_token& stop) { work(c, stop); });
+}
+
+void SteadyController::work(const Case& c, const std::stop_token& stop)
+{
+    SteadyResult result;
+    try {
+        result = solver_(c, [&](const SteadyProgress& progress) {
+            mailbox_.post([&](Mail& mail) { mail.progress = progress; });
+            ring();
+            return !stop.stop_requested();
+        });
+    } catch (const std::exception& problem) {
+        result = {};
+        result.message = std::string("The calculation broke off: ") + problem.what();
+    }
+    mailbox_.post([&](Mail& mail) { mail.result = std::move(result); });
+    ring();
+}
+
+void SteadyController::deliver()
+{
+    const Mail mail = mailbox_.take();
+    if (mail.progress) emit progressed(current(), *mail.progress);
+    if (!mail.result) return;
+    end();
+    emit finished(current(), *mail.result);
+}
+
+} // namespace touchdown

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Solves one case for its static state at a time, beside the window.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/simulation/static_state/steady.h"
+#include "ui/calculation/calculation_controller.h"
+
+namespace touchdown {
+
+class SteadyController : public CalculationController {
+    Q_OBJECT
+
+public:
+    using Solver = std::function<SteadyResult(const Case&, const SteadyCallback&)>;
+
+    /// `solver` is `touchdown::steady`, or what stands for it in a test.
+    explicit SteadyController(Solver solver, QObject* parent = nullptr);
+    ~SteadyController() override { giveUp(); }
+
+    /// See CalculationController::begin.
+    int start(Case c);
+
+signals:
+    void progressed(int number, const touchdown::SteadyProgress& progress);
+    void finished(int number, const touchdown::SteadyResult& result);
+
+protected:
+    void deliver() override;
+
+private:
+    struct Mail {
+        std::optional<SteadyProgress> progress;
+        std::optional<SteadyResult> result;
+    };
+
+    void work(const Case& c, const std::stop_token& stop);
+
+    Solver solver_;
+    Mailbox<Mail> mailbox_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/maps/field_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QPainter>
+
+#include "ui/plot/colour_bar.h"
+#include "ui/slider/plan_marks.h"
+#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_painter.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double finest = 3.0; // pixels of a picture for one of the screen
+
+} // namespace
+
+int cellIndex(const std::vector<double>& lines, double at)
+{
+    if (lines.size() < 2 || !(at >= lines.front()) || at > lines.back()) return -1;
+    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
+    return static_cast<int>(above - lines.begin()) - 1;
+}
+
+QString fieldText(double value, const FieldLook& look)
+{
+    const double shown = value / look.factor;
+    const double size = std::abs(shown);
+    const int decimals = size > 0.0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3) : 0;
+    return typeset(shown, decimals) + QChar(0x00A0) + look.unit;
+}
+
+FieldMap::FieldMap(QWidget* parent) : SliderPlan(parent)
+{
+    connect(this, &SliderPlan::pointed, this, &FieldMap::readOut);
+}
+
+void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
+{
+    grid_ = grid;
+    values_ = std::move(values);
+    if (!values_.empty()) {
+        const auto [least, most] = std::ranges::minmax_element(values_);
+        smallest_ = static_cast<std::size_t>(least - values_.begin());
+        largest_ = static_cast<std::size_t>(most - values_.begin());
+        oneSmallest_ = std::ranges::count(values_, *least) == 1;
+        oneLargest_ = std::ranges::count(values_, *most) == 1;
+    }
+    update();
+}
+
+void FieldMap::setLook(const FieldLook& look)
+{
+    look_ = look;
+    setTitle(look.title);
+    if (isFitted()) fit(); // the numbers of the bar may need another width
+    update();
+}
+
+std::optional<std::size_t> FieldMap::cellAt(const SurfacePoint& point) const
+{
+    const int i = cellIndex(grid_.x, point.x);
+    const int j = cellIndex(grid_.y, point.y);
+    if (values_.empty() || i < 0 || j < 0) return std::nullopt;
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.nx()) + static_cast<std::size_t>(i);
+}
+
+SurfacePoint FieldMap::centre(std::size_t cell) const
+{
+    const auto nx = static_cast<std::size_t>(grid_.nx());
+    return {grid_.centreX(static_cast<int>(cell % nx)), grid_.centreY(static_cast<int>(cell / nx))};
+}
+
+void FieldMap::setGridShown(bool shown)
+{
+    gridShown_ = shown;
+    update();
+}
+
+void FieldMap::setSectionPoint(const std::optional<SurfacePoint>& point)
+{
+    sectionPoint_ = point;
+    update();
+}
+
+void FieldMap::readOut(const std::optional<SurfacePoint>& point)
+{
+    if (!point) {
+        setReading({});
+        return;
+    }
+    QString text = tr("x %1   y %2").arg(placeText(point->x), placeText(point->y));
+    if (const auto cell = cellAt(*point)) text += QStringLiteral("   ·   ") + fieldText(value(*cell), look_);
+    setReading(text);
+}
+
+std::vector<ScaleTick> FieldMap::keyTicks() const
+{
+    return look_.scale.ticks(look_.factor, colourBarRoom(font(), std::max(100.0, height() - 90.0)));
+}
+
+double FieldMap::keyWidth() const { return colourBarWidth(font(), keyTicks()) + 4.0; }
+
+void FieldMap::paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme)
+{
+    if (!empty()) paintColourBar(painter, column, font(), theme, look_.scale, keyTicks(), look_.unit);
+}
+
+void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
+{
+    if (empty()) return;
+    paintCells(painter);
+    if (gridShown_) paintCellGrid(painter, *this, grid_);
+    if (sectionPoint_) {
+        const QPointF at = toPixel(*sectionPoint_);
+        const QPointF low = toPixel({area().left(), area().top()});
+        const QPointF high = toPixel({area().right(), area().bottom()});
+        for (const QPen& pen : {QPen(theme.background, 2.4), QPen(theme.text, 1.0)}) {
+            painter.setPen(pen);
+            painter.drawLine(QPointF(low.x(), at.y()), QPointF(high.x(), at.y()));
+            painter.drawLine(QPointF(at.x(), low.y()), QPointF(at.x(), high.y()));
+        }
+    }
+    paintExtremes(painter, theme);
+}
+
+void FieldMap::paintCells(QPainter& painter) const
+{
+    // Pixels of the device, so that borders are sharp on fine screens and in pictures.
+    const QRectF area = planArea();
+    const double finer = std::clamp(painter.deviceTransform().m11(), 1.0, finest);
+    const int columns = static_cast<int>(std::ceil(area.width() * finer));
+    const int rows = static_cast<int>(std::ceil(area.height() * finer));
+
+    std::vector<QRgb> colours(values_.size());
+    std::ranges::transform(values_, colours.begin(), [this](double v) { return look_.scale.colour(v) | 0xff000000U; });
+    std::vector<int> cellOfColumn(static_cast<std::size_t>(columns));
+    for (int k = 0; k < columns; ++k)
+        cellOfColumn[static_cast<std::size_t>(k)] =
+            cellIndex(grid_.x, toSlider({area.left() + (k + 0.5) / finer, 0.0}).x);
+
+    QImage image(columns, rows, QImage::Format_ARGB32_Premultiplied);
+    int drawnRow = -2; // of cells, in the line above
+    for (int k = 0; k < rows; ++k) {
+        const int j = cellIndex(grid_.y, toSlider({0.0, area.top() + (k + 0.5) / finer}).y);
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(k));
+        if (j == drawnRow) {
+            std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(k - 1)), columns, line);
+            continue;
+        }
+        drawnRow = j;
+        const auto first = static_cast<std::size_t>(std::max(j, 0)) * static_cast<std::size_t>(grid_.nx());
+        for (int c = 0; c < columns; ++c) {
+            const int i = cellOfColumn[static_cast<std::size_t>(c)];
+            line[c] = i < 0 || j < 0 ? 0U : colours[first + static_cast<std::size_t>(i)];
+        }
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+    painter.drawImage(QRectF(area.topLeft(), QSizeF(columns, rows) / finer), image);
+    painter.restore();
+}
+
+void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
+{
+    // Where many cells are at the limit, as without contact, none of them is a place to mark.
+    std::vector<PlanMark> marks;
+    if (oneSmallest_) marks.push_back({toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)});
+    if (oneLargest_) marks.push_back({toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)});
+    if (marks.empty()) return;
+    painter.setFont(plotNumberFont(font()));
+    TakenRoom taken;
+    paintPlanMarks(painter, marks, theme, taken);
+}
+
+} // namespace touchdown

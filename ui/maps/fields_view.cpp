@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/maps/fields_view.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/formats/units.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+FieldsView::FieldsView(QWidget* parent)
+    : QWidget(parent),
+      controls_(new QWidget(this)),
+      unit_(new QComboBox(controls_)),
+      logarithmic_(new QCheckBox(tr("&Log"), controls_)),
+      map_(new FieldMap(this)),
+      sections_(new FieldSections(this))
+{
+    buildControls();
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->addWidget(map_);
+    split->addWidget(sections_);
+    split->setStretchFactor(0, 3);
+    split->setStretchFactor(1, 1);
+    split->setSizes({520, 220});
+    split->setCollapsible(0, false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(controls_);
+    layout->addWidget(split, 1);
+    map_->setAccessibleDescription(map_->accessibleDescription()
+                                   + tr(" Shift and arrow keys move the sections by a cell, Escape lets them follow the pointer."));
+
+    connect(map_, &SliderPlan::pointed, this, [this](const std::optional<SurfacePoint>& point) {
+        if (point && !pinned_ && !map_->empty()) setSectionPoint(*point, false);
+    });
+    connect(map_, &SliderPlan::chosen, this, [this](const SurfacePoint& point) { setSectionPoint(point, true); });
+    connect(sections_, &FieldSections::xChosen, this, [this](double x) {
+        if (sectionPoint_) setSectionPoint({x, sectionPoint_->y}, true);
+    });
+    connect(sections_, &FieldSections::yChosen, this, [this](double y) {
+        if (sectionPoint_) setSectionPoint({sectionPoint_->x, y}, true);
+    });
+}
+
+void FieldsView::buildControls()
+{
+    auto* layout = new QHBoxLayout(controls_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(logarithmic_);
+    layout->addWidget(unit_);
+    unit_->setAccessibleName(tr("Unit"));
+    unit_->setToolTip(tr("Unit of the map and its sections"));
+    logarithmic_->setToolTip(tr("Logarithmic scale: shows what is weak beside what is strong"));
+    connect(unit_, &QComboBox::currentIndexChanged, this, &FieldsView::showField);
+    connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
+        logarithms_[static_cast<std::size_t>(field_)] = on;
+        showField();
+    });
+}
+
+void FieldsView::setKinds(std::vector<MapKind> kinds)
+{
+    kinds_ = std::move(kinds);
+    logarithms_.clear();
+    for (const MapKind& kind : kinds_) logarithms_.push_back(kind.logarithm == MapKind::Logarithm::AtFirst);
+    field_ = std::clamp(field_, 0, std::max(0, static_cast<int>(kinds_.size()) - 1));
+    fields_.clear();
+    showKind();
+}
+
+void FieldsView::setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges)
+{
+    grid_ = grid;
+    fields_ = std::move(fields);
+    ranges_ = std::move(ranges);
+    showField();
+}
+
+void FieldsView::setField(int kind)
+{
+    field_ = kind;
+    showKind();
+}
+
+void FieldsView::fit()
+{
+    map_->fit();
+    sections_->fit();
+}
+
+void FieldsView::showKind()
+{
+    if (kinds_.empty()) return;
+    const auto chosen = static_cast<std::size_t>(field_);
+    {
+        const QSignalBlocker quiet(unit_);
+        unit_->clear();
+        for (const std::string& unit : kinds_[chosen].units) unit_->addItem(unitText(unit), QString::fromStdString(unit));
+        unit_->setVisible(unit_->count() > 1); // one unit stands on the bar already
+    }
+    {
+        const QSignalBlocker quiet(logarithmic_);
+        logarithmic_->setChecked(logarithms_[chosen]);
+    }
+    logarithmic_->setVisible(kinds_[chosen].logarithm != MapKind::Logarithm::None);
+    showField();
+}
+
+void FieldsView::showField()
+{
+    if (kinds_.empty()) return;
+    const auto chosen = static_cast<std::size_t>(field_);
+    std::vector<double> values = chosen < fields_.size() ? fields_[chosen] : std::vector<double>();
+    PlotRange range;
+    const bool fixed = chosen < ranges_.size();
+    if (fixed) {
+        range = ranges_[chosen];
+    } else if (!values.empty()) {
+        const auto [low, high] = std::ranges::minmax(values);
+        range = {low, high};
+    }
+    const FieldLook shown = look(kinds_[chosen], logarithms_[chosen], range.low, range.high);
+    map_->setLook(shown);
+    map_->setField(grid_, std::move(values));
+    map_->setSectionPoint(sectionPoint_);
+    sections_->setRange(fixed ? std::optional(autoscaled(range, {0.0, 0.0}, shown.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear, shown.factor)) : std::nullopt);
+    sections_->show(*map_, sectionPoint_);
+}
+
+FieldLook FieldsView::look(const MapKind& kind, bool logarithmic, double low, double high) const
+{
+    FieldLook look;
+    const std::string unit = unit_->currentData().toString().toStdString();
+    look.title = kind.title;
+    look.unit = unitText(unit);
+    look.factor = unitFactor(unit);
+    const ColourMap diverging = isDark(palette()) ? ColourMap::DivergingOnDark : ColourMap::DivergingOnLight;
+    const auto sequential = [&](bool brightLow) {
+        // Where a value is zero there is no logarithm.
+        const ColourScale scale = logarithmic && low > 0.0 ? ColourScale::logarithmic(ColourMap::Viridis, low, high)
+                                                           : ColourScale::linear(ColourMap::Viridis, low, high);
+        return brightLow ? scale.reversed() : scale;
+    };
+    switch (kind.colours) {
+    case MapKind::Colours::BrightHigh: look.scale = sequential(false); break;
+    case MapKind::Colours::BrightLow: look.scale = sequential(true); break;
+    case MapKind::Colours::Recess: look.scale = ColourScale::linear(ColourMap::Mako, low, high).reversed(); break;
+    case MapKind::Colours::Signed:
+        if (!kind.aboutZero && !logarithmic && (low >= 0.0 || high <= 0.0)) look.scale = sequential(high <= 0.0 && low < 0.0);
+        else look.scale = logarithmic ? ColourScale::aboutZeroLogarithmic(diverging, low, high, kind.near)
+                                      : ColourScale::aboutZero(diverging, low, high);
+        break;
+    }
+    return look;
+}
+
+void FieldsView::proposeSectionPoint(const std::optional<SurfacePoint>& point)
+{
+    const bool inside = sectionPoint_ && map_->onSlider(*sectionPoint_);
+    if (pinned_ && inside && point) return;
+    sectionPoint_ = point;
+    pinned_ = false;
+}
+
+void FieldsView::setSectionPoint(const SurfacePoint& point, bool pinned)
+{
+    pinned_ = pinned;
+    sectionPoint_ = point;
+    map_->setSectionPoint(point);
+    sections_->show(*map_, point);
+}
+
+void FieldsView::moveSection(int cellsX, int cellsY)
+{
+    if (!sectionPoint_ || map_->empty()) return;
+    const auto cell = map_->cellAt(*sectionPoint_);
+    if (!cell) return;
+    const CellGrid& grid = map_->grid();
+    const int i = std::clamp(static_cast<int>(*cell % static_cast<std::size_t>(grid.nx())) + cellsX, 0, grid.nx() - 1);
+    const int j = std::clamp(static_cast<int>(*cell / static_cast<std::size_t>(grid.nx())) + cellsY, 0, grid.ny() - 1);
+    setSectionPoint({grid.centreX(i), grid.centreY(j)}, true);
+}
+
+void FieldsView::keyPressEvent(QKeyEvent* event)
+{
+    const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
+    switch (event->key()) {
+    case Qt::Key_Escape: pinned_ = false; return;
+    case Qt::Key_Left: if (shift) return moveSection(-1, 0); break;
+    case Qt::Key_Right: if (shift) return moveSection(1, 0); break;
+    case Qt::Key_Up: if (shift) return moveSection(0, 1); break;
+    case Qt::Key_Down: if (shift) return moveSection(0, -1); break;
+    default: break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void FieldsView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) showField();
+}
+
+} // namespace touchdown

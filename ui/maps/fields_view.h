@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Fields on one grid: a map of one of them, and its sections along x and y through a point. What the fields are, and how
+// each is to be shown, is told by who has them.
+//
+// The sections follow the pointer until a click pins them; Escape lets them follow again, Shift + arrows move them by a
+// cell.
+#pragma once
+
+#include <vector>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QWidget>
+
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+
+namespace touchdown {
+
+/// A field that can be shown, and how.
+struct MapKind {
+    enum class Colours {
+        BrightHigh,
+        BrightLow, // what is near the disk is bright
+        Recess,    // as the design of a slider is drawn
+        Signed,    // about zero where both signs are, else what is strong is bright
+    };
+    enum class Logarithm { None, Offered, AtFirst };
+
+    QString title;                  // "Gap"
+    std::vector<std::string> units; // to choose from; the first at the start
+    Colours colours = Colours::BrightHigh;
+    Logarithm logarithm = Logarithm::None; // none where a value is zero or less, except about zero
+    double near = 0.0;              // a value that a logarithm about zero does not tell from zero [SI]
+    bool aboutZero = false;         // zero in the middle even where one sign is missing
+};
+
+class FieldsView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FieldsView(QWidget* parent = nullptr);
+
+    void setKinds(std::vector<MapKind> kinds);
+    /// One field for each kind, one value for each cell [SI], x fastest; none where there is nothing to show. With `ranges`,
+    /// one for each kind, colours and sections span these instead of what is shown.
+    void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {});
+
+    void setField(int kind);
+    int field() const { return field_; }
+    void setSectionPoint(const SurfacePoint& point, bool pinned);
+    std::optional<SurfacePoint> sectionPoint() const { return sectionPoint_; }
+    bool pinned() const { return pinned_; }
+    void fit();
+
+    FieldMap* map() const { return map_; }
+    FieldSections* sections() const { return sections_; }
+    QComboBox* unit() const { return unit_; }
+    QCheckBox* logarithmic() const { return logarithmic_; }
+    /// Unit and scale, for the row in which the field is chosen.
+    QWidget* controls() const { return controls_; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    /// Through this point, or none, until the user says otherwise.
+    void proposeSectionPoint(const std::optional<SurfacePoint>& point);
+    const std::vector<std::vector<double>>& fields() const { return fields_; }
+
+private:
+    void buildControls();
+    void showKind();
+    void showField();
+    void moveSection(int cellsX, int cellsY);
+    FieldLook look(const MapKind& kind, bool logarithmic, double low, double high) const;
+
+    std::vector<MapKind> kinds_;
+    std::vector<bool> logarithms_; // of each kind, as the user chose
+    CellGrid grid_;
+    std::vector<std::vector<double>> fields_;
+    std::vector<PlotRange> ranges_;
+    int field_ = 0;
+    std::optional<SurfacePoint> sectionPoint_;
+    bool pinned_ = false;
+    QWidget* controls_;
+    QComboBox* unit_;
+    QCheckBox* logarithmic_;
+    FieldMap* map_;
+    FieldSections* sections_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What can leave the window as a picture.
+#pragma once
+
+#include <functional>
+
+#include <QPainter>
+#include <QString>
+
+#include "ui/plot/plot_theme.h"
+
+namespace touchdown {
+
+/// Anything that paints itself.
+struct Picture {
+    QSizeF size; // [px]
+    QString title;
+    std::function<void(QPainter&)> paint;
+};
+
+/// A widget that belongs to the picture of its page.
+class PagePart {
+public:
+    virtual ~PagePart() = default;
+    /// All of it into `target`, in the colours of `theme`. The proportions of the screen stay.
+    virtual void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) = 0;
+};
+
+} // namespace touchdown

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_canvas.h"
+
+#include "ui/plot/plot_painter.h"
+#include "ui/plot/plot_path.h"
+
+#include <QChart>
+#include <QGraphicsLayout>
+#include <QLineSeries>
+#include <QResizeEvent>
+#include <QValueAxis>
+
+namespace touchdown {
+
+PlotCanvas::PlotCanvas(PlotWidget* plot)
+    : QGraphicsView(plot),
+      plot_(*plot),
+      scene_(new QGraphicsScene(this)),
+      chart_(new QChart),
+      across_(new QValueAxis),
+      up_(new QValueAxis)
+{
+    setScene(scene_);
+    scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    setRenderHint(QPainter::Antialiasing);
+    setViewportUpdateMode(NoViewportUpdate); // repaintAll and repaintCursor know better
+    setOptimizationFlag(DontSavePainterState, false);
+    setFocusPolicy(Qt::NoFocus);
+    setAttribute(Qt::WA_TransparentForMouseEvents); // the plot itself handles the mouse
+
+    chart_->setMargins({});
+    chart_->layout()->setContentsMargins(0.0, 0.0, 0.0, 0.0);
+    chart_->setBackgroundVisible(false);
+    chart_->setAnimationOptions(QChart::NoAnimation);
+    chart_->legend()->hide();
+    chart_->setAcceptedMouseButtons(Qt::NoButton);
+    chart_->setAcceptHoverEvents(false);
+    for (QValueAxis* axis : {across_, up_}) {
+        axis->setRange(0.0, 1.0);
+        axis->setVisible(false);
+    }
+    chart_->addAxis(across_, Qt::AlignBottom);
+    chart_->addAxis(up_, Qt::AlignLeft);
+    scene_->addItem(chart_);
+}
+
+PlotCanvas::~PlotCanvas() = default;
+
+void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
+{
+    while (series_.size() < paths.size()) {
+        auto* series = new QLineSeries;
+        chart_->addSeries(series);
+        series->attachAxis(across_);
+        series->attachAxis(up_);
+        series_.push_back(series);
+    }
+    while (series_.size() > paths.size()) {
+        chart_->removeSeries(series_.back());
+        delete series_.back();
+        series_.pop_back();
+    }
+    const QSizeF size = plot_.plotArea().size();
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].empty()) {
+            if (series_[i]->count() > 0) series_[i]->clear();
+            continue;
+        }
+        // A line folded many times would be broken into thousands of dashes that nobody can see.
+        const bool dashed = pathLength(paths[i], size) < longestDashed * size.width();
+        QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
+        // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.
+        pen.setJoinStyle(Qt::BevelJoin);
+        if (plot_.curves()[i].xData) pen = penThereAndBack(paths[i], size, pen);
+        if (series_[i]->pen() != pen) series_[i]->setPen(pen);
+        series_[i]->replace(QList<QPointF>(paths[i].begin(), paths[i].end()));
+    }
+}
+
+void PlotCanvas::setPlotArea(const QRectF& area) { chart_->setPlotArea(area); }
+
+void PlotCanvas::setSelection(std::optional<QRectF> box)
+{
+    selection_ = box;
+    repaintAll();
+}
+
+void PlotCanvas::repaintCursor(double pixel)
+{
+    const double reach = fontMetrics().height(); // of the tag with the cursor's number
+    viewport()->update(QRectF(pixel - reach, 0.0, 2.0 * reach, height()).toAlignedRect());
+}
+
+void PlotCanvas::repaintAll() { viewport()->update(); }
+
+void PlotCanvas::drawBackground(QPainter* painter, const QRectF& rect)
+{
+    painter->fillRect(rect, plot_.theme().background);
+    PlotPainter(plot_, plot_.theme()).paintBehind(*painter);
+}
+
+void PlotCanvas::drawForeground(QPainter* painter, const QRectF& /*rect*/)
+{
+    const PlotPainter above(plot_, plot_.theme());
+    above.paintAbove(*painter);
+    above.paintCursors(*painter);
+    if (selection_) above.paintSelection(*painter, *selection_);
+}
+
+void PlotCanvas::resizeEvent(QResizeEvent* event)
+{
+    QGraphicsView::resizeEvent(event);
+    scene_->setSceneRect(QRectF(QPointF(), event->size()));
+    chart_->setGeometry(scene_->sceneRect());
+}
+
+} // namespace touchdown

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curves of a plot on the screen, drawn by Qt Charts, between what PlotPainter draws behind and above them.
+//
+// The chart's own axes stay hidden at 0 to 1 and the points come in parts of the plot area: a range that changed
+// would cost a second pass over all points, a logarithmic axis would lose a whole curve to one zero, and the numbers
+// of QValueAxis move the plot area.
+#pragma once
+
+#include "ui/plot/plot_theme.h"
+
+#include <optional>
+#include <vector>
+
+#include <QGraphicsView>
+
+class QChart;
+class QLineSeries;
+class QValueAxis;
+
+namespace touchdown {
+
+class PlotWidget;
+
+class PlotCanvas : public QGraphicsView {
+    Q_OBJECT
+
+public:
+    explicit PlotCanvas(PlotWidget* plot);
+    ~PlotCanvas() override;
+
+    /// One line for each path, in the same order; an empty path hides its line.
+    void setPaths(const std::vector<std::vector<QPointF>>& paths);
+    void setPlotArea(const QRectF& area);
+    void setSelection(std::optional<QRectF> box);
+    /// Repaints a vertical strip about a cursor only.
+    void repaintCursor(double pixel);
+    void repaintAll();
+
+protected:
+    void drawBackground(QPainter* painter, const QRectF& rect) override;
+    void drawForeground(QPainter* painter, const QRectF& rect) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    const PlotWidget& plot_;
+    QGraphicsScene* scene_;
+    QChart* chart_;      // owned by the scene
+    QValueAxis* across_; // owned by the chart, as are the series
+    QValueAxis* up_;
+    std::vector<QLineSeries*> series_;
+    std::optional<QRectF> selection_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a plot shows: curves, lines to compare with, and marks. Numbers are SI; the axis holds the factor of the
+// display unit.
+#pragma once
+
+#include "ui/plot/min_max_pyramid.h"
+#include "ui/plot/plot_theme.h"
+
+#include <optional>
+
+#include <QString>
+
+namespace touchdown {
+
+struct PlotCurve {
+    QString id;   // unique in its plot: "run 3/flying_height"
+    QString name; // in the legend
+    CurveStyle style;
+    const MinMaxPyramid* data = nullptr;  // not owned: remove the curve before the pyramid goes
+    const MinMaxPyramid* xData = nullptr; // a phase portrait: `data` is drawn against this instead of the time
+    bool visible = true;
+    bool arrows = false; // of a phase portrait: heads along the line point the way of time
+};
+
+/// A horizontal line across the plot: "d_s = 3 nm".
+struct ReferenceLine {
+    double value = 0.0; // [unit of y]
+    QString label;
+};
+
+/// Something that happened: a subtle tick at the upper edge, with its name in the tooltip.
+struct EventMark {
+    double time = 0.0; // [unit of x]
+    QString label;     // "touch-down"
+};
+
+/// A point with its name beside it: a peak of a spectrum.
+struct PointMark {
+    double x = 0.0;
+    double y = 0.0;
+    QString label; // "152.4 kHz"
+    CurveStyle style;
+};
+
+/// What a plot shows of its plane; without a range the axis follows the data.
+struct PlotView {
+    std::optional<PlotRange> x;
+    std::optional<PlotRange> y;
+    bool operator==(const PlotView&) const = default;
+};
+
+} // namespace touchdown

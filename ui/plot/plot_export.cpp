@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_export.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+
+namespace touchdown {
+
+namespace {
+
+constexpr int screenResolution = 96; // [pixels per inch], that of a picture's size in SVG and PDF
+constexpr int paperResolution = 1200;
+constexpr double finer = 2.0; // PNG against the screen
+
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotExport", text); }
+
+QImage rastered(const Picture& picture, double scale)
+{
+    QImage image((picture.size * scale).toSize(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.scale(scale, scale);
+    picture.paint(painter);
+    return image;
+}
+
+QByteArray asPng(const Picture& picture)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    rastered(picture, finer).save(&buffer, "PNG");
+    return buffer.data();
+}
+
+QByteArray asSvg(const Picture& picture)
+{
+    QBuffer buffer;
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(picture.size.toSize());
+    generator.setViewBox(QRectF(QPointF(), picture.size));
+    generator.setResolution(screenResolution);
+    generator.setTitle(picture.title);
+    QPainter painter(&generator);
+    picture.paint(painter);
+    painter.end();
+    return buffer.data();
+}
+
+QByteArray asPdf(const Picture& picture)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&buffer);
+        writer.setResolution(paperResolution);
+        writer.setPageSize(
+            QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
+        writer.setPageMargins({});
+        writer.setTitle(picture.title);
+        writer.setCreator(QStringLiteral("Touchdown"));
+        QPainter painter(&writer);
+        painter.scale(1.0 * paperResolution / screenResolution, 1.0 * paperResolution / screenResolution);
+        picture.paint(painter);
+    }
+    return buffer.data();
+}
+
+/// An empty string, or why `path` could not be written. Writes all or nothing.
+QString writeFile(const QString& path, const std::function<void(QIODevice&)>& write)
+{
+    const QString shown = QDir::toNativeSeparators(path);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) return tr("%1 could not be written: %2.").arg(shown, file.errorString());
+    write(file);
+    if (!file.commit()) return tr("%1 could not be written: %2.").arg(shown, file.errorString());
+    return {};
+}
+
+QString save(const Picture& picture, const QString& path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    QByteArray bytes;
+    if (suffix == QLatin1String("png"))
+        bytes = asPng(picture);
+    else if (suffix == QLatin1String("svg"))
+        bytes = asSvg(picture);
+    else if (suffix == QLatin1String("pdf"))
+        bytes = asPdf(picture);
+    else
+        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
+            .arg(QDir::toNativeSeparators(path));
+    return writeFile(path, [&](QIODevice& device) { device.write(bytes); });
+}
+
+Picture pictureOf(PlotWidget& plot, const PlotTheme& theme)
+{
+    return {plot.size(), plot.title(),
+            [&plot, theme](QPainter& painter) { plot.paintInto(painter, plot.rect(), theme); }};
+}
+
+Picture pictureOf(QWidget& page, const QString& title, const PlotTheme& theme)
+{
+    return {page.size(), title, [&page, theme](QPainter& painter) {
+                painter.fillRect(page.rect(), theme.background);
+                for (QWidget* widget : page.findChildren<QWidget*>())
+                    if (auto* part = dynamic_cast<PagePart*>(widget); part != nullptr && widget->isVisibleTo(&page))
+                        part->paintInto(painter, QRectF(widget->mapTo(&page, QPoint()), widget->size()), theme);
+            }};
+}
+
+QString quoted(QString text)
+{
+    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) return text;
+    return u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
+}
+
+QString columnTitle(const QString& name, const QString& unit)
+{
+    return quoted(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit));
+}
+
+/// The samples of one curve that are still to be written.
+struct Column {
+    const PlotCurve* curve;
+    std::size_t next;
+    std::size_t end;
+
+    double time() const { return next < end ? curve->data->time(next) : std::numeric_limits<double>::infinity(); }
+};
+
+QByteArray number(std::optional<double> value, double factor)
+{
+    return value ? QByteArray::number(*value / factor, 'g', 15) : QByteArray();
+}
+
+} // namespace
+
+QString savePicture(const Picture& picture, const QString& path) { return save(picture, path); }
+
+void copyPicture(const Picture& picture) { QGuiApplication::clipboard()->setImage(rastered(picture, finer)); }
+
+QString savePicture(PlotWidget& plot, const QString& path) { return save(pictureOf(plot, lightPlotTheme()), path); }
+
+QString savePage(QWidget& page, const QString& path, const QString& title)
+{
+    return save(pictureOf(page, title, lightPlotTheme()), path);
+}
+
+void copyPicture(PlotWidget& plot)
+{
+    QGuiApplication::clipboard()->setImage(rastered(pictureOf(plot, plot.theme()), finer));
+}
+
+void copyPage(QWidget& page)
+{
+    QGuiApplication::clipboard()->setImage(rastered(pictureOf(page, {}, plotTheme(page.palette())), finer));
+}
+
+void writeCsv(const PlotWidget& plot, QIODevice& device)
+{
+    const bool phase = plot.isPhasePortrait();
+    const AxisLabel& x = plot.xAxis().label;
+    const AxisLabel& y = plot.yAxis().label;
+    std::vector<Column> columns;
+    QStringList titles{phase ? tr("Time [s]") : columnTitle(x.title, x.unit)};
+    for (const PlotCurve& curve : plot.curves()) {
+        if (!curve.visible || curve.data == nullptr) continue;
+        const auto [begin, end] = phase
+                                      ? std::pair<std::size_t, std::size_t>{0, curve.data->size()}
+                                      : curve.data->samplesWithin(plot.xAxis().range().low, plot.xAxis().range().high);
+        columns.push_back({&curve, begin, end});
+        if (phase) titles += columnTitle(x.title, x.unit);
+        titles += columnTitle(curve.name.isEmpty() ? plot.title() : curve.name, y.unit);
+    }
+    device.write(titles.join(u',').toUtf8() + "\r\n");
+
+    const auto earliest = [&] {
+        double time = std::numeric_limits<double>::infinity();
+        for (const Column& column : columns) time = std::min(time, column.time());
+        return time;
+    };
+    for (double time = earliest(); time < std::numeric_limits<double>::infinity(); time = earliest()) {
+        QByteArray row = number(time, phase ? 1.0 : x.factor);
+        for (Column& column : columns) {
+            const bool here = column.time() == time;
+            const PlotCurve& curve = *column.curve;
+            if (phase) row += ',' + (here ? number(curve.xData->valueAt(time), x.factor) : QByteArray());
+            row += ',' + (here ? number(curve.data->value(column.next), y.factor) : QByteArray());
+            column.next += here ? 1 : 0;
+        }
+        device.write(row + "\r\n");
+    }
+}
+
+QString saveCsv(const PlotWidget& plot, const QString& path)
+{
+    return writeFile(path, [&](QIODevice& device) { writeCsv(plot, device); });
+}
+
+} // namespace touchdown

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_group.h"
+
+#include <algorithm>
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t longestHistory = 200;
+
+/// Steps of one wheel in one direction, of one drag, of one key held: one step back undoes them all.
+bool isOneOfMany(PlotWidget::Gesture gesture)
+{
+    return gesture != PlotWidget::Gesture::Box && gesture != PlotWidget::Gesture::Fit;
+}
+
+} // namespace
+
+PlotGroup::PlotGroup(QObject* parent) : QObject(parent), history_{state()} {}
+
+void PlotGroup::add(PlotWidget* plot)
+{
+    if (std::find(plots_.begin(), plots_.end(), plot) != plots_.end()) return;
+    plots_.push_back(plot);
+    connect(plot, &QObject::destroyed, this, [this, plot] { std::erase(plots_, plot); });
+    connect(plot, &PlotWidget::viewChanged, this,
+            [this, plot](const PlotView& view, PlotWidget::Gesture gesture) { onViewChanged(plot, view, gesture); });
+    connect(plot, &PlotWidget::historyRequested, this,
+            [this](int direction) { direction < 0 ? goBack() : goForward(); });
+    connect(plot, &PlotWidget::cursorMoved, this,
+            [this](int which, bool valid, double x) { setCursor(which, valid ? std::optional(x) : std::nullopt); });
+    connect(plot, &PlotWidget::cursorPinnedChanged, this, [this](bool pinned) {
+        for (PlotWidget* other : plots_) other->setCursorPinned(pinned);
+    });
+    for (const int which : {0, 1}) plot->setPlotCursor(which, cursor(which));
+    if (follow_ == Follow::Frozen)
+        showX(xRange_);
+    else
+        followData();
+    // The present step now holds the new plot too, so that one step back also restores its height.
+    history_[position_] = state();
+}
+
+void PlotGroup::remove(PlotWidget* plot)
+{
+    if (std::erase(plots_, plot) > 0) plot->disconnect(this);
+}
+
+void PlotGroup::dataChanged()
+{
+    followData();
+    for (PlotWidget* plot : plots_) plot->dataChanged();
+}
+
+void PlotGroup::followData()
+{
+    if (follow_ == Follow::Frozen) return;
+    std::optional<PlotRange> range = follow_ == Follow::WholeRun ? span_ : std::nullopt;
+    for (const PlotWidget* plot : plots_) {
+        const auto data = plot->isPhasePortrait() ? std::nullopt : plot->dataRangeX();
+        if (!data) continue;
+        range = range ? PlotRange{std::min(range->low, data->low), std::max(range->high, data->high)} : *data;
+    }
+    if (!range || !(range->width() > 0.0)) {
+        for (PlotWidget* plot : plots_) {
+            if (plot->isPhasePortrait()) continue;
+            plot->setView({std::nullopt, plot->view().y});
+            xRange_ = plot->xAxis().range(); // what an empty plot shows, in case it is frozen now
+        }
+        return;
+    }
+    if (follow_ == Follow::LastWindow) {
+        range->low = std::max(range->low, range->high - window_);
+        range->high = range->low + window_;
+    }
+    showX(*range);
+}
+
+void PlotGroup::showX(const PlotRange& range)
+{
+    const bool changed = range != xRange_;
+    xRange_ = range;
+    for (PlotWidget* plot : plots_) {
+        if (plot->isPhasePortrait())
+            plot->setTimeWindow(range);
+        else if (const PlotView view{range, plot->view().y}; view != plot->view())
+            plot->setView(view);
+    }
+    if (changed) emit xRangeChanged(range);
+}
+
+void PlotGroup::changeFollow(Follow follow)
+{
+    if (follow_ == follow) return;
+    follow_ = follow;
+    emit followChanged(follow);
+}
+
+void PlotGroup::setFollow(Follow follow)
+{
+    changeFollow(follow);
+    followData();
+    record(std::nullopt, nullptr);
+}
+
+void PlotGroup::setWindow(double seconds)
+{
+    if (!(seconds > 0.0)) return;
+    window_ = seconds;
+    followData();
+}
+
+void PlotGroup::setSpan(std::optional<PlotRange> span)
+{
+    span_ = span;
+    followData();
+}
+
+void PlotGroup::setXRange(const PlotRange& range)
+{
+    changeFollow(Follow::Frozen);
+    showX(range);
+    record(std::nullopt, nullptr);
+}
+
+void PlotGroup::fit()
+{
+    for (PlotWidget* plot : plots_)
+        plot->setView({plot->isPhasePortrait() ? std::nullopt : plot->view().x, std::nullopt});
+    changeFollow(Follow::WholeRun);
+    followData();
+    record(std::nullopt, nullptr);
+}
+
+void PlotGroup::onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture)
+{
+    if (!plot->isPhasePortrait()) {
+        if (!view.x) {
+            changeFollow(Follow::WholeRun);
+            followData();
+        } else if (*view.x != xRange_) {
+            changeFollow(Follow::Frozen);
+            showX(*view.x);
+        }
+    }
+    record(gesture, plot);
+}
+
+PlotGroup::State PlotGroup::state() const
+{
+    State now{follow_, follow_ == Follow::Frozen ? std::optional(xRange_) : std::nullopt, {}};
+    for (const PlotWidget* plot : plots_)
+        now.views.emplace_back(plot, PlotView{plot->isPhasePortrait() ? plot->view().x : std::nullopt, plot->view().y});
+    return now;
+}
+
+void PlotGroup::record(std::optional<PlotWidget::Gesture> gesture, const PlotWidget* plot)
+{
+    const State now = state();
+    const bool continues =
+        gesture && gesture == lastGesture_ && plot == lastPlot_ && isOneOfMany(*gesture) && position_ > 0;
+    lastGesture_ = gesture;
+    lastPlot_ = plot;
+    if (now == history_[position_]) return;
+    history_.resize(position_ + 1);
+    if (continues) {
+        history_[position_] = now;
+    } else {
+        history_.push_back(now);
+        if (history_.size() > longestHistory) history_.erase(history_.begin());
+        position_ = history_.size() - 1;
+    }
+    emit historyChanged();
+}
+
+void PlotGroup::show(const State& state)
+{
+    for (PlotWidget* plot : plots_) {
+        const auto same =
+            std::find_if(state.views.begin(), state.views.end(), [&](const auto& v) { return v.first == plot; });
+        if (same == state.views.end()) continue; // came later
+        plot->setView({plot->isPhasePortrait() ? same->second.x : plot->view().x, same->second.y});
+    }
+    changeFollow(state.follow);
+    if (state.x)
+        showX(*state.x);
+    else
+        followData();
+}
+
+void PlotGroup::step(std::size_t position)
+{
+    position_ = position;
+    lastGesture_.reset();
+    show(history_[position_]);
+    emit historyChanged();
+}
+
+void PlotGroup::goBack()
+{
+    if (canGoBack()) step(position_ - 1);
+}
+
+void PlotGroup::goForward()
+{
+    if (canGoForward()) step(position_ + 1);
+}
+
+void PlotGroup::forgetHistory()
+{
+    history_ = {state()};
+    position_ = 0;
+    lastGesture_.reset();
+    emit historyChanged();
+}
+
+void PlotGroup::setCursor(int which, std::optional<double> time)
+{
+    cursors_[static_cast<std::size_t>(which)] = time;
+    for (PlotWidget* plot : plots_) plot->setPlotCursor(which, time);
+    emit cursorMoved(which);
+}
+
+std::vector<CursorReading> PlotGroup::readings() const
+{
+    std::vector<CursorReading> readings;
+    const auto at = [this](const PlotCurve& curve, int which) {
+        return cursor(which) ? curve.data->valueAt(*cursor(which)) : std::nullopt;
+    };
+    for (const PlotWidget* plot : plots_) {
+        if (plot->isPhasePortrait()) continue;
+        for (const PlotCurve& curve : plot->curves()) {
+            if (!curve.visible || curve.data == nullptr) continue;
+            const bool same = curve.name.isEmpty() || curve.name == plot->title();
+            const QString name = same                      ? plot->title()
+                                 : plot->title().isEmpty() ? curve.name
+                                                           : tr("%1: %2").arg(plot->title(), curve.name);
+            readings.push_back({plot, curve.id, name, curve.style, at(curve, 0), at(curve, 1)});
+        }
+    }
+    return readings;
+}
+
+} // namespace touchdown

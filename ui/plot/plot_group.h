@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plots that belong together: one time axis, one zoom history, one pair of cursors; they follow the run or stand still.
+//
+// The group owns no plot. A plot leaves by itself when it is destroyed. Zooming x by hand freezes; fitting follows
+// the whole run again. A phase portrait shares cursors and history, and shows the part of the history that the time
+// axis shows, but not the time axis itself.
+#pragma once
+
+#include "ui/plot/plot_widget.h"
+
+#include <array>
+#include <vector>
+
+#include <QObject>
+
+namespace touchdown {
+
+/// A curve at the cursors, for tables. Numbers in SI.
+struct CursorReading {
+    const PlotWidget* plot = nullptr;
+    QString curve; // id
+    QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name
+    CurveStyle style;
+    std::optional<double> first;  // at cursor 1
+    std::optional<double> second; // at cursor 2
+};
+
+class PlotGroup : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Follow { WholeRun, LastWindow, Frozen };
+    Q_ENUM(Follow)
+
+    explicit PlotGroup(QObject* parent = nullptr);
+
+    void add(PlotWidget* plot);
+    void remove(PlotWidget* plot);
+    const std::vector<PlotWidget*>& plots() const { return plots_; }
+
+    /// The data behind the plots grew: all refresh soon, and the time axis follows. One call for each batch is enough.
+    void dataChanged();
+
+    void setFollow(Follow follow);
+    Follow follow() const { return follow_; }
+    void setWindow(double seconds); // of LastWindow [s]
+    double window() const { return window_; }
+
+    /// What WholeRun shows at least: 0 to the duration, known before the run begins.
+    void setSpan(std::optional<PlotRange> span);
+
+    void setXRange(const PlotRange& range); // freezes; a step of the history
+    PlotRange xRange() const { return xRange_; }
+    void fit(); // all x and y follow the data; a step of the history
+
+    bool canGoBack() const { return position_ > 0; }
+    bool canGoForward() const { return position_ + 1 < history_.size(); }
+    void goBack();
+    void goForward();
+    void forgetHistory(); // as for a new run
+
+    void setCursor(int which, std::optional<double> time);
+    std::optional<double> cursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
+    /// Of all visible curves of all plots that are not phase portraits.
+    std::vector<CursorReading> readings() const;
+
+signals:
+    void followChanged(touchdown::PlotGroup::Follow follow);
+    void xRangeChanged(const touchdown::PlotRange& range);
+    void historyChanged();
+    /// Cursor 0 or 1 moved, came or went; ask cursor() and readings().
+    void cursorMoved(int which);
+
+private:
+    struct State {
+        Follow follow = Follow::WholeRun;
+        std::optional<PlotRange> x;                                // when frozen
+        std::vector<std::pair<const PlotWidget*, PlotView>> views; // x only of phase portraits
+        bool operator==(const State&) const = default;
+    };
+
+    void onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture);
+    void followData();
+    void showX(const PlotRange& range);
+    void changeFollow(Follow follow);
+    State state() const;
+    void show(const State& state);
+    void step(std::size_t position);
+    void record(std::optional<PlotWidget::Gesture> gesture, const PlotWidget* plot);
+
+    std::vector<PlotWidget*> plots_;
+    Follow follow_ = Follow::WholeRun;
+    double window_ = 1e-4; // [s]
+    std::optional<PlotRange> span_;
+    PlotRange xRange_;
+    std::array<std::optional<double>, 2> cursors_;
+    std::vector<State> history_;
+    std::size_t position_ = 0;
+    std::optional<PlotWidget::Gesture> lastGesture_;
+    const PlotWidget* lastPlot_ = nullptr;
+};
+
+} // namespace touchdown

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace touchdown {
+
+namespace {
+
+constexpr PlotRange nearArea{-0.5, 1.5};
+
+/// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of
+/// the band.
+std::vector<QPointF> cutToBand(const std::vector<QPointF>& path, const PlotRange& band, double (*coordinate)(QPointF),
+                               QPointF (*with)(QPointF, double))
+{
+    std::vector<QPointF> cut;
+    cut.reserve(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const double here = coordinate(path[i]);
+        if (i > 0) {
+            const double before = coordinate(path[i - 1]);
+            const auto cross = [&](double border) {
+                if ((before < border) == (here < border)) return;
+                const double part = (border - before) / (here - before);
+                cut.push_back(with(path[i - 1] + part * (path[i] - path[i - 1]), border));
+            };
+            cross(before < here ? band.low : band.high);
+            cross(before < here ? band.high : band.low);
+        }
+        cut.push_back(with(path[i], std::clamp(here, band.low, band.high)));
+    }
+    return cut;
+}
+
+std::vector<QPointF> cutNearArea(const std::vector<QPointF>& path)
+{
+    const auto outside = [](const QPointF& p) { return !nearArea.contains(p.x()) || !nearArea.contains(p.y()); };
+    if (std::none_of(path.begin(), path.end(), outside)) return path;
+    const auto inX = cutToBand(
+        path, nearArea, [](QPointF p) { return p.x(); }, [](QPointF p, double x) { return QPointF(x, p.y()); });
+    return cutToBand(
+        inX, nearArea, [](QPointF p) { return p.y(); }, [](QPointF p, double y) { return QPointF(p.x(), y); });
+}
+
+/// The part [first, second] of the segment a to b within 0 <= x, y <= 1 (Liang and Barsky 1984); first > second if
+/// none.
+std::pair<double, double> partInside(const QPointF& a, const QPointF& b)
+{
+    double first = 0.0;
+    double second = 1.0;
+    const auto border = [&](double start, double step) { // 0 <= start + part * step
+        if (step == 0.0) {
+            if (start < 0.0) first = 2.0;
+        } else if (step > 0.0) {
+            first = std::max(first, -start / step);
+        } else {
+            second = std::min(second, -start / step);
+        }
+    };
+    border(a.x(), b.x() - a.x());
+    border(1.0 - a.x(), a.x() - b.x());
+    border(a.y(), b.y() - a.y());
+    border(1.0 - a.y(), a.y() - b.y());
+    return {first, second};
+}
+
+/// Where the line runs up and down within a pixel, each pair begins with the value nearer to where the line is: the
+/// same ink with half the length to draw. Nothing moves by more than half a pixel.
+void shortenFolds(std::vector<QPointF>& path, double pixel)
+{
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+        QPointF& first = path[i];
+        QPointF& second = path[i + 1];
+        if (second.x() - first.x() > 0.5 * pixel) continue;
+        const double from = path[i - 1].y();
+        if (std::abs(second.y() - from) < std::abs(first.y() - from)) {
+            const double y = first.y();
+            first.setY(second.y());
+            second.setY(y);
+        }
+        ++i;
+    }
+}
+
+} // namespace
+
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels)
+{
+    std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale);
+    for (QPointF& point : path) point = {x.position(point.x()), y.position(point.y())};
+    if (path.size() > static_cast<std::size_t>(pixels)) shortenFolds(path, 1.0 / pixels);
+    return cutNearArea(path);
+}
+
+std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels)
+{
+    constexpr std::size_t mostRead = 400'000;
+    constexpr std::size_t mostDrawn = 20'000;
+
+    const auto [begin, end] = yData.samplesWithin(window.low, window.high);
+    const std::size_t stride = 1 + (end - begin) / mostRead;
+    std::vector<QPointF> path;
+    // On multiples of the stride, so that a growing history does not choose other samples each time.
+    for (std::size_t i = (begin + stride - 1) / stride * stride; i < end; i += stride) {
+        const double time = yData.time(i);
+        const bool together = i < xData.size() && xData.time(i) == time;
+        const std::optional<double> across = together ? xData.value(i) : xData.valueAt(time);
+        if (across) path.emplace_back(x.position(*across), y.position(yData.value(i)));
+    }
+    for (double apart = 0.7; apart == 0.7 || (path.size() > mostDrawn && apart < 6.0); apart *= 1.5) { // [px]
+        QPointF last(-1e9, -1e9);
+        std::erase_if(path, [&](const QPointF& point) {
+            const double dx = (point.x() - last.x()) * pixels.width();
+            const double dy = (point.y() - last.y()) * pixels.height();
+            if (dx * dx + dy * dy < apart * apart) return true;
+            last = point;
+            return false;
+        });
+    }
+    return cutNearArea(path);
+}
+
+std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path)
+{
+    std::vector<QPolygonF> pieces;
+    bool continues = false;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto [first, second] = partInside(path[i - 1], path[i]);
+        if (first > second) {
+            continues = false;
+            continue;
+        }
+        const QPointF step = path[i] - path[i - 1];
+        if (!continues || first > 0.0) pieces.emplace_back().append(path[i - 1] + first * step);
+        pieces.back().append(path[i - 1] + second * step);
+        continues = second >= 1.0;
+    }
+    return pieces;
+}
+
+std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF& pixels)
+{
+    // Uneven, so that the heads of a way there and those of the same way back do not meet.
+    static constexpr double places[] = {0.08, 0.24, 0.40, 0.54, 0.70, 0.86};
+    const double length = pathLength(path, pixels);
+    std::vector<PathArrow> arrows;
+    if (length < 60.0 || length > longestDashed * pixels.width()) return arrows;
+    double walked = 0.0;
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < path.size() && next < std::size(places); ++i) {
+        const QPointF step = path[i] - path[i - 1];
+        const QPointF inPixels(step.x() * pixels.width(), step.y() * pixels.height());
+        const double stride = std::hypot(inPixels.x(), inPixels.y());
+        for (; next < std::size(places) && stride > 0.0 && walked + stride >= places[next] * length; ++next) {
+            const QPointF tip = path[i - 1] + (places[next] * length - walked) / stride * step;
+            if (QRectF(0.0, 0.0, 1.0, 1.0).contains(tip)) arrows.push_back({tip, inPixels / stride});
+        }
+        walked += stride;
+    }
+    return arrows;
+}
+
+QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen)
+{
+    QList<qreal> dashes = pen.dashPattern();
+    if (path.empty() || dashes.isEmpty()) return pen;
+    const auto turn = std::ranges::max_element(path, {}, [&path](const QPointF& point) { return std::abs(point.x() - path.front().x()); });
+    const double walked = pathLength({path.begin(), turn + 1}, pixels) / pen.widthF();
+    const double half = 0.5 * pathLength(path, pixels) / pen.widthF();
+    // A pattern that is even about the middle of a dash is even about the turning point, and half the length, when both lie
+    // in the middle of a dash or of a gap: the latter by a slight change of its period.
+    const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
+    const double count = std::round(std::abs(half - walked) / (0.5 * period));
+    const double scale = count > 0.0 ? std::abs(half - walked) / (0.5 * period * count) : 1.0;
+    for (qreal& dash : dashes) dash *= scale;
+    pen.setDashPattern(dashes);
+    const double offset = 0.5 * dashes.front() - std::fmod(walked, scale * period);
+    pen.setDashOffset(offset < 0.0 ? offset + scale * period : offset);
+    return pen;
+}
+
+double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)
+{
+    double length = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const QPointF step = path[i] - path[i - 1];
+        length += std::hypot(step.x() * pixels.width(), step.y() * pixels.height());
+    }
+    return length;
+}
+
+} // namespace touchdown

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From samples to the line that is drawn, in parts of the plot area: 0 to 1, y upwards.
+#pragma once
+
+#include "ui/plot/plot_axis.h"
+
+#include <vector>
+
+#include <QPen>
+#include <QPolygonF>
+
+namespace touchdown {
+
+/// A curve over x, thinned to the pixels and cut a little outside the area, so that no coordinate is too large to draw.
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels);
+
+/// `yData` against `xData` within a window of time; points nearer to each other than the eye can tell are left out.
+std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels);
+
+/// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip.
+std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path);
+
+/// Where the way of a line is shown, and the direction there in pixels (y upwards, length 1): a few places along what lies
+/// inside the area; none on a line so long that its way cannot be followed.
+struct PathArrow {
+    QPointF tip; // in parts of the plot area
+    QPointF along;
+};
+std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF& pixels);
+
+/// The pen for a way there and back: where it returns on itself, beside its turning point and beside its ends, its dashes
+/// cover each other instead of filling each other's gaps.
+QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen);
+
+/// A longer line is drawn solid [widths of the plot area].
+constexpr double longestDashed = 8.0;
+/// The length of a line [px].
+double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);
+
+} // namespace touchdown

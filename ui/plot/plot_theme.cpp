@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_theme.h"
+
+#include <array>
+
+namespace touchdown {
+
+namespace {
+
+QColor mixed(const QColor& a, const QColor& b, double part)
+{
+    const auto blend = [part](int from, int to) { return static_cast<int>(from + part * (to - from)); };
+    return {blend(a.red(), b.red()), blend(a.green(), b.green()), blend(a.blue(), b.blue())};
+}
+
+const QList<QColor>& curvesOnLight()
+{
+    static const QList<QColor> colours{"#0068b0", "#c95300", "#008a63", "#b3528a", "#a87400", "#3d93c9", "#3a3f45"};
+    return colours;
+}
+
+const QList<QColor>& curvesOnDark()
+{
+    static const QList<QColor> colours{"#4ea6e6", "#f0813f", "#2ec297", "#e08fbe", "#e9b03a", "#9ad4f7", "#e4e7ea"};
+    return colours;
+}
+
+PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highlight)
+{
+    const bool dark = paper.lightness() < 128;
+    PlotTheme theme;
+    theme.background = paper;
+    theme.plotArea = paper;
+    theme.grid = mixed(paper, ink, dark ? 0.13 : 0.10);
+    theme.axis = mixed(paper, ink, 0.45);
+    theme.text = mixed(paper, ink, 0.92);
+    theme.mutedText = mixed(paper, ink, 0.68);
+    theme.referenceLine = mixed(paper, ink, 0.58);
+    theme.cursor = mixed(paper, ink, 0.72);
+    theme.selection = highlight;
+    theme.curves = dark ? curvesOnDark() : curvesOnLight();
+    return theme;
+}
+
+} // namespace
+
+PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
+
+PlotTheme darkPlotTheme() { return themeFrom(QColor("#1d2024"), QColor("#eef1f4"), QColor("#5aa7ee")); }
+
+PlotTheme plotTheme(const QPalette& palette)
+{
+    return themeFrom(palette.color(QPalette::Base), palette.color(QPalette::Text), palette.color(QPalette::Highlight));
+}
+
+QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed)
+{
+    static const std::array<QList<qreal>, 4> dashes{{{}, {5.0, 3.0}, {1.2, 2.2}, {6.0, 2.5, 1.2, 2.5}}};
+    QPen pen(theme.colour(style), 1.5);
+    pen.setJoinStyle(Qt::RoundJoin);
+    pen.setCapStyle(Qt::SquareCap); // Qt fills a single line with round ends some ten times slower
+    const auto& dash = dashes[static_cast<std::size_t>(style.dash) % dashes.size()];
+    if (dashed && !dash.isEmpty()) {
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setDashPattern(dash);
+    }
+    return pen;
+}
+
+} // namespace touchdown

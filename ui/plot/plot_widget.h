@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A plot of curves over time (or frequency, or another quantity), drawn by Qt Charts, which no other class of ours
+// sees.
+//
+// Call dataChanged() after the pyramids have grown: the picture follows at most 60 times a second, less often when a
+// refresh takes long, and not at all while the plot is hidden. The plot area depends on size and font only: plots of
+// equal width under each other have equal time axes.
+//
+// Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both;
+// a phase portrait always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right
+// drag moves. Double click fits. Cursor 1 follows the pointer until a click pins it; Shift + click sets cursor 2;
+// Escape takes both away. Right click: menu.
+// Keys: arrows move, + and - zoom x, Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right
+// walk through the zoom history, Shift + Left and Shift + Right move cursor 1 by a pixel, L switches y between linear
+// and logarithmic.
+//
+// A plot does not keep the zoom history: the PlotGroup does (a lone plot gets a group of its own).
+#pragma once
+
+#include "ui/plot/picture.h"
+#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_curve.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <QTimer>
+#include <QWidget>
+
+namespace touchdown {
+
+class PlotCanvas;
+
+class PlotWidget : public QWidget, public PagePart {
+    Q_OBJECT
+
+public:
+    /// What the user did to the view: gestures of one kind in a row are one step of the history.
+    enum class Gesture { WheelIn, WheelOut, Box, Move, Fit, Key };
+    Q_ENUM(Gesture)
+
+    explicit PlotWidget(QWidget* parent = nullptr);
+    ~PlotWidget() override;
+
+    void setTitle(const QString& title);
+    QString title() const { return title_; }
+    void setXLabel(const AxisLabel& label); // as made: "Time", "s"
+    void setYLabel(const AxisLabel& label);
+    void setYScale(AxisScale scale);
+    void setXScale(AxisScale scale);
+    const PlotAxis& xAxis() const { return x_; }
+    const PlotAxis& yAxis() const { return y_; }
+    /// Only the lowest of stacked plots needs numbers and title below.
+    void setXNumbersVisible(bool visible);
+    bool xNumbersVisible() const { return xNumbersVisible_; }
+
+    /// A curve with the same id is replaced in its place. The view, the cursors and the other curves stay.
+    void addCurve(const PlotCurve& curve);
+    void removeCurve(const QString& id);
+    void clearCurves();
+    void setCurveVisible(const QString& id, bool visible);
+    const std::vector<PlotCurve>& curves() const { return curves_; }
+
+    void setReferenceLines(std::vector<ReferenceLine> lines);
+    void setEventMarks(std::vector<EventMark> marks);
+    void setPointMarks(std::vector<PointMark> marks);
+    const std::vector<ReferenceLine>& referenceLines() const { return referenceLines_; }
+    const std::vector<EventMark>& eventMarks() const { return eventMarks_; }
+    const std::vector<PointMark>& pointMarks() const { return pointMarks_; }
+
+    /// The data behind the curves grew: refresh soon.
+    void dataChanged();
+    /// At once, as before a picture is taken.
+    void refreshNow();
+    long long refreshes() const { return refreshes_; }
+
+    /// Shows this; emits nothing.
+    void setView(const PlotView& view);
+    const PlotView& view() const { return view_; }
+    /// Of all visible curves; nothing when there are no samples. In a phase portrait, of x, not of time.
+    std::optional<PlotRange> dataRangeX() const;
+    /// The part of the history that a phase portrait shows; everything when nothing.
+    void setTimeWindow(std::optional<PlotRange> window);
+    bool isPhasePortrait() const;
+    /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there are data
+    /// below.
+    void setMostX(std::optional<double> most)
+    {
+        mostX_ = most;
+        dataChanged();
+    }
+
+    /// Cursor 0 or 1 ("1" and "2" on the screen); nothing takes it away. Emits nothing.
+    void setPlotCursor(int which, std::optional<double> x);
+    std::optional<double> plotCursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
+
+    /// A pinned cursor 1 does not follow the pointer. Emits nothing.
+    void setCursorPinned(bool pinned) { cursorPinned_ = pinned; }
+    bool cursorPinned() const { return cursorPinned_; }
+
+    /// Where the curves are, in pixels of this widget.
+    QRectF plotArea() const;
+    QPointF toPixel(double x, double y) const;
+
+    /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors. The proportions
+    /// of the screen stay.
+    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
+    std::vector<std::vector<QPointF>> curvePaths() const;
+    /// Those of a phase portrait as they were drawn last.
+    const std::vector<std::vector<QPointF>>& phasePaths() const { return phasePaths_; }
+    const PlotTheme& theme() const { return theme_; }
+
+    QSize sizeHint() const override { return {640, 220}; }
+    QSize minimumSizeHint() const override { return {240, 96}; }
+
+signals:
+    /// The user changed the view, which is already shown.
+    void viewChanged(const touchdown::PlotView& view, touchdown::PlotWidget::Gesture gesture);
+    /// The user asks for the view one step back (-1) or forth (+1).
+    void historyRequested(int step);
+    /// The user moved (or took away: valid false) cursor 0 or 1. It is already shown.
+    void cursorMoved(int which, bool valid, double x);
+    void cursorPinnedChanged(bool pinned);
+    /// Right click at this place of the screen.
+    void menuRequested(const QPoint& at);
+    void yScaleChanged();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    friend class PlotNavigation;
+
+    void scheduleRefresh();
+    void refreshRanges();
+    void updateCurves();
+    void userView(const PlotView& view, Gesture gesture);
+    void userCursor(int which, std::optional<double> x);
+    void userPin(bool pinned);
+    void repaintCursor(int which);
+    void showSelection(std::optional<QRectF> box);
+    std::optional<PlotRange> dataRangeY() const;
+
+    QString title_;
+    PlotAxis x_;
+    PlotAxis y_;
+    PlotView view_;
+    PlotTheme theme_;
+    bool xNumbersVisible_ = true;
+    std::vector<PlotCurve> curves_;
+    std::vector<std::vector<QPointF>> phasePaths_;
+    std::vector<ReferenceLine> referenceLines_;
+    std::vector<EventMark> eventMarks_;
+    std::vector<PointMark> pointMarks_;
+    std::array<std::optional<double>, 2> cursors_;
+    bool cursorPinned_ = false;
+    std::optional<PlotRange> timeWindow_;
+    std::optional<double> mostX_;
+    PlotCanvas* canvas_ = nullptr; // owned by Qt as a child
+    QTimer refreshTimer_;
+    bool stale_ = true;
+    bool tightY_ = true; // the next automatic y range takes no account of the present one
+    long long refreshes_ = 0;
+    double refreshSeconds_ = 0.0; // the last refresh took
+};
+
+} // namespace touchdown

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/spectrum_view.h"
+
+#include "core/formats/units.h"
+#include "ui/style/quantity_format.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace touchdown {
+
+namespace {
+
+constexpr double kilohertz = 1e3; // [Hz]
+
+QString squared(const QString& unit)
+{
+    if (unit.isEmpty()) return QStringLiteral("1");
+    const bool simple = std::all_of(unit.begin(), unit.end(), [](QChar c) { return c.isLetter(); });
+    return (simple ? unit : u'(' + unit + u')') + QChar(0x00b2);
+}
+
+void choose(QComboBox* box, const QVariant& data)
+{
+    const QSignalBlocker quiet(box);
+    box->setCurrentIndex(box->findData(data));
+}
+
+} // namespace
+
+SpectrumView::SpectrumView(QWidget* parent)
+    : QWidget(parent),
+      plot_(new PlotWidget(this)),
+      group_(new PlotGroup(this)),
+      quantity_(new QComboBox(this)),
+      window_(new QComboBox(this)),
+      segment_(new QComboBox(this)),
+      overlap_(new QSpinBox(this)),
+      scaling_(new QComboBox(this)),
+      logFrequency_(new QCheckBox(tr("&Log"), this))
+{
+    window_->addItem(tr("Hann"), static_cast<int>(SpectrumWindow::Hann));
+    window_->addItem(tr("Hamming"), static_cast<int>(SpectrumWindow::Hamming));
+    window_->addItem(tr("Blackman"), static_cast<int>(SpectrumWindow::Blackman));
+    window_->addItem(tr("Flat top"), static_cast<int>(SpectrumWindow::FlatTop));
+    window_->addItem(tr("Rectangular"), static_cast<int>(SpectrumWindow::Rectangular));
+    for (int samples = 256; samples <= 65536; samples *= 2) segment_->addItem(tr("%1 pts").arg(samples), samples);
+    overlap_->setRange(0, 95);
+    overlap_->setSingleStep(5);
+    overlap_->setSuffix(tr(" % overlap"));
+    overlap_->setKeyboardTracking(false);
+    scaling_->addItem(tr("Density"), static_cast<int>(SpectrumScaling::Density));
+    scaling_->addItem(tr("Amplitude"), static_cast<int>(SpectrumScaling::Amplitude));
+    quantity_->setToolTip(tr("Quantity whose spectrum is shown"));
+    logFrequency_->setToolTip(tr("Logarithmic frequency axis"));
+    logFrequency_->setAccessibleName(tr("Logarithmic frequency axis"));
+    window_->setToolTip(tr("Window that each segment is multiplied with"));
+    segment_->setToolTip(tr("Samples in each segment: more resolve finer, fewer average more"));
+    overlap_->setToolTip(tr("Of neighbouring segments"));
+    scaling_->setToolTip(tr("Density: its integral over frequency is the mean square. "
+                            "Amplitude: a sine of amplitude A shows A\u00b2/2 at its frequency."));
+    plot_->setYScale(AxisScale::Logarithmic);
+    setOptions({});
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->setContentsMargins(6, 4, 6, 4);
+    // What each box holds says what it is for: labels would make the window too wide for a small screen.
+    const auto addField = [&](const QString& name, QWidget* field, int stretch) {
+        field->setAccessibleName(name);
+        row->addWidget(field, stretch);
+    };
+    addField(tr("Quantity"), quantity_, 3);
+    addField(tr("Window"), window_, 1);
+    addField(tr("Segment"), segment_, 1);
+    addField(tr("Overlap"), overlap_, 1);
+    addField(tr("Scaling"), scaling_, 1);
+    row->addSpacing(6);
+    row->addWidget(logFrequency_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(row);
+    layout->addWidget(plot_, 1);
+
+    group_->add(plot_);
+    plot_->setTitle(tr("Spectrum"));
+    plot_->setXLabel({tr("Frequency"), QStringLiteral("kHz"), kilohertz, AxisScale::Linear});
+    updateAxes();
+    for (QComboBox* box : {quantity_, window_, segment_, scaling_}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(box == quantity_ ? 12 : 6);
+        connect(box, &QComboBox::currentIndexChanged, this, &SpectrumView::request);
+    }
+    connect(overlap_, &QSpinBox::valueChanged, this, &SpectrumView::request);
+    connect(logFrequency_, &QCheckBox::toggled, this, [this](bool on) {
+        plot_->setXScale(on ? AxisScale::Logarithmic : AxisScale::Linear);
+        group_->fit();
+    });
+}
+
+SpectrumView::~SpectrumView() = default;
+
+void SpectrumView::setQuantities(const std::vector<Quantity>& quantities)
+{
+    const QString before = quantity();
+    const QSignalBlocker quiet(quantity_);
+    quantities_ = quantities;
+    quantity_->clear();
+    for (const Quantity& q : quantities)
+        quantity_->addItem(QString::fromStdString(q.longName), QString::fromStdString(q.name));
+    quantity_->setCurrentIndex(std::max(0, quantity_->findData(before)));
+    updateAxes();
+}
+
+QString SpectrumView::quantity() const { return quantity_->currentData().toString(); }
+
+void SpectrumView::setQuantity(const QString& name)
+{
+    if (quantity_->findData(name) < 0) return;
+    choose(quantity_, name);
+    updateAxes();
+}
+
+WelchOptions SpectrumView::options() const
+{
+    WelchOptions options;
+    options.window = static_cast<SpectrumWindow>(window_->currentData().toInt());
+    options.scaling = static_cast<SpectrumScaling>(scaling_->currentData().toInt());
+    options.segment = static_cast<std::size_t>(segment_->currentData().toInt());
+    options.overlap = overlap_->value() / 100.0;
+    return options;
+}
+
+void SpectrumView::setOptions(const WelchOptions& options)
+{
+    const int samples = static_cast<int>(options.segment);
+    if (segment_->findData(samples) < 0) {
+        const QSignalBlocker quiet(segment_);
+        segment_->addItem(tr("%1 pts").arg(samples), samples);
+    }
+    choose(segment_, samples);
+    choose(window_, static_cast<int>(options.window));
+    choose(scaling_, static_cast<int>(options.scaling));
+    const QSignalBlocker quiet(overlap_);
+    overlap_->setValue(static_cast<int>(std::lround(100.0 * options.overlap)));
+    updateAxes();
+}
+
+void SpectrumView::request()
+{
+    const AxisLabel before = plot_->yAxis().label;
+    const QString title = plot_->title();
+    updateAxes();
+    // Curves of another quantity or scaling would be read with the new unit.
+    if (plot_->yAxis().label != before || plot_->title() != title) clear();
+    emit requested(quantity(), options());
+}
+
+void SpectrumView::updateAxes()
+{
+    AxisLabel label{tr("Power"), QStringLiteral("1"), 1.0, plot_->yAxis().label.scale};
+    if (quantity_->currentIndex() >= 0) {
+        const Quantity& q = quantities_[static_cast<std::size_t>(quantity_->currentIndex())];
+        const double factor = q.displayUnit.empty() ? 1.0 : unitFactor(q.displayUnit);
+        label.unit = squared(unitText(q.displayUnit));
+        label.factor = factor * factor;
+        plot_->setTitle(tr("Spectrum: %1").arg(QString::fromStdString(q.longName)));
+    }
+    if (options().scaling == SpectrumScaling::Density) {
+        label.title = tr("Density");
+        label.unit += QStringLiteral("/Hz");
+    }
+    plot_->setYLabel(label);
+}
+
+void SpectrumView::setSpectrum(const QString& id, const QString& name, const CurveStyle& style,
+                               const Spectrum& spectrum, const std::vector<Peak>& peaks)
+{
+    auto samples = std::make_unique<MinMaxPyramid>();
+    std::vector<double> frequency;
+    std::vector<double> power;
+    for (std::size_t i = 0; i < std::min(spectrum.frequency.size(), spectrum.power.size()); ++i) {
+        if (!(spectrum.power[i] > 0.0)) continue;
+        frequency.push_back(spectrum.frequency[i]);
+        power.push_back(spectrum.power[i]);
+    }
+    samples->append(frequency, power);
+
+    std::vector<PointMark> marks;
+    for (const Peak& peak : peaks) {
+        const auto height = samples->valueAt(peak.frequency);
+        if (!height) continue;
+        // The marker stands on the line's top, which lies at a bin beside the interpolated frequency.
+        const double resolution = spectrum.frequency.size() > 1 ? spectrum.frequency[1] - spectrum.frequency[0] : 0.0;
+        const auto top = samples->extremes(peak.frequency - resolution, peak.frequency + resolution);
+        const int decimals = peak.frequency >= 100.0 * kilohertz ? 1 : peak.frequency >= 10.0 * kilohertz ? 2 : 3;
+        marks.push_back({peak.frequency, top ? top->high : *height,
+                         tr("%1 kHz").arg(typeset(peak.frequency / kilohertz, decimals)), style});
+    }
+    peaks_[id] = std::move(marks);
+    plot_->addCurve({id, name, style, samples.get(), nullptr, true});
+    spectra_[id] = std::move(samples); // the curve points to the new data by now
+    updateMarks();
+    group_->dataChanged();
+}
+
+void SpectrumView::removeSpectrum(const QString& id)
+{
+    plot_->removeCurve(id);
+    spectra_.erase(id);
+    peaks_.erase(id);
+    updateMarks();
+    group_->dataChanged();
+}
+
+void SpectrumView::clear()
+{
+    plot_->clearCurves();
+    spectra_.clear();
+    peaks_.clear();
+    updateMarks();
+}
+
+void SpectrumView::updateMarks()
+{
+    std::vector<PointMark> marks;
+    for (const auto& [id, ofOne] : peaks_) marks.insert(marks.end(), ofOne.begin(), ofOne.end());
+    plot_->setPointMarks(std::move(marks));
+}
+
+} // namespace touchdown

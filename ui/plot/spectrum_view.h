@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Power spectra of one quantity of several runs, with the choices of Welch's method above them.
+//
+// The view computes nothing: connect `requested`, compute (on any thread), and hand the result to setSpectrum().
+// Power that is zero, negative or not finite is left out.
+#pragma once
+
+#include "core/numerics/spectrum.h"
+#include "core/simulation/recording/quantity.h"
+#include "ui/plot/plot_group.h"
+
+#include <map>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSpinBox>
+#include <QWidget>
+
+namespace touchdown {
+
+class SpectrumView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SpectrumView(QWidget* parent = nullptr);
+    ~SpectrumView() override;
+
+    /// Fills the selector; the chosen quantity stays chosen when it is still there. Emits nothing.
+    void setQuantities(const std::vector<Quantity>& quantities);
+    QString quantity() const; // its name, "minimum_spacing"; empty when there is none
+    void setQuantity(const QString& name);
+    WelchOptions options() const;
+    void setOptions(const WelchOptions& options); // emits nothing
+
+    /// A curve with the same id is replaced. Frequencies in Hz, power in SI of the chosen quantity; the peaks are
+    /// labelled in kHz.
+    void setSpectrum(const QString& id, const QString& name, const CurveStyle& style, const Spectrum& spectrum,
+                     const std::vector<Peak>& peaks = {});
+    void removeSpectrum(const QString& id);
+    void clear();
+
+    PlotWidget* plot() const { return plot_; }
+    PlotGroup* group() const { return group_; }
+
+signals:
+    /// The user chose: please compute the spectra of all runs anew.
+    void requested(const QString& quantity, const touchdown::WelchOptions& options);
+
+private:
+    void request();
+    void updateAxes();
+    void updateMarks();
+
+    PlotWidget* plot_;
+    PlotGroup* group_;
+    QComboBox* quantity_;
+    QComboBox* window_;
+    QComboBox* segment_;
+    QSpinBox* overlap_;
+    QComboBox* scaling_;
+    QCheckBox* logFrequency_;
+    std::vector<Quantity> quantities_;
+    std::map<QString, std::unique_ptr<MinMaxPyramid>> spectra_;
+    std::map<QString, std::vector<PointMark>> peaks_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/about_case_pane.h"
+
+#include <algorithm>
+
+#include <QEvent>
+
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
+{
+    setAccessibleName(tr("About this case"));
+    setFrameShape(QFrame::NoFrame);
+    setOpenExternalLinks(false);
+    document()->setDocumentMargin(8);
+    setMinimumHeight(80);
+}
+
+void AboutCasePane::setCase(const Case& c)
+{
+    const QString title = QString::fromStdString(c.title);
+    if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch
+        && c.about.assumed == about_.assumed)
+        return;
+    title_ = title;
+    about_ = c.about;
+    result_.clear();
+    rule_.clear();
+    figures_.clear();
+    write();
+}
+
+void AboutCasePane::setResult(const QString& result, const QString& rule, const QString& figures)
+{
+    if (result == result_ && rule == rule_ && figures == figures_) return;
+    result_ = result;
+    rule_ = rule;
+    figures_ = figures;
+    write();
+}
+
+void AboutCasePane::setWarnings(const QStringList& warnings)
+{
+    if (warnings == warnings_) return;
+    warnings_ = warnings;
+    write();
+}
+
+void AboutCasePane::changeEvent(QEvent* event)
+{
+    QTextBrowser::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+}
+
+void AboutCasePane::write()
+{
+    const MeaningColours colours = meaningColours(palette());
+    QString html = QStringLiteral("<p><b>%1</b></p>").arg(title_.toHtmlEscaped());
+    const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
+        if (text.isEmpty()) return;
+        html += QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
+                    .arg(colour.name(), heading, text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+    };
+    part(tr("What the paper saw"), QString::fromStdString(about_.paper), colours.muted);
+    part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
+    part(tr("What this run shows"), result_, colours.change);
+    part(tr("How that was decided"), rule_, colours.muted);
+    part(tr("Its figures"), figures_, colours.muted);
+    part(tr("⚠ What the file says without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
+    part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
+    setHtml(html);
+}
+
+QString resultText(const RunRecord& run)
+{
+    if (!run.summary) return {};
+    const Summary& summary = *run.summary;
+    QString text;
+    if (summary.status == RunStatus::Completed && run.value.model == ModelKind::Contact) {
+        const auto add = [&](const char* name, const QString& what) {
+            const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
+            if (figure == summary.figures.end()) return;
+            const QString part = figure->value == 0.0 ? AboutCasePane::tr("No contact") : what.arg(figureText(*figure));
+            text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + part;
+        };
+        add("largest_contact_force", AboutCasePane::tr("Largest contact force %1"));
+        add("pull_off_force", AboutCasePane::tr("pull-off force %1"));
+        add("snap_in_separation", AboutCasePane::tr("snap-in at %1"));
+        text += QLatin1Char('.');
+    } else if (summary.status == RunStatus::Completed) {
+        QStringList ends;
+        const bool film = run.value.model == ModelKind::Film;
+        for (const char* name : {film ? "minimum_spacing" : "flying_height", "pitch", "net_contact_force"}) {
+            const int index = findQuantity(run.quantities, name);
+            const std::optional<double> value = run.last(name);
+            if (index < 0 || !value) continue;
+            const Quantity& quantity = run.quantities[static_cast<std::size_t>(index)];
+            if (quantity.name == "flying_height")
+                ends << AboutCasePane::tr("flying height %1").arg(readout(*value, quantity));
+            else if (quantity.name == "minimum_spacing")
+                ends << AboutCasePane::tr("minimum spacing %1").arg(readout(*value, quantity));
+            else if (quantity.name == "pitch")
+                ends << AboutCasePane::tr("pitch %1").arg(readout(*value, quantity));
+            else if (*value != 0.0)
+                ends << AboutCasePane::tr("net contact force %1").arg(readout(*value, quantity));
+        }
+        text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
+        if (!summary.bouncingRule.empty())
+            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It goes on bouncing.") : AboutCasePane::tr("It does not go on bouncing."));
+    } else {
+        text = sentence(summary.message);
+    }
+    return text;
+}
+
+QString figureText(const RunFigure& figure)
+{
+    // Between sliders and single asperities forces differ by powers of ten.
+    QString text = figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+    return text.replace(QLatin1Char('-'), QChar(0x2212)); // a true minus sign
+}
+
+QString figuresText(const Summary& summary)
+{
+    QStringList lines;
+    for (const RunFigure& figure : summary.figures)
+        lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName), figureText(figure));
+    if (summary.fit) lines << sentence(summary.fit->message);
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace touchdown

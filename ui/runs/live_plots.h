@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which quantities
+// go in which plot.
+//
+// A plot with one quantity tells runs apart by colour and dash; a plot with several tells quantities apart by colour and
+// runs by dash. With a baseline, every other run is shown as its difference from it.
+#pragma once
+
+#include "ui/plot/plot_group.h"
+#include "ui/runs/runs_model.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace touchdown {
+
+class LivePlots : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `runs` must outlive the plots.
+    explicit LivePlots(RunsModel& runs, QWidget* parent = nullptr);
+
+    PlotGroup* group() const { return group_; }
+
+    struct Entry {
+        QString name;  // "spacing": of files and settings
+        QString title; // "Minimum spacing"
+        PlotWidget* plot;
+        QAction* wanted; // by the user, checkable; shown if a run has its quantities too
+    };
+    const std::vector<Entry>& plots() const { return entries_; }
+    PlotWidget* plot(const QString& name) const;
+    QAction* wanted(const QString& name) const;
+    /// The case that is edited: what it would record stands ready.
+    void setCase(const Case& c);
+
+    /// Samples of this run have come.
+    void dataArrived(int number);
+    /// The run has ended: its last events, and its difference to the baseline.
+    void runFinished(int number);
+
+signals:
+    /// Curves came or went.
+    void curvesChanged();
+
+private:
+    struct Spec;
+    static const std::vector<Spec>& specs();
+
+    void addRun(int number);
+    void removeRun(int number);
+    void rebuild();
+    void addCurves(const RunRecord& run);
+    PlotCurve curveOf(const RunRecord& run, std::size_t spec, std::size_t curve) const;
+    void noteHiddenCurves();
+    const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
+    void updateMarks();
+    std::vector<PointMark> eventPoints(const RunRecord& run) const;
+    void updateVisibility();
+    const RunRecord* newestShown() const;
+
+    RunsModel& runs_;
+    PlotGroup* group_;
+    QVBoxLayout* layout_;
+    ModelKind model_ = ModelKind::Springs; // of the case
+    std::vector<std::string> ready_;     // quantities that the case would record
+    std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
+    std::vector<Entry> entries_;
+    std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
+    std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
+    std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
+    std::size_t marksShown_ = 0;
+};
+
+} // namespace touchdown

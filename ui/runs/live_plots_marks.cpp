@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands in the plots beside the curves: events of the newest run, and heights of its case to compare with.
+#include "ui/runs/live_plots.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "core/formats/units.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t mostMarks = 2000; // ticks closer than pixels say nothing
+
+} // namespace
+
+void LivePlots::updateMarks()
+{
+    const RunRecord* run = newestShown();
+    std::vector<EventMark> marks;
+    std::vector<ReferenceLine> spacing;
+    std::vector<ReferenceLine> pitch;
+    marksShown_ = 0;
+    if (run) {
+        marksShown_ = run->events.size();
+        for (std::size_t i = 0; i < std::min(mostMarks, run->events.size()); ++i)
+            marks.push_back({run->events[i].time, QString::fromStdString(run->events[i].name)});
+        if (runs_.baseline() < 0) {
+            const Case& c = run->value;
+            const auto line = [](const char* symbol, double value) {
+                return ReferenceLine{value, QStringLiteral("%1 = %2").arg(QString::fromUtf8(symbol),
+                                                                         QString::fromStdString(formatQuantity(value, "nm")))};
+            };
+            if (c.model == ModelKind::Springs) spacing.push_back(line("d₁", c.springs.cutoff));
+            if (c.contact == ContactKind::OnoYamane) {
+                spacing.push_back(line("dₛ", c.onoYamane.touchDown));
+                spacing.push_back(line("dₑ", c.onoYamane.takeOff));
+            }
+            if (c.model == ModelKind::Springs) pitch.push_back({c.springs.pitch, tr("static")});
+        }
+    }
+    for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
+    PlotWidget* forces = plot(QStringLiteral("force_separation"));
+    forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
+    // A slider falls from heights at which nothing acts yet.
+    const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;
+    forces->setMostX(falls ? std::optional(2.0 * run->value.onoYamane.takeOff) : std::nullopt);
+    plot(QStringLiteral("spacing"))->setReferenceLines(spacing);
+    plot(QStringLiteral("pitch"))->setReferenceLines(pitch);
+}
+
+/// Where each kind of event took place first: the snap into contact, the pull-off.
+std::vector<PointMark> LivePlots::eventPoints(const RunRecord& run) const
+{
+    const MinMaxPyramid* separation = run.pyramid("minimum_spacing");
+    const MinMaxPyramid* force = run.pyramid("net_contact_force");
+    std::vector<PointMark> marks;
+    std::set<std::string> named;
+    for (std::size_t i = 0; separation && force && i < std::min(mostMarks, run.events.size()); ++i) {
+        const RunEvent& event = run.events[i];
+        const std::optional<double> x = separation->valueAt(event.time);
+        const std::optional<double> y = force->valueAt(event.time);
+        if (x && y && named.insert(event.name).second) marks.push_back({*x, *y, QString::fromStdString(event.name), {6, 0}});
+    }
+    return marks;
+}
+
+} // namespace touchdown

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_files.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include "ui/plot/plot_export.h"
+
+namespace touchdown {
+
+RunFiles::RunFiles(RunsModel& runs, QWidget& page, QWidget& window)
+    : QObject(&window), runs_(runs), page_(page), window_(window)
+{
+}
+
+void RunFiles::choose(const QString& title, const QString& filter, const QString& suggestion,
+                      const std::function<void(const QString&)>& then)
+{
+    auto* dialog = new QFileDialog(&window_, title, {}, filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
+    dialog->selectFile(suggestion);
+    // The chosen filter decides the ending of a name that was typed without one.
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& chosen) {
+        const QRegularExpressionMatch ending = QRegularExpression(QStringLiteral("\\*\\.(\\w+)")).match(chosen);
+        if (ending.hasMatch()) dialog->setDefaultSuffix(ending.captured(1));
+    });
+    connect(dialog, &QFileDialog::fileSelected, this, then);
+    dialog->open();
+}
+
+void RunFiles::chooseSave(int number, bool csv)
+{
+    const RunRecord* run = runs_.find(number);
+    if (!run) return;
+    const QString hdf5 = tr("HDF5, all of the run (*.h5)");
+    const QString table = tr("CSV, the time series (*.csv)");
+    const QString filter = csv ? table + QStringLiteral(";;") + hdf5 : hdf5 + QStringLiteral(";;") + table;
+    choose(tr("Save run %1").arg(number), filter, baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5")),
+           [this, number](const QString& file) {
+               RunRecord* chosen = runs_.find(number);
+               if (!chosen) return;
+               const bool asCsv = QFileInfo(file).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
+               const QString problem = asCsv ? saveTimeSeries(*chosen, file) : saveHdf5(*chosen, file);
+               if (problem.isEmpty() && !asCsv) chosen->file = file;
+               report(problem, file);
+           });
+}
+
+void RunFiles::chooseOpen()
+{
+    auto* dialog = new QFileDialog(&window_, tr("Open a saved run"), {}, tr("Saved runs (*.h5 *.hdf5);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
+        for (const QString& file : files) openRun(file);
+    });
+    dialog->open();
+}
+
+void RunFiles::openRun(const QString& file)
+{
+    QString problem;
+    std::unique_ptr<RunRecord> record = recordFromFile(runs_.nextNumber(), file, problem);
+    if (!record) {
+        emit failed(problem);
+        return;
+    }
+    const int number = runs_.add(std::move(record)).number;
+    emit succeeded(tr("Run %1 was read from %2.").arg(number).arg(QDir::toNativeSeparators(file)));
+}
+
+void RunFiles::choosePicture()
+{
+    choose(tr("Export the plots"), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"), QStringLiteral("touchdown.png"),
+           [this](const QString& file) { report(savePage(page_, file), file); });
+}
+
+void RunFiles::report(const QString& problem, const QString& file)
+{
+    if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+    else emit failed(problem);
+}
+
+QString RunFiles::baseName(const RunRecord& run) const
+{
+    QString name = run.name.left(40).toLower();
+    name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
+    return QStringLiteral("run%1-%2").arg(run.number).arg(name).remove(QRegularExpression(QStringLiteral("-+$")));
+}
+
+} // namespace touchdown

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs and pictures to and from files, by dialogs that leave the window alive.
+#pragma once
+
+#include "ui/runs/live_plots.h"
+#include "ui/runs/runs_model.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+
+namespace touchdown {
+
+class RunFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this; `page` holds the plots that are exported together.
+    RunFiles(RunsModel& runs, QWidget& page, QWidget& window);
+
+    /// HDF5 or CSV, as the name ends.
+    void chooseSave(int number, bool csv);
+    void chooseOpen();
+    void choosePicture();
+    void openRun(const QString& file);
+
+signals:
+    void succeeded(const QString& sentence);
+    void failed(const QString& sentence);
+
+private:
+    void choose(const QString& title, const QString& filter, const QString& suggestion,
+                const std::function<void(const QString&)>& then);
+    void report(const QString& problem, const QString& file);
+    QString baseName(const RunRecord& run) const;
+
+    RunsModel& runs_;
+    QWidget& page_;
+    QWidget& window_;
+};
+
+} // namespace touchdown

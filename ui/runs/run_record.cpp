@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <QCoreApplication>
+
+#include "core/case_files/case_file.h"
+#include "core/simulation/recording/run_statistics.h"
+
+namespace touchdown {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("touchdown::RunRecord", text);
+}
+
+QString incompleteProblem(const RunRecord& record)
+{
+    return tr("Run %1 has %2 samples and %3 snapshots of fields, more than are kept in memory; switch on \"Record to file\" before such a run "
+              "to keep them all.")
+        .arg(record.number)
+        .arg(record.sampleCount())
+        .arg(record.snapshotsArrived());
+}
+
+RunStatus statusFromName(const std::string& text)
+{
+    for (const RunStatus status : {RunStatus::Completed, RunStatus::Cancelled, RunStatus::Diverged, RunStatus::Failed})
+        if (text == name(status)) return status;
+    return RunStatus::Cancelled; // "interrupted"
+}
+
+} // namespace
+
+RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded,
+                     const std::vector<RecordedFields>& sets)
+    : number(runNumber), name(QString::fromStdString(c.title)), value(c), caseText(std::move(text)),
+      quantities(std::move(recorded))
+{
+    for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
+    const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
+    // Making room takes a pyramid some milliseconds: each does it at a time of its own. The first is the smallest, see
+    // complete().
+    for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
+}
+
+void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
+                       const std::vector<FieldSnapshot>& newFields)
+{
+    for (std::size_t i = 0; i < std::min(columns.size(), batch.columns.size()); ++i)
+        columns[i].append(batch.time, batch.columns[i]);
+    arrived += batch.size();
+    events.insert(events.end(), newEvents.begin(), newEvents.end());
+    for (const FieldSnapshot& snapshot : newFields) fields[snapshot.set].add(snapshot);
+}
+
+void RunRecord::finish(const Summary& ended)
+{
+    summary = ended;
+}
+
+const MinMaxPyramid* RunRecord::pyramid(std::string_view quantity) const
+{
+    const int index = findQuantity(quantities, quantity);
+    return index < 0 ? nullptr : &columns[static_cast<std::size_t>(index)];
+}
+
+std::optional<double> RunRecord::last(std::string_view quantity) const
+{
+    const MinMaxPyramid* column = pyramid(quantity);
+    if (!column || column->empty()) return std::nullopt;
+    return column->value(column->size() - 1);
+}
+
+bool RunRecord::fieldsComplete() const
+{
+    return std::ranges::all_of(fields, [](const FieldHistory& history) { return history.stride == 1; });
+}
+
+std::size_t RunRecord::snapshotsArrived() const
+{
+    std::size_t count = 0;
+    for (const FieldHistory& history : fields) count += history.arrived;
+    return count;
+}
+
+SampleBatch RunRecord::samples() const
+{
+    SampleBatch batch;
+    if (columns.empty()) return batch;
+    const std::size_t count = columns.front().size();
+    batch.time.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) batch.time.push_back(columns.front().time(k));
+    for (const MinMaxPyramid& column : columns) {
+        std::vector<double>& values = batch.columns.emplace_back();
+        values.reserve(count);
+        for (std::size_t k = 0; k < count; ++k) values.push_back(column.value(k));
+    }
+    return batch;
+}
+
+double RunRecord::lastTime() const
+{
+    return columns.empty() || columns.front().empty() ? 0.0 : columns.front().lastTime();
+}
+
+std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem)
+{
+    const StoredRun stored = readResults(std::filesystem::path(file.toStdString()));
+    if (!stored.problem.empty()) {
+        problem = QString::fromStdString(stored.problem);
+        return nullptr;
+    }
+    // A file whose case this version cannot read still shows its samples.
+    const CaseDocument document = parseCase(stored.caseText, file.toStdString());
+    auto record = std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
+    record->name = QString::fromStdString(stored.title);
+    record->file = file;
+    record->append(stored.samples, {}, stored.fields);
+    Summary summary;
+    summary.status = statusFromName(stored.status);
+    summary.message = stored.message;
+    if (stored.status == "interrupted") summary.message = tr("The program that wrote this run was interrupted.").toStdString();
+    summary.endTime = record->lastTime();
+    for (const Quantity& quantity : stored.quantities)
+        if (const std::optional<double> last = record->last(quantity.name)) summary.final.emplace_back(quantity.name, *last);
+    record->finish(summary);
+    return record;
+}
+
+QString saveHdf5(const RunRecord& record, const QString& file)
+{
+    if (!record.complete() || !record.fieldsComplete()) return incompleteProblem(record);
+    ResultsWriter writer;
+    std::vector<RecordedFields> sets;
+    for (const FieldHistory& history : record.fields) sets.push_back(history.fields);
+    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, sets);
+    if (problem.empty()) problem = writer.append(record.samples());
+    for (const FieldHistory& history : record.fields)
+        if (problem.empty()) problem = writer.append({}, history.snapshots);
+    for (const Quantity& quantity : record.quantities) {
+        if (!problem.empty() || quantity.name != "minimum_spacing") continue;
+        const Spectrum spectrum = spectrumOf(record, quantity.name, welchOptions(record.value.spectrum, record.value.run.sampleInterval), record.value.spectrum.start);
+        if (!spectrum.empty()) problem = writer.addSpectrum(quantity, spectrum, record.value.spectrum);
+    }
+    if (problem.empty()) problem = writer.finish(record.summary.value_or(Summary{}));
+    return QString::fromStdString(problem);
+}
+
+QString saveTimeSeries(const RunRecord& record, const QString& file)
+{
+    if (!record.complete()) return incompleteProblem(record);
+    CsvWriter writer;
+    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.quantities);
+    if (problem.empty()) problem = writer.append(record.samples());
+    if (problem.empty()) problem = writer.close();
+    return QString::fromStdString(problem);
+}
+
+Spectrum spectrumOf(const RunRecord& record, std::string_view quantity, const WelchOptions& options, double start)
+{
+    const MinMaxPyramid* column = record.pyramid(quantity);
+    if (!column || column->empty() || !record.complete()) return {};
+    const auto [begin, end] = column->samplesWithin(start, column->lastTime());
+    if (end - begin < 8) return {};
+    // Samples are evenly spaced except for the last, which may come at the end of a run that broke off.
+    const double interval = column->time(begin + 1) - column->time(begin);
+    std::vector<double> signal;
+    signal.reserve(end - begin);
+    for (std::size_t k = begin; k < end; ++k) signal.push_back(column->value(k));
+    return welch(signal, interval, options);
+}
+
+} // namespace touchdown

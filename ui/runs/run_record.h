@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One run as the window holds it: its case, its samples, its events, how it ended.
+//
+// Samples live in pyramids, of which each holds a bounded number; beyond that the extremes stay and
+// the rest goes (see `complete`). Pyramids do not move, so that curves may point to them. Snapshots of
+// fields are bounded too (see FieldHistory).
+#pragma once
+
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
+#include "ui/maps/field_history.h"
+#include "ui/plot/min_max_pyramid.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchdown {
+
+struct RunRecord {
+    /// Samples held of each quantity, at least.
+    static constexpr std::size_t capacity = std::size_t(1) << 20;
+    static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
+
+    /// Values of all fields of all snapshots, shared by the sets: 256 MB.
+    static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
+
+    /// A run that is to start.
+    RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities,
+              const std::vector<RecordedFields>& fields = {});
+    RunRecord(const RunRecord&) = delete;
+    RunRecord& operator=(const RunRecord&) = delete;
+
+    void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
+                const std::vector<FieldSnapshot>& newFields = {});
+    void finish(const Summary& ended);
+    bool finished() const { return summary.has_value(); }
+
+    /// nullptr if the run does not record it, or has no sample yet.
+    const MinMaxPyramid* pyramid(std::string_view quantity) const;
+    /// The last sample; nothing if there is none.
+    std::optional<double> last(std::string_view quantity) const;
+    std::size_t sampleCount() const { return arrived; }
+    /// Whether every sample is still held.
+    bool complete() const { return columns.empty() || columns.front().size() == arrived; }
+    /// Whether every snapshot is still held.
+    bool fieldsComplete() const;
+    std::size_t snapshotsArrived() const;
+    /// All samples held; only of a complete record.
+    SampleBatch samples() const;
+    double lastTime() const; // [s]
+
+    int number;         // in the list of runs, from 1
+    QString name;       // of the case
+    Case value;
+    std::string caseText;
+    std::vector<Quantity> quantities;
+    std::deque<MinMaxPyramid> columns; // in the order of `quantities`
+    std::size_t arrived = 0;
+    std::vector<RunEvent> events;
+    std::vector<FieldHistory> fields; // in the order of the sets
+    std::optional<Summary> summary;
+    QString note;
+    QString file;       // it was read from, or written to
+    bool shown = true;  // in the plots
+};
+
+/// A run read back from a file; nothing when the file could not be read, with `problem` set.
+std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem);
+/// The whole run as an HDF5 file, with the spectrum that its case asks for. "" or the problem in a sentence.
+QString saveHdf5(const RunRecord& record, const QString& file);
+/// The time series as CSV.
+QString saveTimeSeries(const RunRecord& record, const QString& file);
+
+/// The power spectrum of a quantity over what the record holds, from `start` on; empty while there is too little.
+Spectrum spectrumOf(const RunRecord& record, std::string_view quantity, const WelchOptions& options, double start);
+
+} // namespace touchdown

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_view.h"
+
+#include <QVBoxLayout>
+
+#include "core/case/fields.h"
+
+namespace touchdown {
+
+RunView::RunView(RunsModel& runs, QWidget* parent)
+    : QWidget(parent),
+      plots_(new LivePlots(runs, this)),
+      spectrum_(new LiveSpectrum(runs, this)),
+      side_(new SideView(runs, this)),
+      maps_(new RunMaps(runs, this)),
+      disk_(new DiskSurfaceView(this)),
+      splitter_(new QSplitter(Qt::Vertical, this)),
+      tabs_(new QTabBar(this)),
+      pages_(new QStackedWidget(this)),
+      spectrumWanted_(new QAction(tr("Power spectrum"), this))
+{
+    splitter_->addWidget(plots_);
+    splitter_->addWidget(spectrum_);
+    splitter_->setStretchFactor(0, 2);
+    splitter_->setStretchFactor(1, 1);
+    splitter_->setSizes({560, 280});
+    splitter_->setChildrenCollapsible(true);
+    splitter_->setCollapsible(0, false);
+    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(side_), static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)})
+        pages_->addWidget(page);
+
+    for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
+    tabs_->setAccessibleName(tr("What is shown of the runs"));
+    tabs_->setExpanding(false);
+    tabs_->setFocusPolicy(Qt::StrongFocus);
+    tabs_->setDocumentMode(true);
+    spectrumWanted_->setCheckable(true);
+    spectrumWanted_->setChecked(true);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tabs_);
+    layout->addWidget(pages_, 1);
+    connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
+    connect(spectrumWanted_, &QAction::toggled, this, &RunView::showSpectrum);
+    // Going through the maps leaves its trace in the plots.
+    connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
+    connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
+        if (which == 0) side_->showTime(plots_->group()->cursor(0));
+    });
+    setCase({});
+}
+
+void RunView::setCase(const Case& c)
+{
+    model_ = c.model;
+    // The patches of a film's contact take longer to find than a key press may.
+    const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
+    const bool disk = findField("disk.surface.kind")->used(c);
+    const bool side = c.model == ModelKind::Film;
+    tabs_->setTabVisible(static_cast<int>(Page::Side), side);
+    tabs_->setTabVisible(static_cast<int>(Page::Maps), maps);
+    tabs_->setTabVisible(static_cast<int>(Page::Disk), disk);
+    tabs_->setVisible(side || maps || disk);
+    if (!tabs_->isTabVisible(tabs_->currentIndex())) setPage(Page::Plots);
+    plots_->setCase(c);
+    disk_->setCase(c);
+    showSpectrum();
+}
+
+void RunView::showSpectrum() { spectrum_->setVisible(spectrumWanted_->isChecked() && model_ != ModelKind::Contact); }
+
+void RunView::fit()
+{
+    plots_->group()->fit();
+    spectrum_->view()->group()->fit();
+    maps_->fit();
+    disk_->fit();
+}
+
+} // namespace touchdown

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page of runs over time: plots and spectrum; and where the case has them, the slider from the side, the maps of film and
+// contact, and the surface of the disk.
+#pragma once
+
+#include "ui/runs/run_maps.h"
+#include "ui/disk/disk_surface_view.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/side_view.h"
+
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabBar>
+
+namespace touchdown {
+
+class RunView : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Page { Plots, Side, Maps, Disk };
+    Q_ENUM(Page)
+
+    /// `runs` must outlive the widget.
+    explicit RunView(RunsModel& runs, QWidget* parent = nullptr);
+
+    /// The case as it is edited decides which pages there are.
+    void setCase(const Case& c);
+    void setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
+    Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
+    void fit();
+
+    LivePlots* plots() const { return plots_; }
+    LiveSpectrum* spectrum() const { return spectrum_; }
+    SideView* side() const { return side_; }
+    RunMaps* maps() const { return maps_; }
+    DiskSurfaceView* disk() const { return disk_; }
+    QSplitter* splitter() const { return splitter_; }
+    QTabBar* tabs() const { return tabs_; }
+    /// Whether the spectrum is wanted; a slow approach has none worth seeing.
+    QAction* spectrumWanted() const { return spectrumWanted_; }
+
+private:
+    void showSpectrum();
+
+    ModelKind model_ = ModelKind::Springs;
+    LivePlots* plots_;
+    LiveSpectrum* spectrum_;
+    SideView* side_;
+    RunMaps* maps_;
+    DiskSurfaceView* disk_;
+    QSplitter* splitter_;
+    QTabBar* tabs_;
+    QStackedWidget* pages_;
+    QAction* spectrumWanted_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/run_window.h"
+
+#include <utility>
+
+namespace touchdown {
+
+RunWindow::RunWindow(QWidget* parent)
+    : QObject(parent),
+      view_(new RunView(runs_, parent)),
+      panel_(new RunsPanel(runs_, parent)),
+      values_(new CursorTable(view_->plots()->group(), parent)),
+      progress_(new RunProgress(parent))
+{
+    connect(&controller_, &RunController::stateChanged, progress_, &RunProgress::setState);
+    connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
+    connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
+    connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
+    connect(panel_, &RunsPanel::runChosen, view_->maps(), &RunMaps::showRun);
+    connect(panel_, &RunsPanel::runChosen, view_->side(), &SideView::showRun);
+}
+
+RunWindow::~RunWindow()
+{
+    runs_.disconnect();
+    controller_.disconnect();
+}
+
+void RunWindow::open(const Case& c) { view_->spectrum()->setOptionsOf(c); }
+
+void RunWindow::edit(const Case& c) { view_->setCase(c); }
+
+void RunWindow::start(RunRequest request)
+{
+    controller_.stopAndWait();
+    add(request);
+    controller_.start(std::move(request));
+}
+
+void RunWindow::add(const RunRequest& request)
+{
+    // Another model has other quantities over another time.
+    for (int row = 0; row < runs_.count(); ++row)
+        if (runs_.record(row).shown && (!panel_->overlay() || runs_.record(row).value.model != request.value.model))
+            runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
+    auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
+                                              recordedQuantities(request.value), recordedFields(request.value));
+    record->file = QString::fromStdString(request.recordTo.string());
+    number_ = runs_.add(std::move(record)).number;
+    panel_->setRunningRun(number_);
+    view_->spectrum()->setOptionsOf(request.value);
+    progress_->begin();
+    emit started(number_);
+    if (view_->plots()->group()->follow() != PlotGroup::Follow::Frozen) view_->plots()->group()->fit();
+}
+
+void RunWindow::onDelivered(const RunDelivery& delivery)
+{
+    runs_.append(number_, delivery.samples, delivery.events, delivery.fields);
+    view_->plots()->dataArrived(number_);
+    view_->spectrum()->dataArrived(number_);
+    view_->side()->dataArrived(number_);
+    if (!delivery.fields.empty()) view_->maps()->dataArrived(number_);
+    if (delivery.duration > 0.0) progress_->advance(delivery.time, delivery.duration);
+}
+
+void RunWindow::onFinished(const Summary& summary)
+{
+    const int number = std::exchange(number_, -1);
+    runs_.finish(number, summary);
+    panel_->setRunningRun(-1);
+    view_->plots()->runFinished(number);
+    view_->spectrum()->runFinished(number);
+    view_->maps()->dataArrived(number);
+    progress_->end(summary);
+    emit ended(number, summary);
+}
+
+} // namespace touchdown

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of the window that belongs to runs over time: their page, the panes with the runs and the values at the cursors,
+// the progress, and the solver between them.
+#pragma once
+
+#include <QObject>
+
+#include "ui/plot/cursor_table.h"
+#include "ui/runs/run_controller.h"
+#include "ui/runs/run_progress.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_panel.h"
+
+namespace touchdown {
+
+class RunWindow : public QObject {
+    Q_OBJECT
+
+public:
+    explicit RunWindow(QWidget* parent);
+    ~RunWindow() override;
+
+    RunsModel& runs() { return runs_; }
+    RunController& controller() { return controller_; }
+    RunView* view() const { return view_; }
+    RunsPanel* panel() const { return panel_; }
+    CursorTable* values() const { return values_; }
+    RunProgress* progress() const { return progress_; }
+
+    /// Another case was opened.
+    void open(const Case& c);
+    /// The case as it is edited.
+    void edit(const Case& c);
+    /// A run under way ends, and says so, before the new one is in the list.
+    void start(RunRequest request);
+
+signals:
+    void started(int number);
+    /// Everything shows it by now.
+    void ended(int number, const touchdown::Summary& summary);
+
+private:
+    void add(const RunRequest& request);
+    void onDelivered(const RunDelivery& delivery);
+    void onFinished(const Summary& summary);
+
+    RunsModel runs_;
+    RunController controller_;
+    RunView* view_;
+    RunsPanel* panel_;
+    CursorTable* values_;
+    RunProgress* progress_;
+    int number_ = -1; // in the list, of the run under way
+};
+
+} // namespace touchdown

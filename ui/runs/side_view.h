@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The slider over the disk, from the side: x to scale, heights exaggerated. Shows the air bearing surface along the slider (at each x what
+// reaches furthest down, across all y) at the attitude of a run's latest sample, or at a time that was chosen; and how the disk moves.
+// Recesses that are deep beside the heights at which pads fly are cut off.
+#pragma once
+
+#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_theme.h"
+#include "ui/runs/runs_model.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+namespace touchdown {
+
+class SideView : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `runs` must outlive the widget.
+    explicit SideView(RunsModel& runs, QWidget* parent = nullptr);
+
+    /// -1: none. Of a film.
+    void showRun(int number);
+    void dataArrived(int number);
+    /// Nothing: the latest sample, as it comes.
+    void showTime(const std::optional<double>& time);
+
+    /// What is seen.
+    struct State {
+        double time = 0.0;           // [s]
+        double trailingHeight = 0.0; // nominal, of the trailing edge's centre above the mean disk plane [m]
+        double pitch = 0.0;          // [rad]
+        double spacing = 0.0;        // the smallest one [m]
+        double contactForce = 0.0;   // [N]
+    };
+    const std::optional<State>& state() const { return state_; }
+    /// Metres of length drawn as long as one metre of height.
+    double exaggeration() const;
+    /// Of the surface at a share of the slider's length [m].
+    double heightAt(double share) const;
+
+    QSize sizeHint() const override { return {640, 400}; }
+    QSize minimumSizeHint() const override { return {240, 160}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void takeRun();
+    void takeState();
+    QRectF plotArea() const;
+    QPointF toPixel(double x, double height) const;
+    void paintAxes(QPainter& painter, const PlotTheme& theme) const;
+    void paintDisk(QPainter& painter, const PlotTheme& theme) const;
+    void paintSlider(QPainter& painter, const PlotTheme& theme) const;
+    void paintReadings(QPainter& painter, const PlotTheme& theme) const;
+
+    RunsModel& runs_;
+    int number_ = -1;
+    std::optional<double> time_;
+    std::optional<State> state_;
+    std::vector<double> profile_; // lowest recess at equal steps from the leading to the trailing edge [m]
+    double length_ = 0.0;         // of the slider [m]
+    double speed_ = 0.0;          // of the disk [m/s]
+    PlotAxis height_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slider/attitude_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QCoreApplication>
+
+#include "core/case/fields.h"
+#include "core/formats/units.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double gramForce = 9.80665e-3; // [N]
+
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::AttitudeTable", text); }
+
+QString fixed(double value, int decimals, const QLocale& locale)
+{
+    QLocale ungrouped = locale;
+    ungrouped.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    QString text = ungrouped.toString(value, 'f', std::clamp(decimals, 0, 12));
+    if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QChar(0x2212)); // a true minus sign
+    return text;
+}
+
+/// Decimals that show `digits` significant digits of a number.
+int decimalsOf(double value, int digits)
+{
+    return value == 0.0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+}
+
+/// Four significant digits; large and tiny numbers with three and a power of ten.
+QString plain(double value, const QLocale& locale)
+{
+    const double size = std::abs(value);
+    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return locale.toString(value, 'e', 2).replace(QLatin1Char('-'), QChar(0x2212));
+    return fixed(value, decimalsOf(value, 4), locale);
+}
+
+/// In mm, as the heads of the columns say.
+QString place(const SurfacePoint& at, const QLocale& locale)
+{
+    const QString separator = locale.decimalPoint() == QLatin1String(",") ? QStringLiteral("; ") : QStringLiteral(", ");
+    return fixed(at.x / 1e-3, 3, locale) + separator + fixed(at.y / 1e-3, 3, locale);
+}
+
+AttitudeSection attitude(const SteadyResult& r, const QLocale& locale)
+{
+    const DiscretisationError& error = r.discretisationError;
+    return {tr("Attitude"),
+            {},
+            {{tr("Trailing edge height"), withError(r.attitude.height, 0.0, "nm", locale)},
+             {tr("Pitch"), withError(r.attitude.pitch, error.pitch, "urad", locale)},
+             {tr("Roll"), withError(r.attitude.roll, error.roll, "urad", locale)},
+             {tr("Minimum spacing"), withError(r.minimumSpacing, error.minimumSpacing, "nm", locale)},
+             {tr("at x, y [mm]"), place(r.minimumAt, locale)}}};
+}
+
+AttitudeSection interest(const Case& c, const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Points of interest"), {tr("Spacing"), tr("At x, y [mm]")}, {}};
+    const std::size_t points = std::min(r.interestSpacing.size(), c.surface.pointsOfInterest.size());
+    for (std::size_t i = 0; i < points; ++i)
+        section.rows.push_back({QStringLiteral("P%1").arg(i + 1), withError(r.interestSpacing[i], 0.0, "nm", locale),
+                                place(c.surface.pointsOfInterest[i], locale)});
+    return section;
+}
+
+AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
+{
+    const FilmForces& f = r.forces;
+    const auto milli = [&](double newtons, double error = 0.0) { return withError(newtons, error, "mN", locale); };
+    const auto torque = [&](double value) { return withError(value, 0.0, "uN m", locale); };
+    const auto pressure = [&](double value) { return withError(value, 0.0, "kPa", locale); };
+    return {tr("Air bearing"),
+            {QString(), tr("At x, y [mm]")},
+            {{tr("Net force"), milli(f.net, r.discretisationError.load), fixed(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
+             {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
+             {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
+             {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
+             {tr("Least pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
+             {tr("Shear along x"), milli(f.shearX)},
+             {tr("Shear along y"), milli(f.shearY)},
+             {tr("Pitch torque"), torque(f.pitchTorque)},
+             {tr("Roll torque"), torque(f.rollTorque)}}};
+}
+
+AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Stiffness of the film"),
+                            {tr("per nm height"), tr("per µrad pitch"), tr("per µrad roll")},
+                            {}};
+    if (!r.stiffness) return section;
+    const std::array<QString, 3> names{tr("Force [mN]"), tr("Pitch [µN·m]"), tr("Roll [µN·m]")};
+    constexpr std::array<double, 3> shown{1e-3, 1e-6, 1e-6};  // [N], [N m]
+    constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6};  // [m], [rad]
+    for (std::size_t i = 0; i < 3; ++i) {
+        QStringList row{names[i]};
+        for (std::size_t j = 0; j < 3; ++j) row << plain((*r.stiffness)[i][j] * moved[j] / shown[i], locale);
+        section.rows.push_back(row);
+    }
+    return section;
+}
+
+AttitudeSection sensitivities(const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Sensitivities"),
+                            {tr("Height [nm]"), tr("Pitch [µrad]"), tr("Roll [µrad]"), tr("Minimum spacing [nm]")},
+                            {}};
+    for (const Sensitivity& s : r.sensitivities) {
+        const Field* field = findField(s.parameter);
+        const std::string unit = field && !field->displayUnit.empty() ? field->displayUnit : s.unit;
+        const double step = unit.empty() ? 1.0 : unitFactor(unit);
+        const QString name = field ? QString::fromStdString(field->label) : QString::fromStdString(s.parameter);
+        section.rows.push_back({unit.empty() ? tr("%1, per 1").arg(name) : tr("%1, per %2").arg(name, unitText(unit)),
+                                plain(s.height * step / 1e-9, locale), plain(s.pitch * step / 1e-6, locale),
+                                plain(s.roll * step / 1e-6, locale), plain(s.minimumSpacing * step / 1e-9, locale)});
+    }
+    return section;
+}
+
+AttitudeSection equilibria(const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Other equilibria"), {tr("Height"), tr("Pitch"), tr("Roll")}, {}};
+    for (std::size_t i = 0; i < r.otherEquilibria.size(); ++i) {
+        const Attitude& a = r.otherEquilibria[i];
+        section.rows.push_back({QString::number(i + 2), withError(a.height, 0.0, "nm", locale),
+                                withError(a.pitch, 0.0, "urad", locale), withError(a.roll, 0.0, "urad", locale)});
+    }
+    return section;
+}
+
+QString statusText(SteadyStatus status)
+{
+    switch (status) {
+    case SteadyStatus::Converged: return tr("converged");
+    case SteadyStatus::NotConverged: return tr("not converged");
+    case SteadyStatus::Cancelled: return tr("stopped");
+    case SteadyStatus::Failed: return tr("failed");
+    }
+    return {};
+}
+
+AttitudeSection solution(const SteadyResult& r, const QLocale& locale)
+{
+    const QString cells = r.grid.x.empty() ? QString() : tr("%1 × %2 cells").arg(r.grid.nx()).arg(r.grid.ny());
+    return {tr("Solution"),
+            {},
+            {{tr("Status"), statusText(r.status)},
+             {tr("Grid"), cells},
+             {tr("Iterations"), locale.toString(r.iterations)},
+             {tr("Residual"), plain(r.residual, locale)},
+             {tr("Load error"), plain(r.loadError, locale)},
+             {tr("Time"), timeText(r.wallSeconds, locale)}}};
+}
+
+} // namespace
+
+QString withError(double value, double error, std::string_view displayUnit, const QLocale& locale)
+{
+    const double factor = unitFactor(displayUnit);
+    const double shown = value / factor;
+    const QString unit = QChar(0x00A0) + unitText(displayUnit);
+    if (!(error > 0.0) || !std::isfinite(error)) {
+        const int decimals = std::abs(shown) < 1.0 ? 3 : std::max(0, decimalsOf(shown, 4));
+        return fixed(std::abs(shown) < 5e-4 ? 0.0 : shown, decimals, locale) + unit;
+    }
+    // One digit of the error, two of one that begins with 1; the next power of ten when rounding gets there.
+    const double size = error / factor;
+    const double lead = size / std::pow(10.0, std::floor(std::log10(size)));
+    const int decimals = std::max(0, decimalsOf(size, lead < 1.95 ? 2 : 1));
+    return fixed(shown, decimals, locale) + QStringLiteral("\u00A0±\u00A0") + fixed(size, decimals, locale) + unit;
+}
+
+std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result, const QLocale& locale)
+{
+    std::vector<AttitudeSection> sections;
+    if (!result.pressure.empty()) {
+        sections = {attitude(result, locale),     interest(c, result, locale),  forces(result, locale),
+                    stiffness(result, locale),    sensitivities(result, locale), equilibria(result, locale)};
+        std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
+    }
+    sections.push_back(solution(result, locale));
+    return sections;
+}
+
+QString sectionsAsText(const std::vector<AttitudeSection>& sections)
+{
+    QStringList lines;
+    for (const AttitudeSection& section : sections) {
+        if (!lines.isEmpty()) lines << QString();
+        lines << (QStringList{section.title} + section.columns).join(QLatin1Char('\t'));
+        for (const QStringList& row : section.rows) lines << row.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+QString steadyText(const SteadyResult& result, const QLocale& locale)
+{
+    const QString reason = sentence(result.message);
+    if (result.status == SteadyStatus::Cancelled) return reason.isEmpty() ? tr("Stopped.") : reason;
+    if (result.status == SteadyStatus::Failed) return reason.isEmpty() ? tr("The calculation failed.") : reason;
+    const QString state = tr("minimum spacing %1, trailing edge height %2, pitch %3, roll %4, net force %5.")
+                              .arg(withError(result.minimumSpacing, result.discretisationError.minimumSpacing, "nm", locale),
+                                   withError(result.attitude.height, 0.0, "nm", locale),
+                                   withError(result.attitude.pitch, result.discretisationError.pitch, "urad", locale),
+                                   withError(result.attitude.roll, result.discretisationError.roll, "urad", locale),
+                                   withError(result.forces.net, result.discretisationError.load, "mN", locale));
+    if (result.status == SteadyStatus::NotConverged)
+        return (reason.isEmpty() ? tr("Not converged.") : reason) + QLatin1Char(' ') + tr("The last state: %1").arg(state);
+    return sentence(state.toStdString()) + (reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
+}
+
+} // namespace touchdown

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slider/attitude_table.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+QString cell(const QString& text, const QString& attributes, const QString& style)
+{
+    return QStringLiteral("<td %1 style='padding:1px 0 1px 10px; %2'>%3</td>").arg(attributes, style, text);
+}
+
+/// An error is read after its value: in a quieter colour.
+QString valueHtml(const QString& value, const QColor& muted)
+{
+    const QString text = value.toHtmlEscaped();
+    const qsizetype sign = text.indexOf(QChar(0x00B1));
+    if (sign < 0) return text;
+    const qsizetype end = text.lastIndexOf(QChar(0x00A0));
+    return text.left(sign) + QStringLiteral("<span style='color:%1'>").arg(muted.name()) + text.mid(sign, end - sign)
+           + QStringLiteral("</span>") + text.mid(end);
+}
+
+QString sectionHtml(const AttitudeSection& section, const MeaningColours& colours)
+{
+    const QString muted = QStringLiteral("color:%1").arg(colours.muted.name());
+    QString html = QStringLiteral("<p style='margin:10px 0 2px 0; color:%1; font-weight:600'>%2</p><table width='100%' cellspacing='0'>")
+                       .arg(colours.change.name(), section.title.toHtmlEscaped());
+    if (!section.columns.isEmpty()) {
+        html += QStringLiteral("<tr><td></td>");
+        for (const QString& column : section.columns)
+            html += cell(column.toHtmlEscaped(), QStringLiteral("align='right'"), muted);
+        html += QStringLiteral("</tr>");
+    }
+    for (const QStringList& row : section.rows) {
+        html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>").arg(row.front().toHtmlEscaped());
+        for (qsizetype i = 1; i < row.size(); ++i)
+            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"), QStringLiteral("white-space:nowrap"));
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+} // namespace
+
+AttitudeTable::AttitudeTable(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+{
+    text_->setAccessibleName(tr("Static attitude"));
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setOpenLinks(false);
+    text_->document()->setDocumentMargin(8);
+    text_->setMinimumHeight(80);
+    copy_->setText(tr("Copy"));
+    copy_->setToolTip(tr("Copy all numbers, as a spreadsheet takes them"));
+    copy_->setAccessibleName(tr("Copy the static attitude"));
+    copy_->setAutoRaise(true);
+    copy_->setFocusPolicy(Qt::TabFocus);
+    connect(copy_, &QToolButton::clicked, this, &AttitudeTable::copy);
+
+    auto* tools = new QHBoxLayout;
+    tools->setContentsMargins(6, 0, 6, 0);
+    tools->addStretch(1);
+    tools->addWidget(copy_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->setSpacing(2);
+    layout->addWidget(text_, 1);
+    layout->addLayout(tools);
+    write();
+}
+
+void AttitudeTable::setResult(const Case& c, const SteadyResult& result)
+{
+    sections_ = attitudeSections(c, result);
+    stale_ = false;
+    write();
+}
+
+void AttitudeTable::clear()
+{
+    sections_.clear();
+    stale_ = false;
+    write();
+}
+
+void AttitudeTable::setStale(bool stale)
+{
+    if (stale == stale_ || sections_.empty()) return;
+    stale_ = stale;
+    write();
+}
+
+void AttitudeTable::copy() const { QGuiApplication::clipboard()->setText(sectionsAsText(sections_)); }
+
+void AttitudeTable::write()
+{
+    const MeaningColours colours = meaningColours(palette());
+    QString html;
+    if (sections_.empty())
+        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Not solved yet."));
+    if (stale_)
+        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.warning.name(), tr("The parameters have changed since."));
+    for (const AttitudeSection& section : sections_) html += sectionHtml(section, colours);
+    text_->setHtml(html);
+    copy_->setEnabled(!sections_.empty());
+}
+
+void AttitudeTable::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+}
+
+} // namespace touchdown

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The slider seen from the disk's side in true proportions, for what is drawn on it: x to the right from the leading to
+// the trailing edge, y upwards from the inner to the outer edge, scales in mm, the edges named, the air flow as an
+// arrow, a key at the right. Or a piece of another surface, in mm or µm, of which nothing is named.
+//
+// Mouse: wheel zooms about the pointer, drag moves, double click fits, click chooses a point.
+// Keys: arrows move, + and - zoom, Home fits.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <QRectF>
+#include <QWidget>
+
+#include "core/physics/slider/air_bearing_surface.h"
+#include "ui/plot/picture.h"
+#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_theme.h"
+
+namespace touchdown {
+
+class SliderPlan : public QWidget, public PagePart {
+    Q_OBJECT
+
+public:
+    explicit SliderPlan(QWidget* parent = nullptr);
+
+    void setSlider(double length, double width); // [m]
+    double sliderLength() const { return area_.width(); }
+    double sliderWidth() const { return area_.height(); }
+    /// A pad or a piece of the disk instead of the slider; its top is the smallest y [m].
+    void setPiece(const QRectF& area);
+    /// The slider, or that piece [m].
+    const QRectF& area() const { return area_; }
+    /// Of the scales and the readings: "mm" or "um".
+    std::string_view lengthUnit() const;
+    /// A place on an axis as it is read: "0.1234 mm".
+    QString placeText(double at) const;
+    /// [rad]; positive: air flows from the outer leading to the inner trailing edge.
+    void setSkew(double skew);
+    void setTitle(const QString& title);
+    QString title() const { return title_; }
+    /// Stands at the right of the title.
+    void setReading(const QString& text);
+    QString reading() const { return reading_; }
+
+    /// Shows all of the slider, and goes on doing so when the size changes.
+    void fit();
+    bool isFitted() const { return fitted_; }
+    /// The part of the plane that is seen, in m; its top is the smallest y.
+    QRectF view() const;
+    void zoom(double factor, const QPointF& aboutPixel);
+    void pan(const QPointF& byPixels);
+
+    /// Where the plane is drawn, in pixels of this widget.
+    QRectF planArea() const;
+    QPointF toPixel(const SurfacePoint& point) const;
+    SurfacePoint toSlider(const QPointF& pixel) const;
+    bool onSlider(const SurfacePoint& point) const;
+
+    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+
+    QSize sizeHint() const override { return {640, 460}; }
+    QSize minimumSizeHint() const override { return {260, 180}; }
+
+signals:
+    /// The pointer is over this point of the slider; nothing: it is no longer.
+    void pointed(const std::optional<touchdown::SurfacePoint>& point);
+    void chosen(const touchdown::SurfacePoint& point);
+    void viewChanged();
+
+protected:
+    /// What lies on the slider; the painter is in pixels of this widget and cut to the plan area.
+    virtual void paintContent(QPainter& painter, const PlotTheme& theme) = 0;
+    /// What explains it, in the column that keyWidth() asks for.
+    virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
+    virtual double keyWidth() const = 0; // [px]
+
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    static constexpr double gap = 6.0;          // between things that belong together [px]
+    static constexpr double tickLength = 4.0;   // [px]
+    static constexpr double arrowLength = 38.0; // [px]
+
+    void setArea(const QRectF& area, bool slider);
+    PlotAxis axis(const QString& name, double low, double high) const;
+    void applyFit();
+    void paint(QPainter& painter, const PlotTheme& theme);
+    void paintSurroundings(QPainter& painter, const PlotTheme& theme) const;
+    void paintAirFlow(QPainter& painter, const PlotTheme& theme) const;
+    void paintScales(QPainter& painter, const PlotTheme& theme) const;
+    void paintHeader(QPainter& painter, const PlotTheme& theme) const;
+
+    QRectF area_{0.0, 0.0, 1.25e-3, 1.0e-3}; // [m]
+    bool slider_ = true;      // edges and air are named
+    double skew_ = 0.0;       // [rad]
+    QString title_;
+    QString reading_;
+    SurfacePoint centre_;       // of the view [m]
+    double scale_ = 1e5;        // [px/m]
+    bool fitted_ = true;
+    std::optional<QPointF> pressedAt_; // [px]
+    QPointF draggedTo_;                // [px]
+    bool dragged_ = false;
+};
+
+} // namespace touchdown

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A chart of a study in the window: pointing tells series, setting and numbers; a box zooms a panel, a double click shows all of it;
+// the arrow keys go from point to point; the right button copies and saves.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QWidget>
+
+#include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_drawing.h"
+
+namespace touchdown {
+
+class StudyChartView : public QWidget, public PagePart {
+    Q_OBJECT
+
+public:
+    explicit StudyChartView(QWidget* parent = nullptr);
+    ~StudyChartView() override;
+
+    /// A chart with the axes of the one before keeps its zoom, as while a study goes on.
+    void setChart(StudyChart chart);
+    const StudyChart& chart() const { return chart_; }
+    void fit();
+
+    /// As it would be drawn now.
+    const StudyChartDrawing& drawing() const;
+    /// As it is on the screen, in this theme.
+    Picture picture(const PlotTheme& theme) const;
+    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    /// Of what the pointer, or the keyboard, is at; empty for nothing.
+    QString reading() const;
+
+    QSize sizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+
+public slots:
+    void copyPicture() const;
+    void chooseSave();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    struct Pointed {
+        std::size_t panel = 0;
+        PanelHit hit;
+        bool operator==(const Pointed&) const = default;
+    };
+
+    std::optional<std::size_t> panelAt(const QPointF& pixel) const;
+    void point(const QPointF& pixel);
+    void setPointed(const std::optional<Pointed>& pointed, const QPoint& at);
+    void goToPoint(int by);
+    void redraw();
+
+    StudyChart chart_;
+    std::vector<std::optional<PanelRange>> zoomed_;
+    mutable std::unique_ptr<StudyChartDrawing> drawing_; // nothing when it has to be made anew
+    std::optional<Pointed> pointed_;
+    std::optional<std::size_t> dragged_; // the panel in which a box is drawn
+    QRectF drag_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/studies/study_editor.h"
+
+#include <algorithm>
+
+#include <QDir>
+#include <QEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QSaveFile>
+#include <QVBoxLayout>
+
+#include "core/formats/toml_document.h"
+#include "core/studies/study/study_head.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/save_dialog.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int planDelay = 250; // [ms] after the last key
+constexpr std::size_t mostProblems = 6; // shown at once
+
+/// As the study's file says it; empty where it does not.
+QString kindIn(const QString& text)
+{
+    const TomlDocument toml = readToml(text.toStdString());
+    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
+    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
+    return kind == nullptr ? QString() : QString::fromStdString(*kind);
+}
+
+} // namespace
+
+StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
+    : QWidget(parent),
+      catalogue_(std::move(catalogue)),
+      kinds_(new QComboBox(this)),
+      help_(new QLabel(this)),
+      text_(new StudyTextEdit(this)),
+      problems_(new QLabel(this)),
+      run_(new QPushButton(tr("Perform"), this)),
+      stop_(new QPushButton(tr("Stop"), this)),
+      open_(new QToolButton(this)),
+      save_(new QToolButton(this)),
+      defaults_(new QToolButton(this))
+{
+    for (const StudyKind& kind : catalogue_.kinds) kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
+    build();
+    buildOpenMenu();
+    soon_.setSingleShot(true);
+    soon_.setInterval(planDelay);
+    connect(&soon_, &QTimer::timeout, this, &StudyEditor::replan);
+    connect(kinds_, &QComboBox::currentIndexChanged, this, &StudyEditor::showKind);
+    connect(text_, &QPlainTextEdit::textChanged, this, [this] {
+        drafts_[kind()].text = toText();
+        stale_ = true;
+        soon_.start();
+    });
+    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { text_->goToLine(line.toInt()); });
+    connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
+    connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
+    connect(save_, &QToolButton::clicked, this, &StudyEditor::chooseSave);
+    connect(defaults_, &QToolButton::clicked, this, &StudyEditor::takeDefaults);
+    showKind();
+}
+
+void StudyEditor::build()
+{
+    kinds_->setAccessibleName(tr("Kind of study"));
+    kinds_->setFocusPolicy(Qt::StrongFocus);
+    kinds_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    kinds_->setMinimumContentsLength(12);
+    help_->setWordWrap(true);
+    help_->setTextFormat(Qt::PlainText);
+    problems_->setWordWrap(true);
+    problems_->setTextFormat(Qt::RichText);
+    problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    problems_->setAccessibleName(tr("What is wrong with the study"));
+    run_->setAccessibleName(tr("Perform the study"));
+    run_->setToolTip(tr("Perform the study (Shift+F5)"));
+    stop_->setAccessibleName(tr("Stop the study"));
+    stop_->setToolTip(tr("Stop the study; what there is of it stays (F8)"));
+    stop_->setEnabled(false);
+    for (QPushButton* button : {run_, stop_}) button->setAutoDefault(false);
+    open_->setText(tr("Open"));
+    open_->setAccessibleName(tr("Open a study"));
+    open_->setToolTip(tr("Open a study's file, or a sample study of this kind"));
+    open_->setPopupMode(QToolButton::InstantPopup);
+    save_->setText(tr("Save…"));
+    save_->setAccessibleName(tr("Save the study's text"));
+    save_->setToolTip(tr("Save this text as a study's file, which the command line takes, too"));
+    defaults_->setText(tr("Defaults"));
+    defaults_->setAccessibleName(tr("Take the defaults of this kind of study"));
+    defaults_->setToolTip(tr("Begin again with the defaults for this case"));
+    for (QToolButton* button : {open_, save_, defaults_}) {
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+
+    auto* files = new QHBoxLayout;
+    files->setSpacing(2);
+    files->addWidget(open_);
+    files->addWidget(save_);
+    files->addWidget(defaults_);
+    files->addStretch(1);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(run_, 2);
+    buttons->addWidget(stop_, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 8);
+    layout->setSpacing(6);
+    layout->addWidget(kinds_);
+    layout->addWidget(help_);
+    layout->addLayout(files);
+    layout->addWidget(text_, 1);
+    layout->addWidget(problems_);
+    layout->addLayout(buttons);
+    setMinimumWidth(240);
+    colour();
+}
+
+void StudyEditor::colour()
+{
+    QPalette quiet;
+    quiet.setColor(QPalette::WindowText, meaningColours(palette()).muted);
+    help_->setPalette(quiet);
+}
+
+void StudyEditor::buildOpenMenu()
+{
+    auto* menu = new QMenu(open_);
+    open_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        menu->addAction(tr("&File…"), this, &StudyEditor::chooseOpen);
+        menu->addSection(tr("Sample studies"));
+        for (const SampleStudy& sample : catalogue_.samples) {
+            if (QString::fromStdString(sample.kind) != kind()) continue;
+            menu->addAction(QString::fromStdString(sample.title), this, [this, text = QString::fromStdString(sample.text)] {
+                drafts_[kind()].file.clear();
+                setText(text);
+            });
+        }
+    });
+}
+
+void StudyEditor::setCase(const Case& c)
+{
+    case_ = c;
+    stale_ = true;
+    if (isVisible()) soon_.start();
+}
+
+void StudyEditor::setKind(const QString& name)
+{
+    if (const int index = kinds_->findData(name); index >= 0) kinds_->setCurrentIndex(index);
+}
+
+void StudyEditor::showKind()
+{
+    const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
+    help_->setText(found == catalogue_.kinds.end() ? QString() : sentence(found->help));
+    const Draft draft = drafts_[kind()];
+    text_->setPlainText(draft.text);
+    stale_ = true;
+    if (isVisible()) replan();
+}
+
+void StudyEditor::takeDefaults()
+{
+    drafts_[kind()] = {};
+    replan();
+}
+
+const StudyPlan& StudyEditor::plan()
+{
+    if (stale_) replan();
+    return plan_;
+}
+
+void StudyEditor::replan()
+{
+    soon_.stop();
+    if (kinds_->count() == 0) return;
+    Draft& draft = drafts_[kind()];
+    if (draft.text == draft.defaults && draft.file.isEmpty()) {
+        const QString defaults = QString::fromStdString(catalogue_.textOf(kind().toStdString(), case_));
+        draft.text = draft.defaults = defaults;
+        if (toText() != defaults) text_->setPlainText(defaults);
+        soon_.stop();
+    }
+    const QFileInfo file(draft.file);
+    const QString name = draft.file.isEmpty() ? tr("the study") : file.fileName();
+    const QString folder = draft.file.isEmpty() ? QString() : file.absolutePath();
+    plan_ = catalogue_.plan(kind().toStdString(), draft.text.toStdString(), name.toStdString(), folder.toStdString(), case_);
+    stale_ = false;
+    showProblems();
+    emit planned();
+}
+
+void StudyEditor::showProblems()
+{
+    const QString colour = meaningColours(palette()).failure.name();
+    QStringList lines;
+    std::vector<int> marked;
+    for (const InputProblem& problem : plan_.problems) {
+        const bool ofTheText = problem.file == plan_.name && problem.line > 0;
+        if (ofTheText) marked.push_back(problem.line);
+        if (static_cast<std::size_t>(lines.size()) >= mostProblems) continue;
+        QString text = QString::fromStdString(problem.message).toHtmlEscaped();
+        if (!problem.key.empty()) text = QStringLiteral("<code>%1</code>: %2").arg(QString::fromStdString(problem.key).toHtmlEscaped(), text);
+        if (ofTheText)
+            text = QStringLiteral("<a href='%1' style='color:%2'>%3</a>: ").arg(problem.line).arg(colour, tr("line %1").arg(problem.line)) + text;
+        else if (problem.file != plan_.name)
+            text = QString::fromStdString(problem.file).toHtmlEscaped() + QStringLiteral(": ") + text;
+        lines << QStringLiteral("<span style='color:%1'>✕</span> ").arg(colour) + text;
+    }
+    if (plan_.problems.size() > mostProblems) lines << tr("and %n more", nullptr, static_cast<int>(plan_.problems.size() - mostProblems));
+    problems_->setText(lines.join(QStringLiteral("<br>")));
+    problems_->setVisible(!lines.isEmpty());
+    text_->markLines(marked);
+    run_->setEnabled(plan_.valid() && plan_.perform != nullptr);
+}
+
+void StudyEditor::setRunning(bool running)
+{
+    running_ = running;
+    run_->setText(running ? tr("Perform again") : tr("Perform"));
+    stop_->setEnabled(running);
+}
+
+QString StudyEditor::open(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
+    if (file.size() > static_cast<qint64>(maximumStudyFileSize)) return tr("%1 is too large for a study's file.").arg(QDir::toNativeSeparators(path));
+    const QString text = QString::fromUtf8(file.readAll());
+    setKind(kindIn(text)); // where it says none, it is of the kind that is chosen
+    drafts_[kind()].file = path;
+    setText(text);
+    replan();
+    return {};
+}
+
+QString StudyEditor::save(const QString& path)
+{
+    QSaveFile file(path);
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(toText().toUtf8()) >= 0 && file.commit();
+    if (!written) return tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
+    drafts_[kind()].file = path;
+    stale_ = true;
+    replan();
+    return {};
+}
+
+void StudyEditor::chooseOpen()
+{
+    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+    });
+    dialog->open();
+}
+
+void StudyEditor::chooseSave()
+{
+    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"), [this](const QString& file) {
+        const QString problem = save(file);
+        if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+        return problem;
+    });
+}
+
+void StudyEditor::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        colour();
+        if (!stale_) showProblems();
+    }
+}
+
+void StudyEditor::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (stale_) replan();
+}
+
+} // namespace touchdown

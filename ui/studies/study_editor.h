@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is to be studied: the kind of study, and its text, which begins with the defaults for the case in the window. What is wrong
+// with it is said while it is written. The text of each kind is kept while another one is looked at; one that nobody has touched
+// follows the case.
+#pragma once
+
+#include <map>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+
+#include "ui/studies/study_catalogue.h"
+#include "ui/studies/study_text_edit.h"
+
+namespace touchdown {
+
+class StudyEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StudyEditor(StudyCatalogue catalogue, QWidget* parent = nullptr);
+
+    /// The case in the window, as it is edited.
+    void setCase(const Case& c);
+    void setKind(const QString& name);
+    QString kind() const { return kinds_->currentData().toString(); }
+    /// Of the kind that is chosen; nothing to study is a plan with a problem.
+    const StudyPlan& plan();
+    void setText(const QString& text) { text_->setPlainText(text); }
+    QString toText() const { return text_->toPlainText(); }
+    /// Empty, or why the file cannot be read.
+    QString open(const QString& file);
+    /// Empty, or why the file cannot be written.
+    QString save(const QString& file);
+    void setRunning(bool running);
+
+    QComboBox* kinds() const { return kinds_; }
+    StudyTextEdit* text() const { return text_; }
+    QPushButton* run() const { return run_; }
+    QPushButton* stop() const { return stop_; }
+    QString problems() const { return problems_->text(); }
+
+signals:
+    void runRequested();
+    void stopRequested();
+    /// Something was opened or saved, or could not be.
+    void succeeded(const QString& message);
+    void failed(const QString& problem);
+    /// Another plan, another kind.
+    void planned();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Draft {
+        QString text;
+        QString defaults;  // as the text began
+        QString file;      // where it was opened or saved; empty for none
+    };
+
+    void build();
+    void buildOpenMenu();
+    void chooseOpen();
+    void chooseSave();
+    void showKind();
+    void takeDefaults();
+    void replan();
+    void showProblems();
+    void colour();
+
+    StudyCatalogue catalogue_;
+    Case case_;
+    std::map<QString, Draft> drafts_;
+    StudyPlan plan_;
+    bool stale_ = true; // the plan is of another text or another case
+    bool running_ = false;
+    QTimer soon_;
+
+    QComboBox* kinds_;
+    QLabel* help_;
+    StudyTextEdit* text_;
+    QLabel* problems_;
+    QPushButton *run_, *stop_;
+    QToolButton *open_, *save_, *defaults_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where everything of a panel is.
+#include "ui/studies/study_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontMetricsF>
+
+#include "ui/plot/plot_painter.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double gap = 6.0;        // between things that belong together [px]
+constexpr double tickLength = 4.0; // [px]
+constexpr double reach = 20.0;     // of what is drawn beyond the area, in its widths: more is too much for a painter
+constexpr double near = 9.0;       // of a pointer to a point [px]
+
+} // namespace
+
+QSizeF leastPanelSize(const QFont& font)
+{
+    const double em = QFontMetricsF(plotTextFont(font)).height();
+    return {19.0 * em, 13.5 * em};
+}
+
+StudyPanel::StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font, const QRectF& box,
+                       const std::optional<PanelRange>& zoomed)
+    : panel_(panel),
+      styles_(styles),
+      theme_(theme),
+      textFont_(plotTextFont(font)),
+      numberFont_(plotNumberFont(font)),
+      radius_(0.29 * textFont_.pixelSize()),
+      axes_(panelAxes(panel, zoomed)),
+      box_(box)
+{
+    if (panel.map) {
+        xEdges_ = cellEdges(panel.map->x, panel.x.logarithmic);
+        yEdges_ = cellEdges(panel.map->y, panel.y.logarithmic);
+    }
+    layOut(box);
+}
+
+void StudyPanel::layOut(const QRectF& box)
+{
+    const QFontMetricsF text(textFont_), numbers(numberFont_);
+    const double top = std::ceil(0.5 * numbers.height() + 2.0);
+    const double bottom = tickLength + 1.0 + numbers.height() + 2.0 + text.height();
+    const double right = 1.2 * numbers.horizontalAdvance(QStringLiteral("00"));
+    const double height = std::max(20.0, box.height() - top - bottom);
+    const int mostY = std::clamp(static_cast<int>(height / (2.2 * numbers.height())), 2, 9);
+
+    const auto place = [&] {
+        yTicks_ = axes_.y.ticks(mostY);
+        double widest = 0.0;
+        for (const AxisTick& tick : yTicks_) widest = std::max(widest, numbers.horizontalAdvance(tick.text));
+        const double left = std::ceil(text.height() + gap + widest + tickLength + 3.0);
+        area_ = QRectF(std::ceil(box.left() + left), std::ceil(box.top() + top), std::max(20.0, std::floor(box.width() - left - right)),
+                       std::floor(height));
+    };
+    place();
+    if (panel_.equalScales) {
+        equaliseScales(axes_, area_.size());
+        place();
+        equaliseScales(axes_, area_.size());
+    }
+    const double number = numbers.horizontalAdvance(axes_.x.logarithmic() ? QStringLiteral("10\u2070\u2070\u2070") : QStringLiteral("000.000"));
+    xTicks_ = axes_.x.ticks(std::clamp(static_cast<int>(area_.width() / (1.3 * number)), 2, 12));
+}
+
+double StudyPanel::across(double x) const
+{
+    return area_.left() + std::clamp(axes_.x.position(x), -reach, reach) * area_.width();
+}
+
+double StudyPanel::up(double y) const
+{
+    return area_.bottom() - std::clamp(axes_.y.position(y), -reach, reach) * area_.height();
+}
+
+QPointF StudyPanel::toPixel(double x, double y) const { return {across(x), up(y)}; }
+
+PanelRange StudyPanel::rangeOf(const QRectF& box) const
+{
+    const QRectF part = box.intersected(area_);
+    const auto alongX = [this](double pixel) { return (pixel - area_.left()) / area_.width(); };
+    const auto alongY = [this](double pixel) { return (area_.bottom() - pixel) / area_.height(); };
+    return {axes_.x.part(alongX(part.left()), alongX(part.right())), axes_.y.part(alongY(part.bottom()), alongY(part.top()))};
+}
+
+QRectF StudyPanel::bandBox(const ChartBand& band) const
+{
+    const auto pixel = [&](double value, bool lower) {
+        if (band.alongX) return std::isfinite(value) ? std::clamp(across(value), area_.left(), area_.right()) : lower ? area_.left() : area_.right();
+        return std::isfinite(value) ? std::clamp(up(value), area_.top(), area_.bottom()) : lower ? area_.bottom() : area_.top();
+    };
+    const double from = pixel(band.lower, true), to = pixel(band.upper, false);
+    return band.alongX ? QRectF(QPointF(from, area_.top()), QPointF(to, area_.bottom())).normalized()
+                       : QRectF(QPointF(area_.left(), from), QPointF(area_.right(), to)).normalized();
+}
+
+QRectF StudyPanel::cellBox(int cell) const
+{
+    const auto columns = static_cast<int>(panel_.map->x.size());
+    const auto i = static_cast<std::size_t>(cell % columns), j = static_cast<std::size_t>(cell / columns);
+    return QRectF(toPixel(xEdges_[i], yEdges_[j + 1]), toPixel(xEdges_[i + 1], yEdges_[j])).normalized();
+}
+
+std::vector<QPolygonF> StudyPanel::paths(const ChartSeries& series) const
+{
+    std::vector<QPolygonF> result(1);
+    for (const ChartPoint& point : series.points) {
+        if (point.kind == PointKind::Failed) { // no answer, no line through it
+            if (!result.back().isEmpty()) result.emplace_back();
+            continue;
+        }
+        const QPointF at = toPixel(point.x, point.y);
+        if (series.line == ChartLine::Steps && !result.back().isEmpty()) result.back() << QPointF(at.x(), result.back().back().y());
+        result.back() << at;
+    }
+    return result;
+}
+
+std::optional<PanelHit> StudyPanel::at(const QPointF& pixel) const
+{
+    if (!area_.adjusted(-near, -near, near, near).contains(pixel)) return {};
+    PanelHit hit;
+    double nearest = near * near;
+    for (std::size_t s = 0; s < panel_.series.size(); ++s)
+        for (std::size_t p = 0; p < panel_.series[s].points.size(); ++p) {
+            const QPointF at = toPixel(panel_.series[s].points[p].x, panel_.series[s].points[p].y);
+            const QPointF away = at - pixel;
+            const double distance = QPointF::dotProduct(away, away);
+            if (distance > nearest || !inside(at)) continue;
+            nearest = distance;
+            hit.series = static_cast<int>(s);
+            hit.point = static_cast<int>(p);
+        }
+    if (hit.point >= 0) return hit;
+    if (!area_.contains(pixel)) return {};
+    for (std::size_t c = 0; panel_.map && c < panel_.map->cells.size(); ++c)
+        if (cellBox(static_cast<int>(c)).contains(pixel)) hit.cell = static_cast<int>(c);
+    for (std::size_t b = 0; hit.cell < 0 && b < panel_.bands.size(); ++b)
+        if (bandBox(panel_.bands[b]).adjusted(-3.0, -3.0, 3.0, 3.0).contains(pixel)) hit.band = static_cast<int>(b);
+    if (hit == PanelHit{}) return {};
+    return hit;
+}
+
+} // namespace touchdown

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One panel of a study's chart, laid out in a box: axes, bands, map, series, labels; and what is under a pixel. The same on the screen
+// and on paper. Own painting: the axes of Qt Charts lose a whole curve to one number that has no logarithm, and know neither hollow
+// points nor maps.
+#pragma once
+
+#include <optional>
+
+#include <QFont>
+#include <QPainter>
+
+#include "core/studies/study/study.h"
+#include "ui/studies/study_axes.h"
+#include "ui/studies/study_chart_style.h"
+
+namespace touchdown {
+
+/// What a pixel belongs to: a point of a series, a cell of the map, or a band; the others are -1.
+struct PanelHit {
+    int series = -1, point = -1, cell = -1, band = -1;
+    bool operator==(const PanelHit&) const = default;
+};
+
+class StudyPanel {
+public:
+    /// Everything that is given by reference must outlive this.
+    StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font, const QRectF& box,
+               const std::optional<PanelRange>& zoomed = {});
+
+    void paint(QPainter& painter) const;
+    /// A ring about what is pointed at.
+    void paintPointed(QPainter& painter, const PanelHit& hit) const;
+
+    const ChartPanel& panel() const { return panel_; }
+    const PanelAxes& axes() const { return axes_; }
+    const QRectF& area() const { return area_; }
+    QPointF toPixel(double x, double y) const;
+    PanelRange rangeOf(const QRectF& box) const;
+    std::optional<PanelHit> at(const QPointF& pixel) const;
+    /// Half of a marker's width [px].
+    double radius() const { return radius_; }
+
+private:
+    double across(double x) const;
+    double up(double y) const;
+    QRectF bandBox(const ChartBand& band) const;
+    QRectF cellBox(int cell) const;
+    std::vector<QPolygonF> paths(const ChartSeries& series) const;
+    bool inside(const QPointF& pixel) const { return area_.adjusted(-1.0, -1.0, 1.0, 1.0).contains(pixel); }
+
+    void layOut(const QRectF& box);
+    void paintGrid(QPainter& painter) const;
+    void paintMap(QPainter& painter) const;
+    void paintBands(QPainter& painter) const;
+    /// The label of a band; where the band is out of sight, with an arrow to it.
+    QString withArrow(const ChartBand& band) const;
+    void paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) const;
+    void paintLines(QPainter& painter) const;
+    void paintErrors(QPainter& painter) const;
+    void paintMarkers(QPainter& painter) const;
+    void paintLabels(QPainter& painter) const;
+    void paintAxes(QPainter& painter) const;
+
+    const ChartPanel& panel_;
+    const ChartStyles& styles_;
+    const PlotTheme& theme_;
+    QFont textFont_, numberFont_;
+    double radius_ = 4.0;
+    PanelAxes axes_;
+    QRectF box_, area_;
+    std::vector<AxisTick> xTicks_, yTicks_;
+    std::vector<double> xEdges_, yEdges_; // of the map's cells
+};
+
+/// The smallest width and height in which a panel can be read.
+QSizeF leastPanelSize(const QFont& font);
+
+} // namespace touchdown

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is under the pointer on a study's chart, in words.
+#pragma once
+
+#include <QString>
+
+#include "ui/studies/study_panel.h"
+
+namespace touchdown {
+
+/// Series and setting, x and y with their errors, how the point came out; the class and the sentence of a cell; the label of a band.
+/// In HTML.
+QString reading(const StudyPanel& panel, const PanelHit& hit);
+
+} // namespace touchdown

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/studies/study_results.h"
+
+#include <QDir>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "core/studies/study/study_file.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/save_dialog.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+/// "largest_errors" as "Largest errors".
+QString tableTitle(const std::string& name)
+{
+    QString title = QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!title.isEmpty()) title[0] = title[0].toUpper();
+    return title;
+}
+
+void setTabTexts(QTabBar* tabs, const QStringList& texts)
+{
+    while (tabs->count() > texts.size()) tabs->removeTab(tabs->count() - 1);
+    while (tabs->count() < texts.size()) tabs->addTab({});
+    for (int i = 0; i < texts.size(); ++i) {
+        tabs->setTabText(i, QString(texts[i]).replace(QLatin1Char('&'), QLatin1String("&&")));
+        tabs->setTabToolTip(i, texts[i]);
+    }
+}
+
+QTabBar* makeTabs(const QString& name, QWidget* parent)
+{
+    auto* tabs = new QTabBar(parent);
+    tabs->setAccessibleName(name);
+    tabs->setExpanding(false);
+    tabs->setDocumentMode(true);
+    tabs->setElideMode(Qt::ElideRight);
+    tabs->setFocusPolicy(Qt::StrongFocus);
+    return tabs;
+}
+
+} // namespace
+
+StudyResults::StudyResults(QWidget* parent)
+    : QWidget(parent),
+      pages_(new QStackedWidget(this)),
+      empty_(new QLabel(this)),
+      splitter_(new QSplitter(Qt::Vertical, this)),
+      chartTabs_(makeTabs(tr("Charts of the study"), this)),
+      factTabs_(makeTabs(tr("Findings and tables"), this)),
+      chartPages_(new QStackedWidget(this)),
+      factPages_(new QStackedWidget(this)),
+      findings_(new QTextBrowser(this)),
+      staleMark_(new QLabel(tr("The case or the study has changed since."), this)),
+      apply_(new QPushButton(tr("Apply to the case"), this)),
+      copy_(new QToolButton(this)),
+      save_(new QToolButton(this))
+{
+    buildEmpty();
+    buildContent();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(pages_);
+    pages_->addWidget(empty_);
+    pages_->addWidget(splitter_);
+    colour();
+    clear(false);
+}
+
+void StudyResults::buildEmpty()
+{
+    staleMark_->setObjectName(QStringLiteral("stale"));
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setMargin(60);
+    empty_->setAutoFillBackground(true);
+    empty_->setBackgroundRole(QPalette::Base);
+}
+
+void StudyResults::buildContent()
+{
+    auto* charts = new QWidget(splitter_);
+    auto* above = new QVBoxLayout(charts);
+    above->setContentsMargins(0, 0, 0, 0);
+    above->setSpacing(0);
+    above->addWidget(chartTabs_);
+    above->addWidget(chartPages_, 1);
+
+    findings_->setAccessibleName(tr("Findings"));
+    findings_->setFrameShape(QFrame::NoFrame);
+    findings_->setOpenLinks(false);
+    findings_->document()->setDocumentMargin(10);
+    factPages_->addWidget(findings_);
+    apply_->setAutoDefault(false);
+    apply_->setToolTip(tr("Put the case that was found into the parameters; undo takes it back"));
+    apply_->setAccessibleName(tr("Apply the case that was found"));
+    copy_->setText(tr("Copy"));
+    copy_->setToolTip(tr("Copy the table, or its selected rows, as a spreadsheet takes it"));
+    copy_->setAccessibleName(tr("Copy the table"));
+    save_->setText(tr("Save"));
+    save_->setToolTip(tr("Save the chart, the table or the whole report"));
+    save_->setAccessibleName(tr("Save what the study found"));
+    save_->setPopupMode(QToolButton::InstantPopup);
+    save_->setMenu(new QMenu(save_));
+    connect(save_->menu(), &QMenu::aboutToShow, this, &StudyResults::fillSaveMenu);
+    for (QToolButton* button : {copy_, save_}) {
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    connect(apply_, &QPushButton::clicked, this, &StudyResults::applyRequested);
+    connect(copy_, &QToolButton::clicked, this, [this] {
+        if (const StudyTableView* table = shownTable()) table->copy();
+    });
+
+    auto* facts = new QWidget(splitter_);
+    auto* tools = new QHBoxLayout;
+    tools->setContentsMargins(0, 0, 6, 0);
+    tools->addWidget(factTabs_, 1);
+    tools->addWidget(staleMark_);
+    tools->addWidget(apply_);
+    tools->addWidget(copy_);
+    tools->addWidget(save_);
+    auto* below = new QVBoxLayout(facts);
+    below->setContentsMargins(0, 2, 0, 0);
+    below->setSpacing(0);
+    below->addLayout(tools);
+    below->addWidget(factPages_, 1);
+    splitter_->addWidget(charts);
+    splitter_->addWidget(facts);
+    splitter_->setStretchFactor(0, 5);
+    splitter_->setStretchFactor(1, 2);
+    splitter_->setSizes({520, 210});
+    splitter_->setChildrenCollapsible(false);
+    connect(chartTabs_, &QTabBar::currentChanged, chartPages_, &QStackedWidget::setCurrentIndex);
+    connect(factTabs_, &QTabBar::currentChanged, this, [this](int index) {
+        factPages_->setCurrentIndex(index);
+        copy_->setVisible(shownTable() != nullptr);
+    });
+}
+
+void StudyResults::clear(bool underWay)
+{
+    report_.reset();
+    underWay_ = underWay;
+    const QString title = underWay ? tr("Under way") : tr("Studies of the case");
+    const QString text = underWay ? tr("Charts appear as soon as there is something to show.")
+                                  : tr("A study solves the case in the window many times over: it charts accuracy against speed, maps where methods "
+                                       "fail, advises how much model the scene needs, or follows touch-down and take-off while a value moves.<br><br>"
+                                       "Choose a kind of study at the right, change its text as you like, and perform it.");
+    empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
+    pages_->setCurrentIndex(0);
+    setStale(false);
+}
+
+void StudyResults::setReport(const StudyReport& report, bool underWay)
+{
+    const bool other = !report_ || report_->kind != report.kind;
+    report_ = report;
+    underWay_ = underWay;
+    showCharts();
+    showTables();
+    writeFindings();
+    apply_->setVisible(report.found.has_value() && !underWay);
+    setStale(false);
+    if (other) {
+        chartTabs_->setCurrentIndex(0);
+        factTabs_->setCurrentIndex(0);
+    }
+    pages_->setCurrentIndex(1);
+}
+
+void StudyResults::showCharts()
+{
+    while (charts_.size() > report_->charts.size()) {
+        delete chartPages_->widget(chartPages_->count() - 1);
+        charts_.pop_back();
+    }
+    while (charts_.size() < report_->charts.size()) {
+        auto* scroll = new QScrollArea(chartPages_);
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        scroll->setFocusPolicy(Qt::NoFocus);
+        charts_.push_back(new StudyChartView);
+        scroll->setWidget(charts_.back());
+        chartPages_->addWidget(scroll);
+    }
+    QStringList titles;
+    for (std::size_t i = 0; i < charts_.size(); ++i) {
+        charts_[i]->setChart(report_->charts[i]);
+        titles << QString::fromStdString(report_->charts[i].title).section(QLatin1Char(':'), 0, 0);
+    }
+    setTabTexts(chartTabs_, titles);
+    chartTabs_->setVisible(titles.size() > 1);
+    chartPages_->parentWidget()->setVisible(!charts_.empty());
+    chartPages_->setCurrentIndex(chartTabs_->currentIndex());
+}
+
+void StudyResults::showTables()
+{
+    while (tables_.size() > report_->tables.size()) {
+        delete tables_.back();
+        tables_.pop_back();
+    }
+    while (tables_.size() < report_->tables.size()) {
+        tables_.push_back(new StudyTableView(factPages_));
+        factPages_->addWidget(tables_.back());
+    }
+    QStringList titles{tr("Findings")};
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+        tables_[i]->setTable(report_->tables[i]);
+        titles << tableTitle(report_->tables[i].name);
+    }
+    setTabTexts(factTabs_, titles);
+    copy_->setVisible(shownTable() != nullptr);
+}
+
+StudyTableView* StudyResults::shownTable() const { return qobject_cast<StudyTableView*>(factPages_->currentWidget()); }
+
+void StudyResults::writeFindings()
+{
+    if (!report_) return;
+    const MeaningColours colours = meaningColours(palette());
+    QString html;
+    const auto add = [&html](const QString& mark, const QColor& colour, const QString& text) {
+        html += QStringLiteral("<tr><td style='color:%1; padding:2px 8px 2px 0'>%2</td><td style='padding:2px 0'>%3</td></tr>")
+                    .arg(colour.name(), mark, text.toHtmlEscaped());
+    };
+    if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
+    if (report_->status == StudyStatus::Cancelled) add(QStringLiteral("◼"), colours.muted, tr("Stopped: what follows is what there was by then."));
+    for (const std::string& finding : report_->findings) add(QStringLiteral("•"), colours.change, QString::fromStdString(finding));
+    for (const std::string& warning : report_->warnings) add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
+    html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);
+    if (underWay_ && report_->findings.empty()) html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Under way…"));
+    findings_->setHtml(html);
+}
+
+void StudyResults::setStale(bool stale)
+{
+    stale_ = stale;
+    staleMark_->setVisible(stale && report_.has_value());
+}
+
+void StudyResults::fillSaveMenu()
+{
+    QMenu* menu = save_->menu();
+    menu->clear();
+    if (!charts_.empty()) {
+        StudyChartView* chart = charts_[static_cast<std::size_t>(chartTabs_->currentIndex())];
+        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copyPicture);
+        menu->addAction(tr("Save &chart…"), chart, &StudyChartView::chooseSave);
+        menu->addSeparator();
+    }
+    menu->addAction(tr("Save &table as CSV…"), this, &StudyResults::chooseSaveTable)->setEnabled(!tables_.empty());
+    menu->addAction(tr("Save all as &HDF5…"), this, &StudyResults::saveRequested);
+}
+
+void StudyResults::chooseSaveTable()
+{
+    const StudyTableView* shown = shownTable() ? shownTable() : tables_.front();
+    const StudyTable table = shown->content().table();
+    askAndSave(this, tr("Save the table"), {tr("Comma-separated values (*.csv)")}, QString::fromStdString(table.name) + QStringLiteral(".csv"),
+               [this, table](const QString& file) {
+                   StudyReport alone;
+                   alone.tables = {table};
+                   const QString problem = QString::fromStdString(writeStudyCsv(file.toStdString(), alone));
+                   if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+                   return problem;
+               });
+}
+
+void StudyResults::colour()
+{
+    QPalette quiet;
+    quiet.setColor(QPalette::WindowText, meaningColours(palette()).muted);
+    empty_->setPalette(quiet);
+    quiet.setColor(QPalette::WindowText, meaningColours(palette()).warning);
+    staleMark_->setPalette(quiet);
+}
+
+void StudyResults::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
+    colour();
+    writeFindings();
+}
+
+} // namespace touchdown

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a study found: its charts, below them its findings as sentences and its tables. Before the first study a word on what
+// studies are for.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QWidget>
+
+#include "core/studies/study/study.h"
+#include "ui/studies/study_chart_view.h"
+#include "ui/studies/study_table.h"
+
+namespace touchdown {
+
+class StudyResults : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StudyResults(QWidget* parent = nullptr);
+
+    /// A report, or what there is of one while its study is under way.
+    void setReport(const StudyReport& report, bool underWay);
+    /// Nothing is known.
+    void clear(bool underWay);
+    /// The case or the text of the study has changed since.
+    void setStale(bool stale);
+    const std::optional<StudyReport>& report() const { return report_; }
+
+    bool isEmpty() const { return pages_->currentIndex() == 0; }
+    QTabBar* chartTabs() const { return chartTabs_; }
+    QTabBar* factTabs() const { return factTabs_; }
+    const std::vector<StudyChartView*>& charts() const { return charts_; }
+    const std::vector<StudyTableView*>& tables() const { return tables_; }
+    QString findings() const { return findings_->toPlainText(); }
+    QPushButton* apply() const { return apply_; }
+    QMenu* saveMenu() const { return save_->menu(); }
+
+signals:
+    /// The case that was found is wanted.
+    void applyRequested();
+    /// All of the report is to be written to a file.
+    void saveRequested();
+    void succeeded(const QString& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildEmpty();
+    void buildContent();
+    void showCharts();
+    void showTables();
+    void writeFindings();
+    void fillSaveMenu();
+    void chooseSaveTable();
+    void colour();
+    StudyTableView* shownTable() const;
+
+    std::optional<StudyReport> report_;
+    bool underWay_ = false, stale_ = false;
+    std::vector<StudyChartView*> charts_;
+    std::vector<StudyTableView*> tables_;
+    QStackedWidget* pages_;
+    QLabel* empty_;
+    QSplitter* splitter_;
+    QTabBar *chartTabs_, *factTabs_;
+    QStackedWidget *chartPages_, *factPages_;
+    QTextBrowser* findings_;
+    QLabel* staleMark_;
+    QPushButton* apply_;
+    QToolButton *copy_, *save_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A table of a study's report: numbers in display units, with as many digits as can be read.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+
+#include "core/studies/study/study.h"
+
+namespace touchdown {
+
+class StudyTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    /// What a row is sorted by: the number in SI, or the text; nothing where it is not known.
+    static constexpr int SortRole = Qt::UserRole;
+
+    explicit StudyTableModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    void setTable(StudyTable table);
+    const StudyTable& table() const { return table_; }
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+private:
+    QString text(const StudyColumn& column, const StudyValue& value) const;
+
+    StudyTable table_;
+};
+
+/// By number where both are numbers, else by text; what is not known comes last.
+class StudyTableOrder : public QSortFilterProxyModel {
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+protected:
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+};
+
+} // namespace touchdown

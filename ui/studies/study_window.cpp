@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/studies/study_window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QDir>
+#include <QThread>
+
+#include "core/studies/study/study_file.h"
+#include "ui/case/case_difference.h"
+#include "ui/style/save_dialog.h"
+
+namespace touchdown {
+
+StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
+    : QObject(parent),
+      editor_(new StudyEditor(std::move(catalogue), parent)),
+      results_(new StudyResults(parent)),
+      progress_(new StudyProgressLine(parent))
+{
+    connect(&controller_, &StudyController::stateChanged, progress_, &StudyProgressLine::setState);
+    connect(&controller_, &StudyController::stateChanged, editor_,
+            [this](StudyController::State state) { editor_->setRunning(state != StudyController::State::Idle); });
+    connect(&controller_, &StudyController::progressed, this,
+            [this](int, double share, const QString& doing) { progress_->advance(share, doing); });
+    connect(&controller_, &StudyController::partial, this, [this](int, const StudyReport& report) {
+        outcomes_[performing_].report = report;
+        if (shown_ == performing_) results_->setReport(report, true);
+    });
+    connect(&controller_, &StudyController::finished, this, [this](int, const StudyReport& report) { onFinished(report); });
+    connect(editor_->kinds(), &QComboBox::currentIndexChanged, this, &StudyWindow::show);
+    connect(editor_, &StudyEditor::planned, this, &StudyWindow::updateStale);
+    connect(editor_, &StudyEditor::stopRequested, &controller_, &StudyController::stop);
+    connect(editor_, &StudyEditor::succeeded, this, &StudyWindow::succeeded);
+    connect(editor_, &StudyEditor::failed, this, &StudyWindow::failed);
+    connect(results_, &StudyResults::succeeded, this, &StudyWindow::succeeded);
+    connect(results_, &StudyResults::saveRequested, this, &StudyWindow::chooseSave);
+    connect(results_, &StudyResults::applyRequested, this, [this] {
+        if (results_->report() && results_->report()->found)
+            emit applyRequested(*results_->report()->found, QString::fromStdString(results_->report()->title));
+    });
+    shown_ = editor_->kind().toStdString();
+}
+
+void StudyWindow::setCase(const Case& c) { editor_->setCase(c); }
+
+bool StudyWindow::perform()
+{
+    controller_.stopAndWait();
+    const StudyPlan& plan = editor_->plan();
+    if (!plan.valid() || !plan.perform) return false;
+    performing_ = plan.kind;
+    Outcome& outcome = outcomes_[performing_] = {plan, {}};
+    controller_.start(outcome.plan.perform, std::max(1, QThread::idealThreadCount()));
+    show();
+    emit started();
+    return true;
+}
+
+void StudyWindow::onFinished(const StudyReport& report)
+{
+    progress_->end(report);
+    const bool nothing = report.charts.empty() && report.tables.empty() && report.findings.empty();
+    if (report.status == StudyStatus::Cancelled && nothing) outcomes_.erase(performing_);
+    else outcomes_[performing_].report = report;
+    if (shown_ == performing_) show();
+    emit ended(report);
+}
+
+void StudyWindow::show()
+{
+    shown_ = editor_->kind().toStdString();
+    const auto outcome = outcomes_.find(shown_);
+    if (outcome == outcomes_.end() || !outcome->second.report) results_->clear(underWay(shown_));
+    else results_->setReport(*outcome->second.report, underWay(shown_));
+    updateStale();
+}
+
+void StudyWindow::updateStale()
+{
+    const auto outcome = outcomes_.find(shown_);
+    if (outcome == outcomes_.end() || underWay(shown_)) return;
+    const StudyPlan& now = editor_->plan();
+    const StudyPlan& then = outcome->second.plan;
+    results_->setStale(now.text != then.text || !caseDifference(then.start.value, now.start.value).isEmpty());
+}
+
+void StudyWindow::chooseSave()
+{
+    const Outcome outcome = outcomes_.at(shown_);
+    askAndSave(results_, tr("Save the report"), {tr("HDF5, all of the report (*.h5)")}, QString::fromStdString(shown_) + QStringLiteral(".h5"),
+               [this, outcome](const QString& file) {
+                   const StudyPlan& plan = outcome.plan;
+                   const std::string problem = writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text);
+                   if (problem.empty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+                   return QString::fromStdString(problem);
+               });
+}
+
+} // namespace touchdown

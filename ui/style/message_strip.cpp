@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/message_strip.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+MessageStrip::MessageStrip(QWidget* parent)
+    : QFrame(parent), mark_(new QLabel(this)), text_(new QLabel(this)), action_(new QPushButton(this))
+{
+    setAccessibleName(tr("Messages"));
+    text_->setWordWrap(true);
+    text_->setTextFormat(Qt::PlainText);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    text_->setFocusPolicy(Qt::ClickFocus);
+    action_->setAutoDefault(false);
+    auto* close = new QToolButton(this);
+    close->setText(QStringLiteral("✕"));
+    close->setAutoRaise(true);
+    close->setAccessibleName(tr("Close the message"));
+    close->setToolTip(tr("Close the message"));
+    close->setFocusPolicy(Qt::NoFocus);
+    connect(close, &QToolButton::clicked, this, &MessageStrip::clear);
+    connect(action_, &QPushButton::clicked, this, &MessageStrip::actionRequested);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 5, 6, 5);
+    layout->setSpacing(8);
+    layout->addWidget(mark_, 0, Qt::AlignTop);
+    layout->addWidget(text_, 1);
+    layout->addWidget(action_, 0, Qt::AlignVCenter);
+    layout->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageStrip::show(Kind kind, const QString& text, const QString& action)
+{
+    kind_ = kind;
+    text_->setText(text);
+    action_->setText(action);
+    action_->setVisible(!action.isEmpty());
+    colour();
+    setVisible(true);
+}
+
+void MessageStrip::clear()
+{
+    text_->clear();
+    setVisible(false);
+}
+
+void MessageStrip::changeEvent(QEvent* event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) colour();
+}
+
+void MessageStrip::colour()
+{
+    const MeaningColours colours = meaningColours(palette());
+    QColor tone = colours.change;
+    QString mark = QStringLiteral("ℹ");
+    switch (kind_) {
+    case Kind::Information: break;
+    case Kind::Success:
+        tone = colours.success;
+        mark = QStringLiteral("✓");
+        break;
+    case Kind::Warning:
+        tone = colours.warning;
+        mark = QStringLiteral("⚠");
+        break;
+    case Kind::Failure:
+        tone = colours.failure;
+        mark = QStringLiteral("✕");
+        break;
+    }
+    mark_->setText(mark);
+    QPalette markPalette;
+    markPalette.setColor(QPalette::WindowText, tone);
+    mark_->setPalette(markPalette);
+    update();
+}
+
+void MessageStrip::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const QColor tone = mark_->palette().color(QPalette::WindowText);
+    QColor wash = tone;
+    wash.setAlphaF(0.08F);
+    painter.fillRect(rect(), palette().color(QPalette::Base));
+    painter.fillRect(rect(), wash);
+    painter.fillRect(0, 0, 4, height(), tone);
+}
+
+} // namespace touchdown

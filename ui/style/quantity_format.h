@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers, units and symbols as people read and type them in the window. Conversion itself is
+// core/formats/units.h; here are the spelling (nm, um -> µm, N m/rad -> N·m/rad), the decimal
+// point of the user's locale, and rounding for read-outs.
+#pragma once
+
+#include "core/case/fields.h"
+#include "core/simulation/recording/quantity.h"
+
+#include <QLocale>
+#include <QString>
+
+#include <string>
+#include <string_view>
+
+namespace touchdown {
+
+/// A unit for reading: "um" -> "µm", "kg m^2" -> "kg·m²".
+QString unitText(std::string_view unit);
+/// A symbol as rich text: "k_f0" -> k with a subscript, "xi_f" with the Greek letter.
+QString symbolText(std::string_view symbol);
+
+/// A reason as the core writes it ("must be greater than 0 kg") as a sentence of its own.
+QString sentence(std::string_view reason);
+
+/// What stands in the field's editor: a number in the display unit without the unit, or the text.
+QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+/// What was typed, as `setFromText` reads it: with the display unit where none was typed, and a decimal point.
+std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
+/// The value with its unit, for a sentence: "7 nm".
+QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+
+/// A read-out in the display unit: "7.000 nm" for 7e-9 with three decimals.
+QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());
+/// A read-out of a recorded quantity with as many decimals as its unit deserves.
+QString readout(double value, const Quantity& quantity, const QLocale& locale = QLocale());
+/// A force with a fitting prefix and about four figures: "3.577 mN".
+QString forceText(double newtons, const QLocale& locale = QLocale());
+/// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to three
+/// digits are all shown: "5.60 nm".
+QString lengthText(double metres, int digits = 6, const QLocale& locale = QLocale());
+/// A time with a fitting prefix and about four figures: "1.250 ms".
+QString timeText(double seconds, const QLocale& locale = QLocale());
+/// A frequency with a fitting prefix: "812.4 kHz".
+QString frequencyText(double hertz, const QLocale& locale = QLocale());
+
+} // namespace touchdown

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/style/save_dialog.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+namespace touchdown {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::SaveDialog", text); }
+
+} // namespace
+
+void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suggestion,
+                const std::function<QString(const QString&)>& save)
+{
+    auto* dialog = new QFileDialog(parent, title);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters(filters);
+    const bool named = suggestion.contains(u'.');
+    dialog->setDefaultSuffix(named ? QFileInfo(suggestion).suffix() : suggestion);
+    if (named) dialog->selectFile(suggestion);
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).section(u')', 0, 0));
+    });
+    QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, title, save](const QString& path) {
+        const QString problem = save(path);
+        if (problem.isEmpty()) return;
+        auto* box = new QMessageBox(QMessageBox::Warning, title, problem, QMessageBox::Ok, parent);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+    dialog->open();
+}
+
+QStringList pictureFilters()
+{
+    return {tr("Portable document (*.pdf)"), tr("Scalable vector graphics (*.svg)"), tr("PNG picture (*.png)")};
+}
+
+} // namespace touchdown

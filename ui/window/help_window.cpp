@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/help_window.h"
+
+#include <QFile>
+#include <QHBoxLayout>
+#include <QShortcut>
+#include <QSplitter>
+
+#include "core/case/fields.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+namespace {
+
+QString resource(const QString& name)
+{
+    QFile file(QStringLiteral(":/help/") + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The reference of the parameters, from the one description of the fields.
+QString parameterTable()
+{
+    const Case defaults;
+    QString html = QStringLiteral("<h2>%1</h2><p>%2</p><table cellpadding='4' cellspacing='0' border='0'>")
+                       .arg(HelpWindow::tr("Parameters"),
+                            HelpWindow::tr("Every key of a case file, with its default and what it may be."));
+    for (const Field& field : fields()) {
+        html += QStringLiteral("<tr><td><b>%1</b> %2<br><code>%3</code></td><td>%4</td><td>%5<br><small>%6</small><br><small>%7</small></td></tr>")
+                    .arg(QString::fromStdString(field.label).toHtmlEscaped(), field.symbol.empty() ? QString() : symbolText(field.symbol),
+                         QString::fromStdString(field.key).toHtmlEscaped(), valueText(defaults, field).toHtmlEscaped(),
+                         QString::fromStdString(field.help).toHtmlEscaped(), QString::fromStdString(allowedRange(field)).toHtmlEscaped(),
+                         QString::fromStdString(field.source).toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+} // namespace
+
+HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
+    : QWidget(parent, Qt::Window), shortcuts_(shortcuts), contents_(new QListWidget(this)), browser_(new QTextBrowser(this))
+{
+    setWindowTitle(tr("Touchdown: help"));
+    contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+    contents_->setAccessibleName(tr("Contents"));
+    browser_->setAccessibleName(tr("Help text"));
+    browser_->setOpenExternalLinks(true);
+    browser_->document()->setDocumentMargin(16);
+    connect(contents_, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row >= 0) browser_->setHtml(html(static_cast<Page>(row)));
+    });
+    auto* splitter = new QSplitter(this);
+    splitter->addWidget(contents_);
+    splitter->addWidget(browser_);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({190, 640});
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(splitter);
+    connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::close);
+    resize(860, 640);
+}
+
+void HelpWindow::open(Page page)
+{
+    contents_->setCurrentRow(static_cast<int>(page));
+    show();
+    raise();
+    activateWindow();
+}
+
+QString HelpWindow::html(Page page) const
+{
+    switch (page) {
+    case Page::Use: return resource(QStringLiteral("use.html"));
+    case Page::Equations: return resource(QStringLiteral("equations.html"));
+    case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
+    case Page::Contact: return resource(QStringLiteral("contact.html"));
+    case Page::Parameters: return parameterTable();
+    case Page::Shortcuts: return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ + resource(QStringLiteral("plot_keys.html"));
+    case Page::About: break;
+    }
+    return resource(QStringLiteral("about.html")).arg(QStringLiteral(TOUCHDOWN_VERSION), QString::fromLatin1(qVersion()));
+}
+
+} // namespace touchdown

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+
+#include "ui/style/icons.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
+    : QMainWindow(parent),
+      actions_(new WindowActions(*this, edits_.undoStack())),
+      files_(new CaseFiles(edits_, *this)),
+      casePanel_(new CasePanel(edits_, this)),
+      aboutCase_(new AboutCasePane(this)),
+      runs_(new RunWindow(this)),
+      film_(new FilmWindow(steady, actions_->solve, this)),
+      studies_(new StudyWindow(std::move(studies), this)),
+      messages_(new MessageStrip(this))
+{
+    setObjectName(QStringLiteral("workbench"));
+    setWindowIcon(programIcon());
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
+    runFiles_ = new RunFiles(runs(), *page(), *this);
+    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
+    connectFiles();
+    connectRuns();
+    connectFilm();
+    connectStudies();
+    connectView();
+    connectHelp();
+    resize(1500, 940);
+    updateRunActions();
+    updateTitle();
+}
+
+MainWindow::~MainWindow()
+{
+    // What shows the runs and the case goes before them: they are members, and those go before child widgets.
+    edits_.undoStack().disconnect(this);
+    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()), static_cast<QObject*>(&controller()), static_cast<QObject*>(film_), static_cast<QObject*>(studies_), static_cast<QObject*>(&studies_->controller())})
+        sender->disconnect(this);
+    controller().stopAndWait();
+    film_->controller().stopAndWait();
+    studies_->controller().stopAndWait();
+    qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
+    delete takeCentralWidget();
+}
+
+bool MainWindow::readyToRun()
+{
+    // What stands in a field but was not confirmed yet counts.
+    if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
+        focused->clearFocus();
+        focused->setFocus();
+    }
+    if (edits_.reasonNotToRun().isEmpty()) return true;
+    casePanel_->showFirstProblem();
+    return false;
+}
+
+void MainWindow::solveStaticState() { solve(false); }
+
+void MainWindow::solveAtGivenAttitude() { solve(true); }
+
+void MainWindow::solve(bool given)
+{
+    if (!readyToRun()) return;
+    messages_->clear();
+    setPage(Page::StaticState);
+    film_->solve(edits_.value(), given);
+}
+
+void MainWindow::startRun()
+{
+    if (!readyToRun()) return;
+    runs_->start({edits_.value(), files_->text(), recordTo_.toStdString()});
+}
+
+void MainWindow::performStudy()
+{
+    setPage(Page::Studies);
+    if (!readyToRun()) return;
+    messages_->clear();
+    if (studies_->perform()) return;
+    messages_->show(MessageStrip::Kind::Failure, tr("The study cannot be performed: see what is wrong below its text."));
+}
+
+void MainWindow::onStudied(const StudyReport& report)
+{
+    updateRunActions();
+    const QString title = QString::fromStdString(report.title);
+    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front())};
+    if (!report.warnings.empty()) lines << tr("What weakens this stands below the findings (⚠).");
+    switch (report.status) {
+    case StudyStatus::Completed:
+        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, lines.join(QLatin1Char('\n')));
+        break;
+    case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
+    case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
+    }
+    emit calculationEnded(report.status == StudyStatus::Completed, QString::fromStdString(report.message));
+}
+
+void MainWindow::onRunEnded(int number, const Summary& summary)
+{
+    updateRunActions();
+    const RunRecord& run = *runs().find(number);
+    const QString result = resultText(run);
+    aboutCase_->setResult(result, sentence(summary.bouncingRule), figuresText(summary));
+    QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
+    MessageStrip::Kind kind = MessageStrip::Kind::Success;
+    for (const std::string& warning : summary.warnings) lines << sentence(warning);
+    // A check that found a difference is among the warnings.
+    if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
+    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState)) kind = MessageStrip::Kind::Warning;
+    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
+    if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
+        kind = MessageStrip::Kind::Failure;
+        lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
+    }
+    messages_->show(kind, lines.join(QLatin1Char('\n')));
+    emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
+}
+
+void MainWindow::onSolved(const SteadyResult& result)
+{
+    updateRunActions();
+    const QString text = steadyText(result);
+    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : text);
+    switch (result.status) {
+    case SteadyStatus::Converged:
+        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, text);
+        break;
+    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, text); break;
+    case SteadyStatus::NotConverged:
+    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, text); break;
+    }
+    emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::onCaseOpened()
+{
+    casePanel_->setPreset(files_->sample());
+    if (pages_->page() != Page::Studies) setPage(Page::StaticState);
+    aboutCase_->setResult({});
+    aboutCase_->setWarnings({});
+    film_->open(edits_.value());
+    runs_->open(edits_.value());
+    messages_->clear();
+    updateTitle();
+}
+
+void MainWindow::onImported(const QString& path, const QStringList& warnings)
+{
+    aboutCase_->setWarnings(warnings);
+    const QString text = tr("Imported: %1.").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char(' ')
+                            + tr("%n thing(s) that it says are not modelled: see About this case.", nullptr, static_cast<int>(warnings.size())));
+}
+
+void MainWindow::onExported(const QString& path, const QStringList& warnings)
+{
+    const QString text = tr("Written: %1").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char('\n')
+                            + tr("Kept in the comments of run.dat, where the established program does not see them: %1")
+                                  .arg(warnings.join(QStringLiteral(", "))));
+}
+
+void MainWindow::onCaseEdited()
+{
+    aboutCase_->setCase(edits_.value());
+    film_->edit(edits_.value());
+    runs_->edit(edits_.value());
+    studies_->setCase(edits_.value());
+    pages_->showModel(edits_.value().model);
+    updateRunActions();
+    updateTitle();
+}
+
+void MainWindow::updateRunActions()
+{
+    using State = RunController::State;
+    const State state = controller().state();
+    const QString reason = edits_.reasonNotToRun();
+    actions_->run->setEnabled(reason.isEmpty());
+    const QString cannot = tr("The case cannot be run. %1").arg(reason);
+    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)") : cannot);
+    actions_->solve->setToolTip(reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
+    for (QAction* action : {actions_->solve, actions_->solveGiven})
+        action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
+    if (!reason.isEmpty())
+        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the field"));
+    else if (messages_->text().startsWith(tr("The case cannot be run.")))
+        messages_->clear();
+    actions_->pause->setEnabled(state == State::Running || state == State::Paused);
+    actions_->pause->setChecked(state == State::Paused);
+    actions_->step->setEnabled(state == State::Paused);
+    actions_->stop->setEnabled(state == State::Running || state == State::Paused
+                               || film_->controller().state() == SteadyController::State::Running
+                               || studies_->controller().state() == StudyController::State::Running);
+    actions_->resetAll->setEnabled(edits_.anyChanged());
+    const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
+    actions_->saveResults->setEnabled(anyEnded);
+    actions_->exportCsv->setEnabled(anyEnded);
+    pages_->updateProgress();
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(tr("%1[*] – Touchdown").arg(files_->shortName()));
+    setWindowModified(files_->modified());
+}
+
+void MainWindow::updateRecentMenu()
+{
+    actions_->recent->clear();
+    for (const QString& file : files_->recent())
+        actions_->recent->addAction(QDir::toNativeSeparators(file), files_, [this, file] { files_->open(file); });
+    if (actions_->recent->isEmpty()) actions_->recent->addAction(tr("None yet"))->setEnabled(false);
+}
+
+void MainWindow::chooseRecording(bool on)
+{
+    if (!on) {
+        recordTo_.clear();
+        return;
+    }
+    auto* dialog = new QFileDialog(this, tr("Record the runs that follow to"), {}, tr("HDF5 (*.h5)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("h5"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { recordTo_ = file; });
+    connect(dialog, &QDialog::finished, this, [this] { actions_->record->setChecked(!recordTo_.isEmpty()); });
+    dialog->open();
+}
+
+void MainWindow::useParametersOf(int number)
+{
+    const RunRecord* run = runs().find(number);
+    if (run) edits_.setAll(run->value, tr("use the parameters of run %1").arg(number));
+}
+
+void MainWindow::showHelp(HelpWindow::Page page)
+{
+    if (!help_) {
+        QString rows = QStringLiteral("<table cellpadding='3'>");
+        for (const QAction* action : actions_->withShortcuts())
+            rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                        .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                             action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
+        help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
+    }
+    help_->open(page);
+}
+
+void MainWindow::look()
+{
+    const QAction* theme = actions_->theme->checkedAction();
+    const QAction* size = actions_->fontSize->checkedAction();
+    applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
+               systemPointSize() + (size ? size->data().toInt() : 0));
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) actions_->updateIcons(palette());
+    if (event->type() == QEvent::WindowStateChange) actions_->fullScreen->setChecked(isFullScreen());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls())
+        if (CaseFiles::isCaseFile(url.toLocalFile()) || CaseFiles::isResultsFile(url.toLocalFile()))
+            event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls()) {
+        const QString file = url.toLocalFile();
+        if (CaseFiles::isResultsFile(file)) runFiles_->openRun(file);
+        else if (CaseFiles::isCaseFile(file)) files_->open(file);
+    }
+    event->acceptProposedAction();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!closing_ && files_->modified()) {
+        event->ignore();
+        files_->whenSettled([this] {
+            closing_ = true;
+            close();
+        });
+        return;
+    }
+    controller().stop();
+    film_->controller().stop();
+    studies_->controller().stop();
+    saveSession();
+    event->accept();
+}
+
+void MainWindow::saveSession()
+{
+    setPage(Page::Run); // the next session begins with its panes
+    session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
+}
+
+void MainWindow::restoreSession()
+{
+    session_->restore();
+    pages_->showPanesOfPage();
+    look();
+}
+
+void MainWindow::openLastCase()
+{
+    const QString last = WindowSession::lastCase();
+    const bool sample = std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
+    // A file that is gone or spoiled since is no reason to begin with an error.
+    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid()) files_->openNow(last);
+    else files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+}
+
+} // namespace touchdown

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The workbench: parameters at the left; in the centre the pages of runs over time, of a film's static state and of studies; the case,
+// the runs and the values at the cursors, or the static attitude, or the text of a study at the right; what happened at the foot.
+#pragma once
+
+#include "ui/runs/about_case_pane.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_window.h"
+#include "ui/window/help_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/runs/run_files.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_pages.h"
+#include "ui/window/window_session.h"
+
+#include <QMainWindow>
+
+namespace touchdown {
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr) : MainWindow(coreStudies(), parent) {}
+    /// With other studies than those of the core.
+    explicit MainWindow(StudyCatalogue studies, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// What the last session left: geometry, theme, font, panes.
+    void restoreSession();
+    /// The case that the last session left, or the default one.
+    void openLastCase();
+    /// Runs the case in time.
+    void startRun();
+    /// Solves a film case for its static state.
+    void solveStaticState();
+    /// Solves a film case for the pressure at the attitude of its start.
+    void solveAtGivenAttitude();
+    /// Performs the study that is written on the page of studies.
+    void performStudy();
+    void openResults(const QString& file) { runFiles_->openRun(file); }
+    using Page = WindowPages::Page;
+    void setPage(Page page) { pages_->setPage(page); }
+    QTabBar* pageTabs() const { return pages_->tabs(); }
+    /// The page that is shown, as it is exported.
+    QWidget* page() const { return pages_->pages(); }
+
+    CaseEdits& edits() { return edits_; }
+    CaseFiles& files() { return *files_; }
+    RunsModel& runs() { return runs_->runs(); }
+    RunController& controller() { return runs_->controller(); }
+    WindowActions& actions() { return *actions_; }
+    CasePanel& casePanel() { return *casePanel_; }
+    RunsPanel& runsPanel() { return *runs_->panel(); }
+    RunView& runView() { return *runs_->view(); }
+    LivePlots& plots() { return *runs_->view()->plots(); }
+    LiveSpectrum& spectrum() { return *runs_->view()->spectrum(); }
+    MessageStrip& messages() { return *messages_; }
+    RunProgress& progress() { return *runs_->progress(); }
+    AboutCasePane& aboutCase() { return *aboutCase_; }
+    FilmWindow& film() { return *film_; }
+    StudyWindow& studies() { return *studies_; }
+
+signals:
+    /// A run, a solution or a study has come to its end, and everything shows it; `valid` when it has an answer.
+    void calculationEnded(bool valid, const QString& message);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void connectFiles();
+    void connectRuns();
+    void connectFilm();
+    void connectStudies();
+    void connectView();
+    void connectHelp();
+
+    bool readyToRun();
+    void onCaseOpened();
+    void onImported(const QString& path, const QStringList& warnings);
+    void onExported(const QString& path, const QStringList& warnings);
+    void onCaseEdited();
+    void onRunEnded(int number, const Summary& summary);
+    void onSolved(const SteadyResult& result);
+    void onStudied(const StudyReport& report);
+    void solve(bool given);
+    void updateRunActions();
+    void updateTitle();
+    void updateRecentMenu();
+    void chooseRecording(bool on);
+    void useParametersOf(int number);
+    void showHelp(HelpWindow::Page page);
+    void look();
+    void saveSession();
+
+    CaseEdits edits_;
+    WindowActions* actions_;
+    CaseFiles* files_;
+    RunFiles* runFiles_ = nullptr;
+    CasePanel* casePanel_;
+    AboutCasePane* aboutCase_;
+    RunWindow* runs_;
+    FilmWindow* film_;
+    StudyWindow* studies_;
+    MessageStrip* messages_;
+    WindowPages* pages_ = nullptr;
+    HelpWindow* help_ = nullptr;
+    std::unique_ptr<WindowSession> session_;
+    QString recordTo_;
+    bool closing_ = false;   // the question about changes was answered
+};
+
+} // namespace touchdown

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the window's actions do, and what follows from what its parts tell.
+#include "ui/window/main_window.h"
+
+#include <QDir>
+#include <QMessageBox>
+
+#include "ui/plot/plot_export.h"
+
+namespace touchdown {
+
+void MainWindow::connectFiles()
+{
+    connect(actions_->newCase, &QAction::triggered, files_, &CaseFiles::newCase);
+    connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
+    connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
+    connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
+    connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);
+    connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
+    connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+    connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
+    connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
+    connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
+    connect(actions_->resetAll, &QAction::triggered, &edits_, &CaseEdits::resetAll);
+    connect(actions_->findParameter, &QAction::triggered, this, [this] {
+        casePanel_->search()->setFocus();
+        casePanel_->search()->selectAll();
+    });
+    connect(actions_->openResults, &QAction::triggered, runFiles_, &RunFiles::chooseOpen);
+    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), false); });
+    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
+    connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
+    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*page()); });
+    connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
+    connect(files_, &CaseFiles::saved, this, [this] {
+        casePanel_->setPreset({});
+        updateTitle();
+        messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
+    });
+    connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
+    connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
+    connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
+    connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
+    connect(runFiles_, &RunFiles::succeeded, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(runFiles_, &RunFiles::failed, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
+    connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::connectRuns()
+{
+    connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
+    RunController* controller = &this->controller();
+    connect(actions_->pause, &QAction::triggered, controller, [controller](bool on) { on ? controller->pause() : controller->resume(); });
+    connect(actions_->step, &QAction::triggered, controller, &RunController::step);
+    connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
+    connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
+    connect(actions_->pace, &QComboBox::currentIndexChanged, controller,
+            [this, controller] { controller->setPace(actions_->pace->currentData().toDouble()); });
+    connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(controller, &RunController::recordingFailed, this,
+            [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
+    connect(runs_, &RunWindow::started, this, [this] {
+        aboutCase_->setResult({});
+        messages_->clear();
+    });
+    connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
+    connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
+    connect(runs_->panel(), &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
+    connect(runs_->panel(), &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
+    connect(runs_->panel(), &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
+    connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
+    connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
+}
+
+void MainWindow::connectFilm()
+{
+    connect(actions_->solve, &QAction::triggered, this, &MainWindow::solveStaticState);
+    connect(actions_->solveGiven, &QAction::triggered, this, &MainWindow::solveAtGivenAttitude);
+    connect(pages_, &WindowPages::shown, this, &MainWindow::updateRunActions);
+    connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
+    connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
+    connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
+}
+
+void MainWindow::connectStudies()
+{
+    connect(actions_->study, &QAction::triggered, this, &MainWindow::performStudy);
+    connect(studies_->editor(), &StudyEditor::runRequested, this, &MainWindow::performStudy);
+    connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
+    connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
+    connect(studies_, &StudyWindow::succeeded, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(studies_, &StudyWindow::failed, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
+        edits_.setAll(found, tr("apply the study: %1").arg(title));
+        messages_->show(MessageStrip::Kind::Success, tr("The parameters are those that the study found. Undo takes them back."));
+    });
+}
+
+void MainWindow::connectView()
+{
+    PlotGroup* group = plots().group();
+    connect(actions_->fit, &QAction::triggered, runs_->view(), &RunView::fit);
+    connect(actions_->follow, &QAction::triggered, group,
+            [group](bool on) { group->setFollow(on ? PlotGroup::Follow::WholeRun : PlotGroup::Follow::Frozen); });
+    connect(group, &PlotGroup::followChanged, this,
+            [this](PlotGroup::Follow follow) { actions_->follow->setChecked(follow != PlotGroup::Follow::Frozen); });
+    connect(actions_->zoomBack, &QAction::triggered, group, &PlotGroup::goBack);
+    connect(actions_->zoomForward, &QAction::triggered, group, &PlotGroup::goForward);
+    const auto updateHistory = [this, group] {
+        actions_->zoomBack->setEnabled(group->canGoBack());
+        actions_->zoomForward->setEnabled(group->canGoForward());
+    };
+    connect(group, &PlotGroup::historyChanged, this, updateHistory);
+    updateHistory();
+    for (const LivePlots::Entry& entry : plots().plots()) actions_->plots->addAction(entry.wanted);
+    actions_->plots->addAction(runs_->view()->spectrumWanted());
+
+    connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::connectHelp()
+{
+    connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
+    connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
+    connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
+    connect(actions_->aboutQt, &QAction::triggered, this, [this] {
+        auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
+                                    tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
+                                       "Public License, version 3.")
+                                        .arg(QString::fromLatin1(qVersion())),
+                                    QMessageBox::Close, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+}
+
+} // namespace touchdown

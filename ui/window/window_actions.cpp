@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_actions.h"
+
+#include <limits>
+
+#include <QLabel>
+#include <QMenuBar>
+#include <QToolButton>
+
+#include "core/case_files/case_file.h"
+#include "ui/style/icons.h"
+#include "ui/runs/run_controller.h"
+
+namespace touchdown {
+
+WindowActions::WindowActions(QMainWindow& window, QUndoStack& stack) : QObject(&window)
+{
+    buildFile(window);
+    buildEdit(window, stack);
+    buildRun(window);
+    buildView(window);
+    buildHelp(window);
+    buildToolBar(window);
+    updateIcons(window.palette());
+}
+
+QAction* WindowActions::add(QMenu* menu, const QString& text, const QKeySequence& keys, const QString& iconName,
+                            const QString& tip)
+{
+    QAction* action = menu->addAction(text);
+    action->setShortcut(keys);
+    QString plain = text;
+    plain.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+    QString hint = tip.isEmpty() ? plain : tip;
+    if (!keys.isEmpty()) hint += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+    action->setToolTip(hint);
+    if (!iconName.isEmpty()) icons_.emplace_back(action, iconName);
+    all_.push_back(action);
+    return action;
+}
+
+void WindowActions::buildFile(QMainWindow& window)
+{
+    QMenu* menu = window.menuBar()->addMenu(tr("&File"));
+    newCase = add(menu, tr("&New case"), QKeySequence::New);
+    open = add(menu, tr("&Open…"), QKeySequence::Open, QStringLiteral("open"), tr("Open a case file or a saved run"));
+    samples = menu->addMenu(tr("Open sample &case"));
+    for (const SampleCase& sample : sampleCases()) {
+        const QString name = QString::fromStdString(sample.name);
+        const CaseDocument document = parseCase(sample.text, sample.name);
+        QAction* action = samples->addAction(QString::fromStdString(document.value.title));
+        action->setData(name);
+        connect(action, &QAction::triggered, this, [this, name] { emit sampleChosen(name); });
+    }
+    recent = menu->addMenu(tr("Open &recent"));
+    menu->addSeparator();
+    save = add(menu, tr("&Save"), QKeySequence::Save, QStringLiteral("save"), tr("Save the case; its comments are kept"));
+    saveAs = add(menu, tr("Save &as…"), QKeySequence::SaveAs);
+    menu->addSeparator();
+    importCml = add(menu, tr("&Import CML case…"), {}, {}, tr("Read rail.dat with run.dat or dynamics.def, or a .cml archive"));
+    exportCml = add(menu, tr("Export as C&ML case…"), {}, {}, tr("Write rail.dat and run.dat, in a folder or a .cml archive"));
+    exportCml->setVisible(false);
+    menu->addSeparator();
+    openResults = add(menu, tr("Open saved r&un…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
+    saveResults = add(menu, tr("Save run as &HDF5…"));
+    exportCsv = add(menu, tr("Export run as CS&V…"));
+    exportPage = add(menu, tr("Export &plots…"), QKeySequence(Qt::CTRL | Qt::Key_E), {},
+                     tr("Export all plots as PNG, SVG or PDF"));
+    menu->addSeparator();
+    quit = add(menu, tr("&Quit"), QKeySequence::Quit);
+}
+
+void WindowActions::buildEdit(QMainWindow& window, QUndoStack& stack)
+{
+    QMenu* menu = window.menuBar()->addMenu(tr("&Edit"));
+    undo = stack.createUndoAction(this, tr("Undo"));
+    redo = stack.createRedoAction(this, tr("Redo"));
+    undo->setShortcut(QKeySequence::Undo);
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    for (QAction* action : {undo, redo}) {
+        menu->addAction(action);
+        all_.push_back(action);
+    }
+    icons_.emplace_back(undo, QStringLiteral("undo"));
+    icons_.emplace_back(redo, QStringLiteral("redo"));
+    menu->addSeparator();
+    resetAll = add(menu, tr("Reset &all parameters"));
+    findParameter = add(menu, tr("&Find parameter"), QKeySequence::Find);
+    menu->addSeparator();
+    copyPage = add(menu, tr("&Copy plots as picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+}
+
+void WindowActions::buildRun(QMainWindow& window)
+{
+    QMenu* menu = window.menuBar()->addMenu(tr("&Run"));
+    run = add(menu, tr("&Run"), QKeySequence(Qt::Key_F5), QStringLiteral("run"),
+              tr("Run the case; a run under way starts again"));
+    pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause the run, or let it go on"));
+    pause->setCheckable(true);
+    step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"), tr("Let a paused run go on by one picture"));
+    stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"), tr("Stop what is under way; what there is of it stays"));
+    menu->addSeparator();
+    solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
+                tr("Solve for the static attitude; a solution under way starts again"));
+    solve->setIconText(tr("Solve"));
+    study = add(menu, tr("Perform st&udy"), QKeySequence(Qt::SHIFT | Qt::Key_F5), QStringLiteral("study"),
+                tr("Perform the study of the page Studies; one under way starts again"));
+    solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
+                     tr("Solve for the pressure only, at the height, pitch and roll of the start"));
+    solve->setVisible(false);
+    solveGiven->setVisible(false);
+    menu->addSeparator();
+    record = add(menu, tr("Record to &file…"), {}, {},
+                 tr("Write the runs that follow to an HDF5 file while they go"));
+    record->setCheckable(true);
+}
+
+void WindowActions::buildView(QMainWindow& window)
+{
+    QMenu* menu = window.menuBar()->addMenu(tr("&View"));
+    fit = add(menu, tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), QStringLiteral("fit"), tr("Show all of the runs"));
+    follow = add(menu, tr("F&ollow the run"), QKeySequence(Qt::CTRL | Qt::Key_L), QStringLiteral("follow"),
+                 tr("Let the time axis follow the run; off: freeze it"));
+    follow->setCheckable(true);
+    follow->setChecked(true);
+    zoomBack = add(menu, tr("Zoom &back"), QKeySequence(Qt::ALT | Qt::Key_Left), QStringLiteral("back"));
+    zoomForward = add(menu, tr("Zoom for&ward"), QKeySequence(Qt::ALT | Qt::Key_Right), QStringLiteral("forward"));
+    menu->addSeparator();
+    panes = menu->addMenu(tr("&Panes"));
+    plots = menu->addMenu(tr("P&lots"));
+
+    QMenu* themes = menu->addMenu(tr("&Theme"));
+    theme = new QActionGroup(this);
+    for (const auto& [kind, text] : {std::pair(Theme::System, tr("As the &system")), std::pair(Theme::Light, tr("&Light")),
+                                     std::pair(Theme::Dark, tr("&Dark"))}) {
+        QAction* action = themes->addAction(text);
+        action->setCheckable(true);
+        action->setData(themeName(kind));
+        theme->addAction(action);
+    }
+    QMenu* sizes = menu->addMenu(tr("Font si&ze"));
+    fontSize = new QActionGroup(this);
+    for (const auto& [points, text] : {std::pair(0, tr("&Normal")), std::pair(2, tr("&Large")), std::pair(5, tr("&Projector")),
+                                       std::pair(9, tr("Lecture &hall"))}) {
+        QAction* action = sizes->addAction(text);
+        action->setCheckable(true);
+        action->setData(points);
+        fontSize->addAction(action);
+    }
+    menu->addSeparator();
+    fullScreen = add(menu, tr("F&ull screen"), QKeySequence(Qt::Key_F11));
+    fullScreen->setCheckable(true);
+}
+
+void WindowActions::buildHelp(QMainWindow& window)
+{
+    QMenu* menu = window.menuBar()->addMenu(tr("&Help"));
+    help = add(menu, tr("&Contents: how to use it, the equations"), QKeySequence::HelpContents);
+    shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));
+    menu->addSeparator();
+    aboutProgram = add(menu, tr("&About Touchdown"));
+    aboutQt = add(menu, tr("About &Qt"));
+}
+
+void WindowActions::buildToolBar(QMainWindow& window)
+{
+    toolBar = window.addToolBar(tr("Tools"));
+    toolBar->setObjectName(QStringLiteral("tools"));
+    toolBar->setMovable(false);
+    toolBar->setIconSize(QSize(20, 20));
+    toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    toolBar->addAction(open);
+    toolBar->addAction(save);
+    toolBar->addSeparator();
+    toolBar->addAction(undo);
+    toolBar->addAction(redo);
+    toolBar->addSeparator();
+    toolBar->addAction(solve);
+    toolBar->addAction(run);
+    toolBar->addAction(study);
+    toolBar->addAction(pause);
+    toolBar->addAction(step);
+    toolBar->addAction(stop);
+    for (QAction* action : {solve, run})
+        static_cast<QToolButton*>(toolBar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+
+    pace = new QComboBox(toolBar);
+    pace->setAccessibleName(tr("Speed of the run"));
+    pace->setToolTip(tr("Simulated time per second: slow motion for watching"));
+    pace->setFocusPolicy(Qt::StrongFocus);
+    pace->addItem(tr("Full speed"), RunController::fullSpeed);
+    for (const auto& [value, text] : {std::pair(1e-3, tr("1 ms/s")), std::pair(3e-4, tr("300 µs/s")), std::pair(1e-4, tr("100 µs/s")),
+                                      std::pair(3e-5, tr("30 µs/s")), std::pair(1e-5, tr("10 µs/s"))})
+        pace->addItem(text, value);
+    auto* label = new QLabel(tr("&Speed"), toolBar);
+    label->setBuddy(pace);
+    label->setContentsMargins(8, 0, 4, 0);
+    pace_ = {toolBar->addWidget(label), toolBar->addWidget(pace)};
+    toolBar->addSeparator();
+    toolBar->addAction(fit);
+    toolBar->addAction(follow);
+    toolBar->addAction(zoomBack);
+    toolBar->addAction(zoomForward);
+    for (QAction* action : toolBar->actions())
+        if (QWidget* button = toolBar->widgetForAction(action); button && button != pace && button != label && !action->text().isEmpty())
+            button->setAccessibleName(action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")));
+}
+
+void WindowActions::updateIcons(const QPalette& palette)
+{
+    for (const auto& [action, name] : icons_) action->setIcon(icon(name, palette));
+}
+
+std::vector<const QAction*> WindowActions::withShortcuts() const
+{
+    std::vector<const QAction*> list;
+    for (const QAction* action : all_)
+        if (!action->shortcut().isEmpty()) list.push_back(action);
+    return list;
+}
+
+void WindowActions::setPage(ModelKind model, bool inTime)
+{
+    const bool film = model == ModelKind::Film;
+    for (QAction* action : {solve, solveGiven, exportCml}) action->setVisible(film);
+    for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(inTime);
+    for (QAction* action : pace_) action->setVisible(inTime);
+    plots->menuAction()->setVisible(inTime);
+}
+
+void WindowActions::choosePace(double simulatedPerWallSecond)
+{
+    const int index = pace->findData(simulatedPerWallSecond);
+    pace->setCurrentIndex(index < 0 ? 0 : index);
+}
+
+} // namespace touchdown

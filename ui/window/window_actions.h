@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Everything that can be done in the window: actions, their menus, the tool bar. What they do is
+// connected by the window.
+#pragma once
+
+#include "core/case/case.h"
+#include "ui/style/theme.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolBar>
+#include <QUndoStack>
+
+#include <vector>
+
+namespace touchdown {
+
+class WindowActions : public QObject {
+    Q_OBJECT
+
+public:
+    /// Builds the menus and the tool bar of `window`.
+    WindowActions(QMainWindow& window, QUndoStack& undo);
+
+    QAction *newCase, *open, *save, *saveAs, *importCml, *exportCml, *openResults, *exportPage, *exportCsv, *saveResults, *quit;
+    QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
+    QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
+    QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
+    QAction *help, *shortcuts, *aboutProgram, *aboutQt;
+    QMenu *samples, *recent, *panes, *plots;
+    QActionGroup* theme;    // data: the name of the theme
+    QActionGroup* fontSize; // data: points added to the system's own
+    QComboBox* pace;        // data: simulated seconds per second, as a double
+    QToolBar* toolBar;
+
+    /// Draws the icons anew, as after a change of the palette.
+    void updateIcons(const QPalette& palette);
+    /// All actions with a shortcut, for the shortcut sheet.
+    std::vector<const QAction*> withShortcuts() const;
+    /// Offers what the model can do, and what belongs to the page of runs in time, if that is shown.
+    void setPage(ModelKind model, bool inTime);
+    void choosePace(double simulatedPerWallSecond);
+
+signals:
+    void sampleChosen(const QString& name);
+
+private:
+    QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys = {}, const QString& iconName = {},
+                 const QString& tip = {});
+    void buildFile(QMainWindow& window);
+    void buildEdit(QMainWindow& window, QUndoStack& stack);
+    void buildRun(QMainWindow& window);
+    void buildView(QMainWindow& window);
+    void buildHelp(QMainWindow& window);
+    void buildToolBar(QMainWindow& window);
+
+    std::vector<std::pair<QAction*, QString>> icons_;
+    std::vector<QAction*> all_;
+    std::vector<QAction*> pace_; // label and box in the tool bar
+};
+
+} // namespace touchdown

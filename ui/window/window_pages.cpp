@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_pages.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace touchdown {
+
+WindowPages::WindowPages(const Parts& parts)
+    : QObject(&parts.window), parts_(parts), tabs_(new QTabBar(&parts.window)), pages_(new QStackedWidget(&parts.window))
+{
+    buildCentre();
+    buildPanes();
+    parts_.window.statusBar()->addWidget(parts_.runs.progress(), 1);
+    parts_.window.statusBar()->addWidget(parts_.film.progress(), 1);
+    parts_.window.statusBar()->addWidget(parts_.studies.progress(), 1);
+    parts_.window.statusBar()->setSizeGripEnabled(false);
+    connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
+    // What comes into the list is there to be seen.
+    connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
+}
+
+void WindowPages::buildCentre()
+{
+    // In the order of Page.
+    for (QWidget* page : {static_cast<QWidget*>(parts_.film.view()), static_cast<QWidget*>(parts_.runs.view()),
+                          static_cast<QWidget*>(parts_.studies.results())})
+        pages_->addWidget(page);
+    for (const QString& name : {tr("Static state"), tr("Run in time"), tr("Studies")}) tabs_->addTab(name);
+    tabs_->setTabVisible(static_cast<int>(Page::StaticState), false);
+    tabs_->setCurrentIndex(static_cast<int>(Page::Run));
+    pages_->setCurrentIndex(static_cast<int>(Page::Run));
+    tabs_->setAccessibleName(tr("What is shown of the case"));
+    tabs_->setExpanding(false);
+    tabs_->setFocusPolicy(Qt::StrongFocus);
+
+    auto* centre = new QWidget(&parts_.window);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(tabs_);
+    layout->addWidget(pages_, 1);
+    layout->addWidget(&parts_.messages);
+    parts_.window.setCentralWidget(centre);
+}
+
+void WindowPages::buildPanes()
+{
+    QMainWindow& window = parts_.window;
+    window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QDockWidget* parameters = addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
+    about_ = addPane(QStringLiteral("about"), tr("About this case"), &parts_.aboutCase, Qt::RightDockWidgetArea);
+    QDockWidget* runs = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
+    QDockWidget* values = addPane(QStringLiteral("values"), tr("Values at the cursors"), parts_.runs.values(), Qt::RightDockWidgetArea);
+    attitude_ = addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
+    study_ = addPane(QStringLiteral("study"), tr("Study"), parts_.studies.editor(), Qt::RightDockWidgetArea);
+    window.resizeDocks({parameters, about_}, {340, 340}, Qt::Horizontal);
+    window.resizeDocks({about_, runs, values}, {280, 240, 260}, Qt::Vertical);
+    panes_ = {{about_, {Page::StaticState, Page::Run}},
+              {runs, {Page::Run}},
+              {values, {Page::Run}},
+              {attitude_, {Page::StaticState}},
+              {study_, {Page::Studies}}};
+    showPanesOfPage();
+    parts_.film.progress()->hide();
+    parts_.studies.progress()->hide();
+}
+
+QDockWidget* WindowPages::addPane(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(title, &parts_.window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setAccessibleName(title);
+    parts_.window.addDockWidget(area, dock);
+    parts_.actions.panes->addAction(dock->toggleViewAction());
+    return dock;
+}
+
+void WindowPages::setPage(Page page)
+{
+    const bool none = page == Page::StaticState && !tabs_->isTabVisible(static_cast<int>(page));
+    tabs_->setCurrentIndex(static_cast<int>(none ? Page::Run : page));
+}
+
+void WindowPages::showModel(ModelKind model)
+{
+    model_ = model;
+    const bool film = model == ModelKind::Film;
+    if (!film && page() == Page::StaticState) setPage(Page::Run);
+    tabs_->setTabVisible(static_cast<int>(Page::StaticState), film);
+    parts_.actions.setPage(model_, page() == Page::Run);
+    emit shown();
+}
+
+void WindowPages::showPage()
+{
+    for (Pane& pane : panes_)
+        if (std::ranges::find(pane.pages, shown_) != pane.pages.end()) pane.wanted = !pane.dock->isHidden();
+    shown_ = page();
+    pages_->setCurrentIndex(static_cast<int>(shown_));
+    parts_.actions.setPage(model_, shown_ == Page::Run);
+    showPanesOfPage();
+    // The tables and texts are long, and what a film case says about itself is short.
+    if (shown_ == Page::StaticState) parts_.window.resizeDocks({about_, attitude_}, {180, 560}, Qt::Vertical);
+    emit shown();
+}
+
+void WindowPages::showPanesOfPage()
+{
+    for (const Pane& pane : panes_) {
+        const bool here = std::ranges::find(pane.pages, shown_) != pane.pages.end();
+        pane.dock->toggleViewAction()->setVisible(here);
+        pane.dock->setVisible(here && pane.wanted);
+    }
+}
+
+void WindowPages::updateProgress()
+{
+    parts_.runs.progress()->setVisible(shown_ == Page::Run || parts_.runs.controller().active());
+    parts_.film.progress()->setVisible(shown_ == Page::StaticState || parts_.film.controller().active());
+    parts_.studies.progress()->setVisible(shown_ == Page::Studies || parts_.studies.controller().active());
+}
+
+} // namespace touchdown

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands around the case: in the centre the pages of runs over time, of a film's static state and of studies, beside them panes,
+// which come and go with their page, and the progress of each at the foot.
+#pragma once
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QStackedWidget>
+#include <QTabBar>
+
+#include <vector>
+
+#include "ui/runs/about_case_pane.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+#include "ui/window/window_actions.h"
+
+namespace touchdown {
+
+class WindowPages : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this.
+    struct Parts {
+        QMainWindow& window;
+        WindowActions& actions;
+        RunWindow& runs;
+        FilmWindow& film;
+        StudyWindow& studies;
+        CasePanel& casePanel;
+        AboutCasePane& aboutCase;
+        MessageStrip& messages;
+    };
+    /// Builds centre, panes and foot of the window.
+    explicit WindowPages(const Parts& parts);
+
+    enum class Page { StaticState, Run, Studies };
+    /// Only a film has a static state of its own: of any other case it is the run in time that is shown instead.
+    void setPage(Page page);
+    Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
+    /// Offers what the model has.
+    void showModel(ModelKind model);
+    ModelKind model() const { return model_; }
+    /// Only the panes of the page that is shown, as after an arrangement was restored.
+    void showPanesOfPage();
+    /// That of the page; and of the others while something is under way there.
+    void updateProgress();
+
+    QTabBar* tabs() const { return tabs_; }
+    QStackedWidget* pages() const { return pages_; }
+
+signals:
+    /// Another model or another page may be shown.
+    void shown();
+
+private:
+    void buildCentre();
+    void buildPanes();
+    QDockWidget* addPane(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+    void showPage();
+
+    Parts parts_;
+    QTabBar* tabs_;
+    QStackedWidget* pages_;
+    QDockWidget* about_ = nullptr;
+    struct Pane {
+        QDockWidget* dock = nullptr;
+        std::vector<Page> pages; // on which it may stand
+        bool wanted = true;      // it was not closed there
+    };
+    std::vector<Pane> panes_; // those that come and go
+    QDockWidget* attitude_ = nullptr;
+    QDockWidget* study_ = nullptr;
+    ModelKind model_ = ModelKind::Springs;
+    Page shown_ = Page::Run;
+};
+
+} // namespace touchdown
