@@ -19,7 +19,8 @@ CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::stri
     CaseDocument document = openCase(name);
     if (const auto study = document.valid() ? std::nullopt : findStudySource(name)) {
         const std::string kind = study->kind.empty() ? "KIND" : study->kind;
-        document.problems = {{document.name, 0, "", "is a study, not a case; did you mean `touchdown study " + kind + ' ' + name + "`?"}};
+        document.problems = {{document.name, 0, "",
+                              "is a study, not a case; did you mean `touchdown study " + kind + ' ' + name + "`?"}};
     } else if (!settings.empty()) {
         applySettings(document, settings);
     }

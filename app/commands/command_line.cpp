@@ -16,12 +16,12 @@
 #include "app/commands/convert_command.h"
 #include "app/commands/describe_command.h"
 #include "app/commands/design_command.h"
-#include "app/terminal/mistaken_words.h"
 #include "app/commands/modes_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/steady_command.h"
 #include "app/commands/study_command.h"
 #include "app/commands/validate_command.h"
+#include "app/terminal/mistaken_words.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -46,7 +46,10 @@ void findCase(const CLI::App& command, std::string& name, const std::vector<std:
     if (name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
 }
 
-void findCase(const CLI::App& command, CaseArguments& arguments) { findCase(command, arguments.name, {&arguments.settings}); }
+void findCase(const CLI::App& command, CaseArguments& arguments)
+{
+    findCase(command, arguments.name, {&arguments.settings});
+}
 
 // What all studies that give a report have.
 void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name)
@@ -54,19 +57,22 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
     command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
     command.add_option("--set", arguments.study.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
         ->type_name("KEY=VALUE");
-    command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")->type_name("KEY=VALUE");
+    command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")
+        ->type_name("KEY=VALUE");
     command.add_option("--out", arguments.out, "Writes findings, charts and tables as HDF5")->type_name("FILE.h5");
     command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
     command.add_option("--jobs", arguments.jobs, "Solutions at a time; as many as there are cores without it")
         ->check(CLI::Range(1, 64));
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
-    command.add_flag("--template", arguments.asTemplate, "Prints the study, or one of the case with every key, to begin a file with");
+    command.add_flag("--template", arguments.asTemplate,
+                     "Prints the study, or one of the case with every key, to begin a file with");
 }
 
 std::vector<std::string> namesOf(const CLI::App& app)
 {
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
     return names;
 }
 
@@ -92,8 +98,10 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
 void addTolerance(const std::string& tolerance, std::vector<std::string>& options)
 {
     for (const std::string& option : options)
-        if (option.starts_with("tolerance") && option.find_first_not_of(' ', std::string_view("tolerance").size()) == option.find('='))
-            throw CLI::ParseError("advise: --tolerance " + tolerance + " and --option " + option + " are one value; give it once",
+        if (option.starts_with("tolerance") &&
+            option.find_first_not_of(' ', std::string_view("tolerance").size()) == option.find('='))
+            throw CLI::ParseError("advise: --tolerance " + tolerance + " and --option " + option +
+                                      " are one value; give it once",
                                   CLI::ExitCodes::ExcludesError);
     options.push_back("tolerance=" + tolerance);
 }
@@ -103,7 +111,8 @@ void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
 {
     const CommandWords known{namesOf(app), namesOf(*app.get_subcommand("study"))};
     if (arguments.empty()) throw CLI::RequiredError("A command (" + joined(known.commands, ", ") + ")");
-    if (arguments == std::vector<std::string>{"study"}) throw CLI::RequiredError("study: a kind (" + joined(known.kinds, ", ") + ")");
+    if (arguments == std::vector<std::string>{"study"})
+        throw CLI::RequiredError("study: a kind (" + joined(known.kinds, ", ") + ")");
     if (const std::string problem = mistakenWord(arguments, known); !problem.empty())
         throw CLI::ParseError(problem, CLI::ExitCodes::ExtrasError);
 }
@@ -165,21 +174,27 @@ int commandLine(int argc, char** argv)
     ConvergenceArguments convergenceArguments;
     CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
     study.require_subcommand(0, 1); // as above
-    CLI::App& convergence =
-        *study.add_subcommand("convergence", "How the closest approach of a contact case depends on the cells of its patch");
+    CLI::App& convergence = *study.add_subcommand(
+        "convergence", "How the closest approach of a contact case depends on the cells of its patch");
     addCase(convergence, convergenceArguments.caseArguments);
     convergence.add_option("--out", convergenceArguments.out, "Writes the table as HDF5")->type_name("FILE.h5");
     convergence.add_option("--csv", convergenceArguments.csv, "Writes the table as CSV")->type_name("FILE.csv");
-    convergence.add_option("--levels", convergenceArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
+    convergence
+        .add_option("--levels", convergenceArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
         ->check(CLI::Range(fewestLevels, mostLevels));
-    convergence.add_option("--jobs", convergenceArguments.options.jobs, "Levels that are solved at a time")->check(CLI::Range(1, 64));
+    convergence.add_option("--jobs", convergenceArguments.options.jobs, "Levels that are solved at a time")
+        ->check(CLI::Range(1, 64));
     addJson(convergence);
     DesignArguments designArguments;
-    CLI::App& design = *study.add_subcommand("design", "Searches for values of a film case with which it flies as wanted");
+    CLI::App& design =
+        *study.add_subcommand("design", "Searches for values of a film case with which it flies as wanted");
     design.add_option("FILE", designArguments.study.name, "A study: its case, what may change, and what is wanted");
-    design.add_option("--set", designArguments.study.settings, "Changes a value of the case, such as film.nodes=\"97, 97\"")
+    design
+        .add_option("--set", designArguments.study.settings,
+                    "Changes a value of the case, such as film.nodes=\"97, 97\"")
         ->type_name("KEY=VALUE");
-    design.add_option("--out", designArguments.out, "Writes the case with the values that were found")->type_name("FILE.toml");
+    design.add_option("--out", designArguments.out, "Writes the case with the values that were found")
+        ->type_name("FILE.toml");
     design.add_option("--csv", designArguments.csv, "Writes the steps of the search as CSV")->type_name("FILE.csv");
     design.add_flag("--template", designArguments.asTemplate, "Prints the study, to begin a file with");
     design.add_flag("--progress", designArguments.progress, "Shows progress even when standard error is no terminal");
@@ -204,7 +219,8 @@ int commandLine(int argc, char** argv)
     std::string to;
     CLI::App& convert = *app.add_subcommand(
         "convert", "Converts between case files and files of the established program (rail.dat, run.dat, .cml)");
-    convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")->required();
+    convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
+        ->required();
     convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")->required();
 
     CaseArguments validated;
@@ -216,8 +232,10 @@ int commandLine(int argc, char** argv)
     addJson(list);
 
     std::vector<std::string> key;
-    CLI::App& describe = *app.add_subcommand("describe", "Explains the keys of a case and of studies: unit, range, default, source");
-    describe.add_option("KEY", key, "A key such as springs.cutoff, a group such as springs, or study.KIND")->expected(0, 3);
+    CLI::App& describe =
+        *app.add_subcommand("describe", "Explains the keys of a case and of studies: unit, range, default, source");
+    describe.add_option("KEY", key, "A key such as springs.cutoff, a group such as springs, or study.KIND")
+        ->expected(0, 3);
     addJson(describe);
 
     try {
@@ -247,7 +265,8 @@ int commandLine(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = convergenceArguments.json = designArguments.json = studyArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = convergenceArguments.json = designArguments.json =
+        studyArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
     if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
     if (modes.parsed()) return finishOutput(modesCommand(modesArguments));

@@ -12,7 +12,8 @@ namespace touchdown {
 int convergenceCommand(const ConvergenceArguments& arguments)
 {
     const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
-    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}}, arguments.caseArguments.name);
+    const bool good =
+        targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}}, arguments.caseArguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     if (const std::string reason = reasonNotToConverge(document.value, arguments.options); !reason.empty()) {
         complain(document.name + ": " + reason);

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/terminal/console.h"
 #include "app/commands/describe_study.h"
+#include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
 #include "app/terminal/wrapped_text.h"
 #include "core/case/fields.h"
-#include "core/formats/nearest_name.h"
 #include "core/case_files/surface_text.h"
+#include "core/formats/nearest_name.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {

@@ -23,8 +23,10 @@ std::string standardText(const StudyKey& key)
 {
     std::string text;
     for (const auto& [model, value] : key.standards) {
-        if (text.empty()) text = value;
-        else if (value != key.standards.front().second) text += "; " + model + ": " + value;
+        if (text.empty())
+            text = value;
+        else if (value != key.standards.front().second)
+            text += "; " + model + ": " + value;
     }
     return text;
 }
@@ -35,7 +37,8 @@ std::string keyText(const StudyKey& key, std::size_t width)
     const std::string allowed = wrapped(key.allowed + (key.varies ? ", by the case" : ""), width + 2).substr(width + 2);
     const std::string text = padded(key.key, width) + allowed;
     std::string more = key.help == key.allowed || key.allowed.ends_with(key.help) ? "" : key.help;
-    if (!more.empty()) more = static_cast<char>(std::toupper(static_cast<unsigned char>(more.front()))) + more.substr(1) + ". ";
+    if (!more.empty())
+        more = static_cast<char>(std::toupper(static_cast<unsigned char>(more.front()))) + more.substr(1) + ". ";
     if (!standard.empty()) more += "Default: " + standard + ".";
     return text + (more.empty() ? "" : wrapped(more, 6));
 }
@@ -80,7 +83,8 @@ int describeKinds(bool json)
         all.push_back({{"name", kind.name}, {"title", kind.title}, {"help", kind.help}});
         rows.push_back({kind.name, kind.title});
     }
-    print(json ? jsonText({{"kinds", all}}) : alignedTable(rows, {true, true}) + "\n`touchdown describe study.KIND` lists the keys of one.\n");
+    print(json ? jsonText({{"kinds", all}})
+               : alignedTable(rows, {true, true}) + "\n`touchdown describe study.KIND` lists the keys of one.\n");
     return exitDone;
 }
 
@@ -89,7 +93,9 @@ int describeKind(const StudyKind& kind, const std::string& wanted, bool json)
     std::vector<StudyKey> keys = studyKeys(kind.name);
     std::vector<std::string> names;
     for (const StudyKey& key : keys) names.push_back(key.key);
-    if (!wanted.empty()) std::erase_if(keys, [&](const StudyKey& key) { return key.key != wanted && !key.key.starts_with(wanted + '.'); });
+    if (!wanted.empty())
+        std::erase_if(keys,
+                      [&](const StudyKey& key) { return key.key != wanted && !key.key.starts_with(wanted + '.'); });
     if (keys.empty()) {
         complain(wanted + ": unknown key of a study of kind " + kind.name + didYouMean(nearestName(wanted, names)));
         return exitWrongInput;
@@ -122,7 +128,8 @@ std::optional<int> describeStudy(const std::string& key, bool json)
         if (name.starts_with(kind.name + '.')) return describeKind(kind, name.substr(kind.name.size() + 1), json);
     }
     if (key == "study.design") {
-        complain("study.design: its keys are those of the designs that `touchdown study design NAME --template` prints, such as film_fig4_pico");
+        complain("study.design: its keys are those of the designs that `touchdown study design NAME --template` "
+                 "prints, such as film_fig4_pico");
         return exitWrongInput;
     }
     if (!key.starts_with(prefix)) return {};

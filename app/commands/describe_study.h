@@ -8,7 +8,8 @@
 
 namespace touchdown {
 
-/// Tells of "study", of "study.KIND" or "KIND", and of a key below it; the exit code. Nothing where the key is none of a study.
+/// Tells of "study", of "study.KIND" or "KIND", and of a key below it; the exit code. Nothing where the key is none of
+/// a study.
 std::optional<int> describeStudy(const std::string& key, bool json);
 
 } // namespace touchdown

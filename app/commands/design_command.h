@@ -10,9 +10,9 @@
 namespace touchdown {
 
 struct DesignArguments {
-    CaseArguments study; // a study's file or name, and settings for its case
-    std::string out;     // the case with what was found; "" for none
-    std::string csv;     // "" for none
+    CaseArguments study;     // a study's file or name, and settings for its case
+    std::string out;         // the case with what was found; "" for none
+    std::string csv;         // "" for none
     bool asTemplate = false; // print the study instead
     bool progress = false;
     bool json = false;

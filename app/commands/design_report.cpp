@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "app/commands/steady_report.h"
 #include "app/terminal/json_text.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_row.h"
-#include "app/commands/steady_report.h"
 
 namespace touchdown {
 

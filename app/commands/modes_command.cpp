@@ -3,8 +3,8 @@
 
 #include "app/commands/case_commands.h"
 #include "app/commands/modes_report.h"
-#include "app/terminal/steady_progress_line.h"
 #include "app/commands/steady_report.h"
+#include "app/terminal/steady_progress_line.h"
 #include "app/terminal/stop_signal.h"
 
 namespace touchdown {

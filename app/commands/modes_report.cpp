@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/commands/steady_report.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_row.h"
-#include "app/commands/steady_report.h"
 
 namespace touchdown {
 namespace {

@@ -8,13 +8,13 @@
 #include <unistd.h>
 
 #include "app/commands/case_commands.h"
+#include "app/commands/run_report.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
-#include "app/commands/run_report.h"
 #include "app/terminal/stop_signal.h"
 #include "core/results/results_file.h"
-#include "core/simulation/run.h"
 #include "core/simulation/recording/run_spectra.h"
+#include "core/simulation/run.h"
 
 namespace touchdown {
 namespace {
@@ -53,7 +53,7 @@ public:
             // Without the files that the text may name, so that the results stand alone.
             const std::string text = updateCaseText(document.text, document.value);
             problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
-                                                   recordedFields(document.value));
+                                               recordedFields(document.value));
             spectra_.emplace(document.value, quantities_);
         }
         if (problem_.empty() && !arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);

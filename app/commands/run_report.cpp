@@ -8,8 +8,8 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_row.h"
-#include "core/simulation/contact/contact_run.h"
 #include "core/formats/units.h"
+#include "core/simulation/contact/contact_run.h"
 
 namespace touchdown {
 namespace {
@@ -211,13 +211,14 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
     if (c.model == ModelKind::Contact) return contactText(c, summary);
     std::string text = c.title + "\n";
     text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
-    for (const auto& [key, label] : {std::pair{"flying_height", "final flying height"},
-                                     std::pair{"pitch", "final pitch"}, std::pair{"roll", "final roll"},
-                                     std::pair{"air_bearing_force", "final bearing force"},
-                                     std::pair{"net_contact_force", "final net contact"}})
+    for (const auto& [key, label] :
+         {std::pair{"flying_height", "final flying height"}, std::pair{"pitch", "final pitch"},
+          std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},
+          std::pair{"net_contact_force", "final net contact"}})
         // That of the springs counts from their static state.
         if (const auto found = find(summary.final, key);
-            found != summary.final.end() && (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
+            found != summary.final.end() &&
+            (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
             text += reportRow(label, shown(quantities, key, found->second));
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
         text += reportRow("minimum spacing",

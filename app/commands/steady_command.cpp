@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/commands/case_commands.h"
+#include "app/commands/steady_report.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/steady_progress_line.h"
-#include "app/commands/steady_report.h"
 #include "app/terminal/stop_signal.h"
 #include "core/results/results_file.h"
 #include "core/results/steady_file.h"

@@ -7,8 +7,8 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_row.h"
 #include "core/case/fields.h"
-#include "core/simulation/static_state/steady_quantities.h"
 #include "core/formats/units.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 namespace {

@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "app/commands/case_commands.h"
+#include "app/commands/study_report.h"
 #include "app/terminal/fitted_table.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/stop_signal.h"
 #include "app/terminal/study_progress_line.h"
-#include "app/commands/study_report.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_file.h"
 #include "core/studies/study_plan.h"
@@ -35,7 +35,8 @@ std::vector<std::string> writeFiles(const StudyArguments& arguments, const Study
     };
     const Case& c = plan.start.value;
     // Without the files that the text may name, so that the results stand alone.
-    if (!arguments.out.empty()) keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
+    if (!arguments.out.empty())
+        keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
     if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
     if (!arguments.apply.empty() && report.found) keep(writeAdvised(arguments.apply, plan, *report.found));
     return problems;
@@ -56,9 +57,13 @@ int printTemplate(const StudyArguments& arguments)
     const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings);
     complainOf(plan);
     const bool isStudy = !plan.text.empty();
-    const char* ignored = !arguments.options.empty() ? "--option" : isStudy && !arguments.study.settings.empty() ? "--set" : "";
+    const char* ignored = !arguments.options.empty()                     ? "--option"
+                          : isStudy && !arguments.study.settings.empty() ? "--set"
+                                                                         : "";
     if (*ignored != 0)
-        complain(ignored + std::string(arguments.kind == "advise" ? ": has no effect, nor has --tolerance," : ": has no effect") + " on what --template prints; write it into the file");
+        complain(ignored +
+                 std::string(arguments.kind == "advise" ? ": has no effect, nor has --tolerance," : ": has no effect") +
+                 " on what --template prints; write it into the file");
     if (!plan.valid() || *ignored != 0) return exitWrongInput;
     if (isStudy) {
         print(plan.text);
@@ -80,15 +85,17 @@ int studyCommand(const StudyArguments& arguments)
     if (arguments.asTemplate) return printTemplate(arguments);
     const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings, arguments.options);
     complainOf(plan);
-    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}}, arguments.study.name);
+    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
+                                     arguments.study.name);
     if (!plan.valid() || !good) return exitWrongInput;
 
     const StopSignal stop;
     StudyProgressLine line(arguments.progress);
-    StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : coresOfThis(), [&](const StudyProgress& progress) {
-        line.show(progress);
-        return !stop.requested();
-    });
+    StudyReport report =
+        plan.perform(arguments.jobs > 0 ? arguments.jobs : coresOfThis(), [&](const StudyProgress& progress) {
+            line.show(progress);
+            return !stop.requested();
+        });
     line.end();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report);
     if (!problems.empty()) {
@@ -101,7 +108,8 @@ int studyCommand(const StudyArguments& arguments)
         return exitNoAnswer;
     }
     if (arguments.apply.empty() || report.found) return exitDone;
-    complain("--apply: nothing is written to " + arguments.apply + ": no case has this answer; the findings say what to run instead");
+    complain("--apply: nothing is written to " + arguments.apply +
+             ": no case has this answer; the findings say what to run instead");
     return exitNoAnswer;
 }
 

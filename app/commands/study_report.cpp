@@ -41,7 +41,10 @@ Json tableJson(const StudyTable& table)
 
 Json axisJson(const ChartAxis& axis)
 {
-    return {{"label", axis.label}, {"unit", axis.unit}, {"display_unit", axis.displayUnit}, {"logarithmic", axis.logarithmic}};
+    return {{"label", axis.label},
+            {"unit", axis.unit},
+            {"display_unit", axis.displayUnit},
+            {"logarithmic", axis.logarithmic}};
 }
 
 Json seriesJson(const ChartSeries& series)
@@ -55,7 +58,11 @@ Json seriesJson(const ChartSeries& series)
                           {"label", point.label},
                           {"kind", name(point.kind)},
                           {"chosen", point.chosen}});
-    return {{"name", series.name}, {"line", name(series.line)}, {"markers", series.markers}, {"quiet", series.quiet}, {"points", points}};
+    return {{"name", series.name},
+            {"line", name(series.line)},
+            {"markers", series.markers},
+            {"quiet", series.quiet},
+            {"points", points}};
 }
 
 Json mapJson(const ChartMap& map)
@@ -74,12 +81,9 @@ Json panelJson(const ChartPanel& panel)
                          {"lower", jsonNumber(band.lower)},
                          {"upper", jsonNumber(band.upper)},
                          {"label", band.label}});
-    return {{"x", axisJson(panel.x)},
-            {"y", axisJson(panel.y)},
-            {"equal_scales", panel.equalScales},
-            {"series", series},
-            {"bands", bands},
-            {"map", panel.map ? mapJson(*panel.map) : Json(nullptr)}};
+    return {
+        {"x", axisJson(panel.x)}, {"y", axisJson(panel.y)}, {"equal_scales", panel.equalScales},
+        {"series", series},       {"bands", bands},         {"map", panel.map ? mapJson(*panel.map) : Json(nullptr)}};
 }
 
 Json chartJson(const StudyChart& chart)
@@ -121,11 +125,14 @@ std::string tableText(const StudyTable& table, std::size_t width, const std::str
     }
     const FittedTable fitted = fittedTable(columns, rows, width);
     std::string text = table.name + ":\n" + fitted.text;
-    if (rows.size() < table.rows.size()) text += "… " + std::to_string(table.rows.size()) + " rows; all with " + whole + "\n";
+    if (rows.size() < table.rows.size())
+        text += "… " + std::to_string(table.rows.size()) + " rows; all with " + whole + "\n";
     std::string names;
     for (const std::string& each : fitted.leftOut) names += (names.empty() ? "" : ", ") + each;
-    if (!names.empty()) text += wrapped("left out: " + names + "; all with " + whole, 0, width);
-    else if (fitted.cut && rows.size() == table.rows.size()) text += wrapped("texts that end with … are whole with " + whole, 0, width);
+    if (!names.empty())
+        text += wrapped("left out: " + names + "; all with " + whole, 0, width);
+    else if (fitted.cut && rows.size() == table.rows.size())
+        text += wrapped("texts that end with … are whole with " + whole, 0, width);
     return text;
 }
 
@@ -151,7 +158,8 @@ std::string studyJson(const StudyReport& report)
 std::string studyText(const StudyReport& report, std::size_t width)
 {
     std::string text = report.title + "\n";
-    text += reportRow("status", std::string(name(report.status)) + (report.message.empty() ? "" : ": " + report.message));
+    text +=
+        reportRow("status", std::string(name(report.status)) + (report.message.empty() ? "" : ": " + report.message));
     text += reportRow("time", displayed(report.wallSeconds, "s", 3));
     if (!report.findings.empty()) text += "\n";
     for (const std::string& finding : report.findings) text += finding + "\n";

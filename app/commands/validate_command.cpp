@@ -27,7 +27,8 @@ Json jsonList(const std::vector<InputProblem>& problems)
     return list;
 }
 
-Json validation(const char* what, const CaseDocument& document, const std::string& title, const std::vector<InputProblem>& problems)
+Json validation(const char* what, const CaseDocument& document, const std::string& title,
+                const std::vector<InputProblem>& problems)
 {
     return {{what, document.name},
             {"title", title},
@@ -45,7 +46,8 @@ std::optional<InputProblem> kindProblem(const std::string& name, const StudySour
     if (std::ranges::find(kinds, study.kind) != kinds.end()) return {};
     std::string list;
     for (const std::string& each : kinds) list += (list.empty() ? "" : ", ") + each;
-    const std::string said = study.kind.empty() ? "is missing, so that nothing says how to read it: it is one of " : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
+    const std::string said = study.kind.empty() ? "is missing, so that nothing says how to read it: it is one of "
+                                                : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
     return InputProblem{name, study.kindLine, "kind", said + list + didYouMean(nearestName(study.kind, kinds))};
 }
 
@@ -87,8 +89,10 @@ int validateCommand(const CaseArguments& arguments, bool json)
 {
     if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study, json);
     const CaseDocument document = openCaseOrComplain(arguments);
-    if (json) print(jsonText(validation("case", document, document.value.title, document.problems)));
-    else if (document.valid()) print(document.name + ": valid\n");
+    if (json)
+        print(jsonText(validation("case", document, document.value.title, document.problems)));
+    else if (document.valid())
+        print(document.name + ": valid\n");
     return document.valid() ? exitDone : exitWrongInput;
 }
 

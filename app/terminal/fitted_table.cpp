@@ -19,8 +19,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t gap = 2;            // between columns, as alignedTable makes it
-constexpr std::size_t shortestCut = 24;   // of a text; below it nothing is understood
+constexpr std::size_t gap = 2;          // between columns, as alignedTable makes it
+constexpr std::size_t shortestCut = 24; // of a text; below it nothing is understood
 
 /// The heading's parts, in lines no longer than `most` or than the longest part.
 Lines brokenHeading(const std::string& heading, std::size_t most)
@@ -31,8 +31,10 @@ Lines brokenHeading(const std::string& heading, std::size_t most)
         const std::size_t end = std::min(heading.find_first_of("_ ", at), heading.size() - 1) + 1;
         const std::string part = heading.substr(at, end - at);
         const std::size_t bare = textWidth(part) - (part.ends_with(' ') ? 1 : 0);
-        if (open && textWidth(lines.back()) + bare <= most) lines.back() += part;
-        else lines.push_back(part);
+        if (open && textWidth(lines.back()) + bare <= most)
+            lines.back() += part;
+        else
+            lines.push_back(part);
         open = true;
         at = end;
     }
@@ -59,7 +61,8 @@ std::string cutTo(const std::string& text, std::size_t width)
 
 class Fitting {
 public:
-    Fitting(const std::vector<FittedColumn>& columns, const std::vector<Lines>& rows, std::size_t width) : columns_(columns), rows_(rows)
+    Fitting(const std::vector<FittedColumn>& columns, const std::vector<Lines>& rows, std::size_t width)
+        : columns_(columns), rows_(rows)
     {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             values_.push_back(0);
@@ -83,7 +86,8 @@ public:
         std::vector<Lines> headings;
         std::size_t height = 0;
         for (const std::size_t i : kept_) {
-            headings.push_back(broken_ ? brokenHeading(columns_[i].heading, room(i, longest_)) : Lines{columns_[i].heading});
+            headings.push_back(broken_ ? brokenHeading(columns_[i].heading, room(i, longest_))
+                                       : Lines{columns_[i].heading});
             height = std::max(height, headings.back().size());
         }
         std::vector<Lines> lines(height);
@@ -110,7 +114,10 @@ public:
 
 private:
     /// For the values of a column whose texts have at most so many characters.
-    std::size_t room(std::size_t i, std::size_t longest) const { return columns_[i].text ? std::min(values_[i], longest) : values_[i]; }
+    std::size_t room(std::size_t i, std::size_t longest) const
+    {
+        return columns_[i].text ? std::min(values_[i], longest) : values_[i];
+    }
 
     std::size_t widthWith(std::size_t longest) const
     {
@@ -127,13 +134,14 @@ private:
     const std::vector<Lines>& rows_;
     std::vector<std::size_t> values_; // the widest of each column
     std::vector<std::size_t> kept_;
-    bool broken_ = false;             // headings
+    bool broken_ = false;                                           // headings
     std::size_t longest_ = std::numeric_limits<std::size_t>::max(); // text
 };
 
 } // namespace
 
-FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows, std::size_t width)
+FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows,
+                        std::size_t width)
 {
     return Fitting(columns, rows, width).table();
 }
@@ -144,10 +152,12 @@ std::size_t outputWidth()
     if (const char* given = std::getenv("COLUMNS")) {
         std::size_t width = 0;
         const std::string_view text = given;
-        if (std::from_chars(text.data(), text.data() + text.size(), width).ec == std::errc() && width > 0) return std::max(width, least);
+        if (std::from_chars(text.data(), text.data() + text.size(), width).ec == std::errc() && width > 0)
+            return std::max(width, least);
     }
     winsize size{};
-    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return std::max<std::size_t>(size.ws_col, least);
+    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        return std::max<std::size_t>(size.ws_col, least);
     return otherwise;
 }
 

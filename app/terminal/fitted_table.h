@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table for people that is no wider than what shows it: headings of several lines, cut texts and, where that is not enough, fewer
-// columns.
+// A table for people that is no wider than what shows it: headings of several lines, cut texts and, where that is not
+// enough, fewer columns.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 namespace touchdown {
 
 struct FittedColumn {
-    std::string heading;     // may break behind '_' and at spaces
-    bool text = false;       // begins where its heading begins and may be cut; numbers end with it
-    bool secondary = false;  // left out first
+    std::string heading;    // may break behind '_' and at spaces
+    bool text = false;      // begins where its heading begins and may be cut; numbers end with it
+    bool secondary = false; // left out first
 };
 
 struct FittedTable {
@@ -21,7 +21,8 @@ struct FittedTable {
     std::vector<std::string> leftOut; // headings
     bool cut = false;                 // some text ends with an ellipsis
 };
-FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows, std::size_t width);
+FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows,
+                        std::size_t width);
 
 /// What shows standard output: COLUMNS, the terminal's width, or 100.
 std::size_t outputWidth();

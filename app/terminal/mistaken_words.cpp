@@ -17,7 +17,10 @@ using Words = std::vector<std::string>;
 
 bool contains(const Words& words, const std::string& word) { return std::ranges::find(words, word) != words.end(); }
 
-bool isWord(const std::string& argument) { return !argument.starts_with('-') && argument.find('=') == std::string::npos; }
+bool isWord(const std::string& argument)
+{
+    return !argument.starts_with('-') && argument.find('=') == std::string::npos;
+}
 
 bool isCase(const std::string& name)
 {
@@ -29,7 +32,8 @@ bool isCase(const std::string& name)
 /// Takes the first word that is one of `names` out of the arguments; "" if there is none.
 std::string take(Words& arguments, const Words& names)
 {
-    const auto found = std::ranges::find_if(arguments, [&](const std::string& each) { return isWord(each) && contains(names, each); });
+    const auto found =
+        std::ranges::find_if(arguments, [&](const std::string& each) { return isWord(each) && contains(names, each); });
     if (found == arguments.end()) return {};
     std::string word = *found;
     arguments.erase(found);
@@ -79,7 +83,8 @@ Words likelyMeant(Words rest, const CommandWords& known)
 std::string asTyped(const Words& arguments)
 {
     std::string line = "`touchdown";
-    for (const std::string& each : arguments) line += ' ' + (each.find(' ') == std::string::npos ? each : inQuotes(each));
+    for (const std::string& each : arguments)
+        line += ' ' + (each.find(' ') == std::string::npos ? each : inQuotes(each));
     return line + '`';
 }
 
@@ -90,7 +95,9 @@ std::string mistakenWord(const Words& arguments, const CommandWords& known)
     if (arguments.empty() || arguments.front().starts_with('-')) return {};
     const bool isStudy = arguments.front() == "study";
     const std::size_t at = isStudy ? 1 : 0;
-    if (at >= arguments.size() || arguments[at].starts_with('-') || contains(isStudy ? known.kinds : known.commands, arguments[at])) return {};
+    if (at >= arguments.size() || arguments[at].starts_with('-') ||
+        contains(isStudy ? known.kinds : known.commands, arguments[at]))
+        return {};
     const std::string sentence = inQuotes(arguments[at]) + (isStudy ? " is no kind of study" : " is no command");
     const Words meant = likelyMeant(arguments, known);
     if (meant.empty()) return sentence;

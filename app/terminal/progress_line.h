@@ -26,9 +26,9 @@ private:
     LiveLine line_;
     int spacing_; // column of the minimum spacing
     Clock::time_point begin_ = Clock::now();
-    double time_ = 0.0;               // simulated [s]
-    double duration_ = 0.0;           // [s]
-    double minimum_ = 0.0;            // spacing, of all samples [m]
+    double time_ = 0.0;     // simulated [s]
+    double duration_ = 0.0; // [s]
+    double minimum_ = 0.0;  // spacing, of all samples [m]
     bool sampled_ = false;
 };
 

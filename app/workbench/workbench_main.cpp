@@ -14,8 +14,8 @@
 #include "app/workbench/workbench_study.h"
 #include "core/case_files/case_file.h"
 #include "core/results/results_file.h"
-#include "ui/window/main_window.h"
 #include "ui/style/theme.h"
+#include "ui/window/main_window.h"
 
 namespace {
 
@@ -64,10 +64,12 @@ Arguments parse(int argc, char** argv)
         QStringLiteral("file"));
     const QCommandLineOption study(
         QStringLiteral("study"),
-        QStringLiteral("Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no display, writes its "
+        QStringLiteral("Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no "
+                       "display, writes its "
                        "charts as PNG and SVG to the folder of --pictures, prints their paths and ends."),
         QStringLiteral("kind"));
-    const QCommandLineOption pictures(QStringLiteral("pictures"), QStringLiteral("Where the charts of --study go."), QStringLiteral("folder"));
+    const QCommandLineOption pictures(QStringLiteral("pictures"), QStringLiteral("Where the charts of --study go."),
+                                      QStringLiteral("folder"));
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Of the window for pictures, as 1600x1000."),
                                   QStringLiteral("size"), QStringLiteral("1600x1000"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
@@ -116,7 +118,8 @@ void useNames()
 /// The study that was asked for, as pictures; the exit code. Mistakes in it come before anything that draws.
 int studyPictures(const Arguments& arguments, int argc, char** argv)
 {
-    const std::string file = arguments.file.isEmpty() ? std::string(touchdown::defaultCaseName) : arguments.file.toStdString();
+    const std::string file =
+        arguments.file.isEmpty() ? std::string(touchdown::defaultCaseName) : arguments.file.toStdString();
     const touchdown::StudyPlan plan = touchdown::openStudy(arguments.study.toStdString(), file);
     if (!plan.valid()) {
         for (const touchdown::InputProblem& problem : plan.problems) std::cerr << problem.text() << '\n';

@@ -8,9 +8,9 @@
 namespace touchdown {
 
 struct PictureRequest {
-    QString exportFolder; // of plots; empty for none
-    QString screenshot;   // of the window; empty for none
-    QString size;         // of the window, "1600x1000"
+    QString exportFolder;     // of plots; empty for none
+    QString screenshot;       // of the window; empty for none
+    QString size;             // of the window, "1600x1000"
     bool staticState = false; // of a film, instead of its run in time
 };
 

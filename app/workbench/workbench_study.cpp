@@ -21,8 +21,9 @@ Picture pictureOf(const StudyChart& chart, int width)
 {
     const QFont font = QApplication::font();
     const QSizeF size(width, StudyChartDrawing::goodHeight(chart, font, width));
-    return {size, QString::fromStdString(chart.title),
-            [&chart, font, size](QPainter& painter) { StudyChartDrawing(chart, lightPlotTheme(), font, size).paint(painter); }};
+    return {size, QString::fromStdString(chart.title), [&chart, font, size](QPainter& painter) {
+                StudyChartDrawing(chart, lightPlotTheme(), font, size).paint(painter);
+            }};
 }
 
 } // namespace
@@ -34,7 +35,8 @@ int pictureStudy(const StudyPlan& plan, const QString& folder, int width)
         std::cerr << "The folder " << folder.toStdString() << " cannot be made.\n";
         return badInput;
     }
-    const StudyReport report = plan.perform(std::max(1, QThread::idealThreadCount()), [](const StudyProgress&) { return true; });
+    const StudyReport report =
+        plan.perform(std::max(1, QThread::idealThreadCount()), [](const StudyProgress&) { return true; });
     for (const std::string& finding : report.findings) std::cerr << finding << '\n';
     for (const std::string& warning : report.warnings) std::cerr << "warning: " << warning << '\n';
 
@@ -43,10 +45,13 @@ int pictureStudy(const StudyPlan& plan, const QString& folder, int width)
         const Picture picture = pictureOf(report.charts[i], width);
         const QString number = report.charts.size() > 1 ? QStringLiteral("-%1").arg(i + 1) : QString();
         for (const char* ending : {".png", ".svg"}) {
-            const QString file = directory.filePath(QString::fromStdString(plan.kind) + number + QString::fromLatin1(ending));
+            const QString file =
+                directory.filePath(QString::fromStdString(plan.kind) + number + QString::fromLatin1(ending));
             const QString problem = savePicture(picture, file);
-            if (problem.isEmpty()) std::cout << file.toStdString() << '\n';
-            else std::cerr << problem.toStdString() << '\n';
+            if (problem.isEmpty())
+                std::cout << file.toStdString() << '\n';
+            else
+                std::cerr << problem.toStdString() << '\n';
             written = written && problem.isEmpty();
         }
     }

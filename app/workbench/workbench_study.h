@@ -9,9 +9,9 @@
 
 namespace touchdown {
 
-/// Performs a valid plan and writes each chart as <kind>.png and <kind>.svg to the folder, numbered from 1 where there are several;
-/// their paths go to stdout, the findings to stderr. `width` in pixels of the screen. The exit code: 0, 1 when the study came to no
-/// valid answer, 2 when something could not be written.
+/// Performs a valid plan and writes each chart as <kind>.png and <kind>.svg to the folder, numbered from 1 where there
+/// are several; their paths go to stdout, the findings to stderr. `width` in pixels of the screen. The exit code: 0, 1
+/// when the study came to no valid answer, 2 when something could not be written.
 int pictureStudy(const StudyPlan& plan, const QString& folder, int width);
 
 } // namespace touchdown

@@ -13,15 +13,15 @@
 #include "core/numerics/convection.h"
 #include "core/numerics/spectrum.h"
 #include "core/physics/contact/adhesion.h"
-#include "core/physics/film/air.h"
-#include "core/physics/slider/air_bearing_surface.h"
-#include "core/physics/film/air_spring.h"
 #include "core/physics/contact/asperities.h"
-#include "core/physics/disk/disk_surface.h"
-#include "core/physics/disk/disk_velocity.h"
 #include "core/physics/contact/elastic_pair.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/physics/disk/disk_surface.h"
+#include "core/physics/disk/disk_velocity.h"
+#include "core/physics/film/air.h"
+#include "core/physics/film/air_spring.h"
 #include "core/physics/film/slip.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
 
@@ -45,52 +45,52 @@ struct About {
 };
 
 struct SliderCase {
-    double mass = 1.6e-6;           // M [kg]
-    double pitchInertia = 2.2e-13;  // J [kg m^2]
-    double rollInertia = 1.45e-13;  // [kg m^2]
-    double length = 1.25e-3;        // L [m], along x
-    double width = 1.00e-3;         // W [m], along y
-    double thickness = 0.3e-3;      // b [m]
+    double mass = 1.6e-6;          // M [kg]
+    double pitchInertia = 2.2e-13; // J [kg m^2]
+    double rollInertia = 1.45e-13; // [kg m^2]
+    double length = 1.25e-3;       // L [m], along x
+    double width = 1.00e-3;        // W [m], along y
+    double thickness = 0.3e-3;     // b [m]
 };
 
 /// The lumped air bearing of Ono & Yamane: two springs, two dashpots.
 struct SpringsCase {
-    double frontStiffness = 5.0e5;      // k_f0 [N/m]
-    double rearStiffness = 1.35e6;      // k_r0 [N/m]
-    double frontDistance = 0.500e-3;    // d_f [m], mass centre to front pressure centre
-    double rearDistance = 0.575e-3;     // d_r [m], mass centre to rear pressure centre
-    double frontDampingRatio = 0.01;    // xi_f [-]
-    double rearDampingRatio = 0.01;     // xi_r [-]
-    double cutoff = 0.3e-9;             // d_1 [m]
-    double flyingHeight = 7e-9;         // FH of the static state, at the contact pad [m]
-    double pitch = 90e-6;               // theta_0 of the static state [rad]
+    double frontStiffness = 5.0e5;   // k_f0 [N/m]
+    double rearStiffness = 1.35e6;   // k_r0 [N/m]
+    double frontDistance = 0.500e-3; // d_f [m], mass centre to front pressure centre
+    double rearDistance = 0.575e-3;  // d_r [m], mass centre to rear pressure centre
+    double frontDampingRatio = 0.01; // xi_f [-]
+    double rearDampingRatio = 0.01;  // xi_r [-]
+    double cutoff = 0.3e-9;          // d_1 [m]
+    double flyingHeight = 7e-9;      // FH of the static state, at the contact pad [m]
+    double pitch = 90e-6;            // theta_0 of the static state [rad]
     PotentialBelowCutoff potential = PotentialBelowCutoff::Held;
 };
 
 struct SuspensionCase {
-    double stiffness = 6.0;             // k [N/m]
-    double pitchStiffness = 1.5e-4;     // k_theta [N m/rad]
-    double rollStiffness = 1.745e-5;    // k_phi [N m/rad]
-    double dampingRatio = 0.01;         // springs: xi [-]
-    double pitchDampingRatio = 0.01;    // springs: xi_theta [-]
-    double damping = 1e-10;             // film: c_z [N s/m]
-    double pitchDamping = 1e-17;        // film: c_theta [N m s/rad]
-    double rollDamping = 1e-17;         // film: c_phi [N m s/rad]
-    double preload = 1.5e-3 * 9.80665;  // film: f0 [N], presses the slider onto the disk
-    double offsetX = 0.0;               // film: of the load from the slider's centre, towards the trailing edge [m]
-    double offsetY = 0.0;               // film: towards the outer edge [m]
-    double pitchTorque = 0.0;           // film: static, nose up [N m]
-    double rollTorque = 0.0;            // film: static, inner edge up [N m]
-    bool holdsAttitude = false;         // film: torques come from the stiffness and the static attitude below
-    double staticPitch = 0.0;           // film: of the unloaded suspension [rad]
-    double staticRoll = 0.0;            // film [rad]
+    double stiffness = 6.0;            // k [N/m]
+    double pitchStiffness = 1.5e-4;    // k_theta [N m/rad]
+    double rollStiffness = 1.745e-5;   // k_phi [N m/rad]
+    double dampingRatio = 0.01;        // springs: xi [-]
+    double pitchDampingRatio = 0.01;   // springs: xi_theta [-]
+    double damping = 1e-10;            // film: c_z [N s/m]
+    double pitchDamping = 1e-17;       // film: c_theta [N m s/rad]
+    double rollDamping = 1e-17;        // film: c_phi [N m s/rad]
+    double preload = 1.5e-3 * 9.80665; // film: f0 [N], presses the slider onto the disk
+    double offsetX = 0.0;              // film: of the load from the slider's centre, towards the trailing edge [m]
+    double offsetY = 0.0;              // film: towards the outer edge [m]
+    double pitchTorque = 0.0;          // film: static, nose up [N m]
+    double rollTorque = 0.0;           // film: static, inner edge up [N m]
+    bool holdsAttitude = false;        // film: torques come from the stiffness and the static attitude below
+    double staticPitch = 0.0;          // film: of the unloaded suspension [rad]
+    double staticRoll = 0.0;           // film [rad]
 };
 
 struct AirCase {
     AirSource source = AirSource::Given;
-    Air given;                     // p0 [Pa], mu [Pa s], lambda0 [m]
-    double altitude = 0.0;         // [m]
-    double temperature = 298.15;   // [K]
+    Air given;                   // p0 [Pa], mu [Pa s], lambda0 [m]
+    double altitude = 0.0;       // [m]
+    double temperature = 298.15; // [K]
     Slip slip;
 };
 
@@ -100,19 +100,19 @@ struct FilmCase {
     GridKind grid = GridKind::Adapted;
     ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
     FilmSolver solver = FilmSolver::Newton;
-    double tolerance = 1e-7;   // residual: net mass flow of the cells, summed, against the flow through the film [-]
+    double tolerance = 1e-7; // residual: net mass flow of the cells, summed, against the flow through the film [-]
     int maximumIterations = 60;
     FilmCoupling coupling = FilmCoupling::Monolithic; // of film and slider in a step of time
 };
 
 /// What `steady` computes and with which conventions.
 struct SteadyCase {
-    bool fixedAttitude = false;    // solve the film at the initial attitude only
-    bool stiffness = true;         // stiffness matrix
-    bool sensitivities = false;    // of the attitude to the parameters
-    bool allEquilibria = false;    // look for more than one
-    double loadTolerance = 1e-6;   // |dF| + |dTx|/L + |dTy|/L against the preload [-]
-    double shearArm = 0.5;         // arm of the air's shear about the pivot, in slider thicknesses [-]; established program: 1
+    bool fixedAttitude = false;  // solve the film at the initial attitude only
+    bool stiffness = true;       // stiffness matrix
+    bool sensitivities = false;  // of the attitude to the parameters
+    bool allEquilibria = false;  // look for more than one
+    double loadTolerance = 1e-6; // |dF| + |dTx|/L + |dTy|/L against the preload [-]
+    double shearArm = 0.5; // arm of the air's shear about the pivot, in slider thicknesses [-]; established program: 1
     double torqueSign = 1.0;       // sign of the shear's pitch torque [-]; 1: it presses the nose down
     std::vector<double> radii;     // series; empty: disk.radius [m]
     std::vector<double> skews;     // one per radius; empty: disk.skew [rad]
@@ -123,12 +123,12 @@ struct SteadyCase {
 /// Elastic contact of the deformable equivalent disk with the smooth pad.
 struct ElasticCase {
     ElasticPair pair;
-    double hardness = 0.0;     // cap of the contact pressure [Pa]; 0: none
-    double friction = 0.3;     // mu [-]
-    double cell = 0.25e-6;     // of the contact patch [m]
-    double tolerance = 1e-8;   // of force balance and complementarity [-]
+    double hardness = 0.0;   // cap of the contact pressure [Pa]; 0: none
+    double friction = 0.3;   // mu [-]
+    double cell = 0.25e-6;   // of the contact patch [m]
+    double tolerance = 1e-8; // of force balance and complementarity [-]
     int maximumIterations = 50000;
-    bool periodic = false;     // the patch repeats in both directions
+    bool periodic = false;      // the patch repeats in both directions
     double patchPitch = 100e-6; // film: at which the parts of the surface are sought that can touch [rad]
     double patchReach = 5e-9;   // film: how high above the lowest point they may lie there [m]
 };
@@ -136,44 +136,45 @@ struct ElasticCase {
 /// The pad of model "contact".
 struct PadCase {
     PadShape shape = PadShape::Flat;
-    double length = 20e-6;     // flat, sphere: of the patch [m], along x
-    double width = 20e-6;      // [m], along y
-    double radius = 1e-3;      // sphere [m]
+    double length = 20e-6; // flat, sphere: of the patch [m], along x
+    double width = 20e-6;  // [m], along y
+    double radius = 1e-3;  // sphere [m]
 };
 
 /// How the pad of model "contact" moves: at constant speed from `start` to `closest` and back within run.duration.
 struct ApproachCase {
-    double start = 5e-9;       // separation of the pad's lowest point and the disk's mean plane [m]
-    double closest = -1e-9;    // [m], less than start; may be negative
+    double start = 5e-9;    // separation of the pad's lowest point and the disk's mean plane [m]
+    double closest = -1e-9; // [m], less than start; may be negative
 };
 
 struct InitialCase {
-    double flyingHeight = 250e-9; // [m]
-    double pitch = 0.0;           // [rad]
-    double verticalVelocity = 0.0; // of the mass centre [m/s]
-    double pitchVelocity = 0.0;    // [rad/s]
+    double flyingHeight = 250e-9;                    // [m]
+    double pitch = 0.0;                              // [rad]
+    double verticalVelocity = 0.0;                   // of the mass centre [m/s]
+    double pitchVelocity = 0.0;                      // [rad/s]
     ContactBranch branch = ContactBranch::TouchDown; // used between d_s and d_e
     double nominalTrailingEdgeHeight = 20e-9; // film: of the trailing edge's centre, recess 0 [m]; may be negative
-    double roll = 0.0;             // film [rad]
-    InitialState state = InitialState::Given; // film: static: the static attitude moved by the offsets; the velocities count in both
-    double heightOffset = 0.0;     // film, static: of the mass centre [m]
-    double pitchOffset = 0.0;      // [rad]
-    double rollOffset = 0.0;       // [rad]
-    double rollVelocity = 0.0;     // film [rad/s]
+    double roll = 0.0;                        // film [rad]
+    InitialState state =
+        InitialState::Given;   // film: static: the static attitude moved by the offsets; the velocities count in both
+    double heightOffset = 0.0; // film, static: of the mass centre [m]
+    double pitchOffset = 0.0;  // [rad]
+    double rollOffset = 0.0;   // [rad]
+    double rollVelocity = 0.0; // film [rad/s]
 };
 
 struct RunCase {
-    double duration = 2e-3;        // [s]
+    double duration = 2e-3; // [s]
     IntegratorKind integrator = IntegratorKind::Dopri5;
-    double step = 10e-9;           // fixed-step methods [s]
+    double step = 10e-9;                       // fixed-step methods [s]
     StepControl steps = StepControl::Adaptive; // film; fixed: `step`
-    double stepError = 5e-12;      // film, adaptive: by which one step's discretisation may displace the slider [m]
-    double tolerance = 1e-8;       // adaptive methods, local error against the static state's scale [-]
-    double newmarkBeta = 0.25;     // [-]
-    double newmarkGamma = 0.5;     // [-]
+    double stepError = 5e-12;       // film, adaptive: by which one step's discretisation may displace the slider [m]
+    double tolerance = 1e-8;        // adaptive methods, local error against the static state's scale [-]
+    double newmarkBeta = 0.25;      // [-]
+    double newmarkGamma = 0.5;      // [-]
     double sampleInterval = 0.1e-6; // [s]
-    bool stepCheck = true;         // fixed-step methods: compare with half the step
-    int fieldSnapshots = 50;       // of the fields, evenly over the run; 0: none
+    bool stepCheck = true;          // fixed-step methods: compare with half the step
+    int fieldSnapshots = 50;        // of the fields, evenly over the run; 0: none
 };
 
 /// How power spectra are estimated (Welch 1967).
@@ -204,7 +205,7 @@ struct Case {
     AirBearingSurface surface; // [abs]
     AirCase air;
     DiskMotion disk;
-    DiskSurface diskSurface;   // [disk.surface]
+    DiskSurface diskSurface; // [disk.surface]
     FilmCase film;
     SteadyCase steady;
     InitialCase initial;

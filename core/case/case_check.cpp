@@ -3,10 +3,10 @@
 // Combinations of values that make no sense, although each is in its range; values that have no effect beside others.
 #include "core/case/fields.h"
 
-#include "core/physics/slider/surface_check.h"
 #include "core/case/contact_check.h"
 #include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
 
@@ -159,7 +159,8 @@ std::string unusedMessage(const Case& c, const Field& field)
     // What is chosen last hangs on what was chosen before: the nearest condition is behind the model.
     for (auto chosen = fields().rbegin(); chosen != fields().rend(); ++chosen)
         if (chosen->used(c))
-            if (const std::string choices = choicesFor(c, field, *chosen); !choices.empty()) return message + ", only with " + choices;
+            if (const std::string choices = choicesFor(c, field, *chosen); !choices.empty())
+                return message + ", only with " + choices;
     return message;
 }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/disk/disk_surface_check.h"
-#include "core/formats/decimal.h"
 #include "core/case/contact_patches.h"
+#include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

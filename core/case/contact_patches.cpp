@@ -42,8 +42,8 @@ SliderPatches patchesOf(const Case& c, const DiskTopography& surface)
 
 SliderPatches filmPatches(const Case& c, const std::function<bool()>& goOn)
 {
-    return sliderPatches(c.surface, c.slider.length, c.slider.width, c.elastic.patchPitch, 0.0, c.elastic.cell, c.elastic.patchReach,
-                         mostPatchCells, goOn);
+    return sliderPatches(c.surface, c.slider.length, c.slider.width, c.elastic.patchPitch, 0.0, c.elastic.cell,
+                         c.elastic.patchReach, mostPatchCells, goOn);
 }
 
 } // namespace touchdown

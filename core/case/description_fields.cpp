@@ -15,21 +15,25 @@ std::vector<Field> descriptionFields()
         choice({.key = "model",
                 .label = "model",
                 .choices = {"springs", "film", "contact"},
-                .help = "Model of the air bearing: springs = two lumped nonlinear springs and dashpots (Ono & Yamane), "
-                        "film = the generalised Reynolds equation under the slider's surface, contact = none: a pad alone, "
-                        "moved towards the disk and away from it again.",
+                .help =
+                    "Model of the air bearing: springs = two lumped nonlinear springs and dashpots (Ono & Yamane), "
+                    "film = the generalised Reynolds equation under the slider's surface, contact = none: a pad alone, "
+                    "moved towards the disk and away from it again.",
                 .source = "the paper's third model, Fig. 9, and its first, section 2"},
                at(&Case::model)),
-        choice({.key = "contact",
-                .label = "contact",
-                .choices = {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
-                .help = "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
-                        "with the models film and contact, elastic = of surfaces given point by point, with intermolecular "
-                        "adhesion; and, with the model contact, asperity = of a statistical surface; multi-asperity = the same with menisci on a pad that "
-                        "yields, the full model of Ono & Yamane. A film case has none where it does not say otherwise, a "
-                        "contact case elastic.",
-                .source = "paper, section 2 and Fig. 3"},
-               at(&Case::contact)),
+        choice(
+            {.key = "contact",
+             .label = "contact",
+             .choices = {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
+             .help =
+                 "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
+                 "with the models film and contact, elastic = of surfaces given point by point, with intermolecular "
+                 "adhesion; and, with the model contact, asperity = of a statistical surface; multi-asperity = the "
+                 "same with menisci on a pad that "
+                 "yields, the full model of Ono & Yamane. A film case has none where it does not say otherwise, a "
+                 "contact case elastic.",
+             .source = "paper, section 2 and Fig. 3"},
+            at(&Case::contact)),
         plain(
             Integer,
             {.key = "degrees_of_freedom",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/case/fields.h"
 #include "core/formats/height_map_file.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

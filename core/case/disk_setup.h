@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/physics/disk/disk_topography.h"
 #include "core/case/case.h"
 #include "core/formats/input_problem.h"
+#include "core/physics/disk/disk_topography.h"
 
 namespace touchdown {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The surface of the disk.
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/case/field_builders.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

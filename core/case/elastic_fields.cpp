@@ -95,15 +95,15 @@ std::vector<Field> bodyFields()
                         "used, are whole numbers of cells.",
                 .source = "ours"},
                at(&Case::elastic, &ElasticCase::cell), withSurfaces),
-        number(
-            {.key = "elastic.tolerance",
-             .label = "tolerance",
-             .minimum = 1e-14,
-             .maximum = 1e-2,
-             .help = "Error allowed in the balance of forces and in the complementarity of pressure and gap, relative; under a "
-                     "film, where a run solves many thousand contacts, 1e4 times as much, at most 0.01.",
-             .source = "ours"},
-            at(&Case::elastic, &ElasticCase::tolerance), withSurfaces),
+        number({.key = "elastic.tolerance",
+                .label = "tolerance",
+                .minimum = 1e-14,
+                .maximum = 1e-2,
+                .help = "Error allowed in the balance of forces and in the complementarity of pressure and gap, "
+                        "relative; under a "
+                        "film, where a run solves many thousand contacts, 1e4 times as much, at most 0.01.",
+                .source = "ours"},
+               at(&Case::elastic, &ElasticCase::tolerance), withSurfaces),
         plain(FieldKind::Integer,
               {.key = "elastic.maximum_iterations",
                .label = "maximum iterations",

@@ -135,7 +135,7 @@ Field list(Field field, Member member, bool (*used)(const Case&) = always)
     };
     field.set = [member](Case& c, const FieldValue& value) {
         const auto& values = std::get<std::vector<double>>(value);
-        if constexpr (requires(Values& v) { v.resize(1); }) member(c).resize(values.size());
+        if constexpr (requires(Values & v) { v.resize(1); }) member(c).resize(values.size());
         std::ranges::transform(values, member(c).begin(), [](double v) { return static_cast<Value>(v + 0.0); });
     };
     field.used = used;

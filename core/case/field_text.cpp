@@ -25,7 +25,8 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(space) - first + 1);
 }
 
-/// A limit or a value in a message: in the display unit, or in SI where that takes fewer digits ("10 kg", not "1e7 mg").
+/// A limit or a value in a message: in the display unit, or in SI where that takes fewer digits ("10 kg", not "1e7
+/// mg").
 std::string shown(double value, const Field& field)
 {
     if (field.unit.empty()) return formatNumber(value);
@@ -90,7 +91,8 @@ std::variant<double, UnitProblem> readNumber(const Field& field, std::string_vie
 
 std::string_view withoutMarks(std::string_view text)
 {
-    const bool inMarks = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    const bool inMarks =
+        text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
     return inMarks ? text.substr(1, text.size() - 2) : text;
 }
 
@@ -186,8 +188,8 @@ std::optional<std::string> setFromNumbers(Case& target, const Field& field, cons
     if (field.kind != FieldKind::List) return "is a list; allowed is " + allowedRange(field);
     if (values.size() > field.maximumCount) return "has too many numbers: allowed is " + allowedRange(field);
     if (values.size() < field.minimumCount)
-        return "has " + std::to_string(values.size()) + (values.size() == 1 ? " number" : " numbers") + ": allowed is " +
-               allowedRange(field);
+        return "has " + std::to_string(values.size()) + (values.size() == 1 ? " number" : " numbers") +
+               ": allowed is " + allowedRange(field);
     for (const double value : values)
         if (auto problem = checkNumber(field, value)) return problem;
     field.set(target, values);
@@ -197,7 +199,8 @@ std::optional<std::string> setFromNumbers(Case& target, const Field& field, cons
 std::vector<std::string_view> listElements(std::string_view text)
 {
     text = trimmed(text);
-    if (text.starts_with('[') && text.ends_with(']') && text.size() > 1) text = trimmed(text.substr(1, text.size() - 2));
+    if (text.starts_with('[') && text.ends_with(']') && text.size() > 1)
+        text = trimmed(text.substr(1, text.size() - 2));
     std::vector<std::string_view> elements;
     while (!text.empty()) {
         const auto comma = std::min(text.find_first_of(",;"), text.size());
@@ -213,7 +216,8 @@ std::string toText(const Case& from, const Field& field)
     const FieldValue value = field.get(from);
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
         std::string text;
-        for (const double number : *numbers) text += (text.empty() ? "" : ", ") + formatQuantity(number, field.displayUnit);
+        for (const double number : *numbers)
+            text += (text.empty() ? "" : ", ") + formatQuantity(number, field.displayUnit);
         return text;
     }
     if (const auto* number = std::get_if<double>(&value)) return formatQuantity(*number, field.displayUnit);

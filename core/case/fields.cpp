@@ -13,9 +13,9 @@ namespace {
 std::vector<Field> allFields()
 {
     std::vector<Field> all;
-    for (auto part : {descriptionFields, sliderFields, springFields, suspensionFields, padFields, contactFields, elasticFields,
-                      asperityFields, surfaceFields, airFields, diskFields, diskSurfaceFields, filmFields, steadyFields,
-                      runFields})
+    for (auto part :
+         {descriptionFields, sliderFields, springFields, suspensionFields, padFields, contactFields, elasticFields,
+          asperityFields, surfaceFields, airFields, diskFields, diskSurfaceFields, filmFields, steadyFields, runFields})
         for (Field& field : part()) all.push_back(std::move(field));
     return all;
 }

@@ -36,8 +36,8 @@ struct Field {
     int stride = 0;               // of the whole numbers of a List, from `minimum` on; 0: any number in the range
     std::size_t minimumCount = 0; // of the numbers of a List
     std::size_t maximumCount = 0;
-    std::vector<std::string> choices{};                        // names, for a Choice
-    std::string help{};                                        // what it does, in a sentence
+    std::vector<std::string> choices{}; // names, for a Choice
+    std::string help{};                 // what it does, in a sentence
     std::string source{}; // where it, or its default, comes from; says "assumed" where the paper's value is lost
     std::function<FieldValue(const Case&)> get{};
     std::function<void(Case&, const FieldValue&)> set{}; // the value's alternative must fit the kind
@@ -54,7 +54,8 @@ Case defaultsOf(ModelKind model);
 /// Whether the air bearing surface takes part.
 bool usesSliderSurface(const Case& c);
 
-/// Says that a field has no effect on a case, and which one choice would give it one: "has no effect here, only with run.steps =
+/// Says that a field has no effect on a case, and which one choice would give it one: "has no effect here, only with
+/// run.steps =
 /// \"fixed\""; empty where it is used.
 std::string unusedMessage(const Case& c, const Field& field);
 
@@ -80,7 +81,8 @@ std::optional<std::string> setFromNumbers(Case& target, const Field& field, cons
 /// The numbers of a List as people write them, separated by commas or semicolons.
 std::vector<std::string_view> listElements(std::string_view text);
 
-/// The value as a case file writes it, without quotes: shortest text that reads back as the same number, in the display unit.
+/// The value as a case file writes it, without quotes: shortest text that reads back as the same number, in the display
+/// unit.
 std::string toText(const Case& from, const Field& field);
 
 /// Combinations that make no sense. Each problem names its keys.

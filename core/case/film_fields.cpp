@@ -51,21 +51,22 @@ std::vector<Field> filmFields()
         choice({.key = "film.solver",
                 .label = "solver",
                 .choices = {"newton", "line-multigrid"},
-                .help = "Solution of the film in a static state: newton = Newton's method with the exact Jacobian, "
-                        "line-multigrid = alternating line sweeps with full multigrid. A step in time is always solved by "
-                        "Newton's method.",
+                .help =
+                    "Solution of the film in a static state: newton = Newton's method with the exact Jacobian, "
+                    "line-multigrid = alternating line sweeps with full multigrid. A step in time is always solved by "
+                    "Newton's method.",
                 .source = "paper, section 2: line sweeps with multigrid; ours: newton"},
                at(&Case::film, &FilmCase::solver), withFilm),
-        number(
-            {.key = "film.tolerance",
-             .label = "residual tolerance",
-             .minimum = 1e-13,
-             .maximum = 1e-2,
-             .help =
-                 "Net mass flow of the cells, summed, against the flow through the film, at which the film of a static state "
-                 "or at the start of a run is solved; its steps in time are solved as far as run.step_error asks.",
-             .source = "ours"},
-            at(&Case::film, &FilmCase::tolerance), withFilm),
+        number({.key = "film.tolerance",
+                .label = "residual tolerance",
+                .minimum = 1e-13,
+                .maximum = 1e-2,
+                .help =
+                    "Net mass flow of the cells, summed, against the flow through the film, at which the film of a "
+                    "static state "
+                    "or at the start of a run is solved; its steps in time are solved as far as run.step_error asks.",
+                .source = "ours"},
+               at(&Case::film, &FilmCase::tolerance), withFilm),
         plain(Integer,
               {.key = "film.maximum_iterations",
                .label = "most iterations",

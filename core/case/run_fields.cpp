@@ -169,18 +169,17 @@ std::vector<Field> integrationFields()
                 .help = "Time step where it is fixed.",
                 .source = "paper, text on Table III: 1e-8 and 1e-9 s"},
                at(&Case::run, &RunCase::step), withFixedStep),
-        number(
-            {.key = "run.step_error",
-             .label = "step error",
-             .unit = "m",
-             .displayUnit = "nm",
-             .minimum = 1e-18,
-             .maximum = 1e-6,
-             .help =
-                 "By which one time step's discretisation may displace the slider; sets how long adaptive steps are, and how "
-                 "far every step is solved.",
-             .source = "ours"},
-            at(&Case::run, &RunCase::stepError), withFilm),
+        number({.key = "run.step_error",
+                .label = "step error",
+                .unit = "m",
+                .displayUnit = "nm",
+                .minimum = 1e-18,
+                .maximum = 1e-6,
+                .help = "By which one time step's discretisation may displace the slider; sets how long adaptive steps "
+                        "are, and how "
+                        "far every step is solved.",
+                .source = "ours"},
+               at(&Case::run, &RunCase::stepError), withFilm),
         number(
             {.key = "run.tolerance",
              .label = "tolerance",

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_file.h"
 
-#include "core/case_files/case_reader.h"
-#include "core/case_files/cml_case.h"
 #include "core/case/disk_setup.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
@@ -92,7 +92,8 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     const auto before = checkCombinations(document.value);
     const auto ofFile = diskFileProblems(document.value);
     std::erase_if(document.problems, [&](const InputProblem& problem) {
-        if (std::ranges::any_of(ofFile, [&](const InputProblem& old) { return old.text() == problem.text(); })) return true;
+        if (std::ranges::any_of(ofFile, [&](const InputProblem& old) { return old.text() == problem.text(); }))
+            return true;
         return std::ranges::any_of(
             before, [&](const CaseProblem& old) { return old.key == problem.key && old.message == problem.message; });
     });
@@ -105,7 +106,8 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // What had no effect in the file may have one now; a setting may have none.
-    std::erase_if(document.unused, [&](const InputProblem& unused) { return findField(unused.key)->used(document.value); });
+    std::erase_if(document.unused,
+                  [&](const InputProblem& unused) { return findField(unused.key)->used(document.value); });
     for (const std::string& setting : settings) {
         const std::string key(keyOf(setting));
         if (const std::string message = unusedMessage(document.value, *findField(key)); !message.empty())

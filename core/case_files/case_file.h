@@ -23,8 +23,8 @@ CaseDocument readCaseFile(const std::filesystem::path& file);
 /// A case file, or the name of a sample case.
 CaseDocument openCase(const std::string& fileOrName);
 
-/// "key=value" as given to --set, applied in order; problems are added to the document, as are the check of combinations and what
-/// has no effect.
+/// "key=value" as given to --set, applied in order; problems are added to the document, as are the check of
+/// combinations and what has no effect.
 void applySettings(CaseDocument& document, const std::vector<std::string>& settings);
 
 /// The whole case as TOML, every used field written, with a comment per group.
@@ -33,7 +33,8 @@ std::string formatCase(const Case& c);
 /// rails stays named if the text will stand in `folder` and the rails are still those of the file there; else the rails
 /// are written into the text.
 std::string updateCaseText(const std::string& text, const Case& c, const std::filesystem::path& folder = {});
-/// Writes through a temporary file and a rename, so that a failure leaves the old file as it was. Returns the problem, or "".
+/// Writes through a temporary file and a rename, so that a failure leaves the old file as it was. Returns the problem,
+/// or "".
 std::string writeCaseFile(const std::filesystem::path& file, const std::string& text);
 
 /// The sample cases that are built into the program, in the paper's order.

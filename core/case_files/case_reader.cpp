@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_reader.h"
 
-#include "core/physics/slider/surface_check.h"
-#include "core/case_files/cml/cml_rail_file.h"
-#include "core/formats/cml_text.h"
 #include "core/case/disk_setup.h"
+#include "core/case_files/cml/cml_rail_file.h"
+#include "core/case_files/surface_text.h"
+#include "core/formats/cml_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
-#include "core/case_files/surface_text.h"
 #include "core/formats/text_file.h"
 #include "core/formats/toml_quantity.h"
+#include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
 #include <set>
@@ -236,12 +236,15 @@ private:
             const auto same = std::ranges::find_if(all, [&](const Unused& unused) {
                 return unused.message == message && findField(unused.first.key)->group() == field->group();
             });
-            if (same == all.end()) all.push_back({entry, message, {}});
-            else same->others.push_back(entry.key);
+            if (same == all.end())
+                all.push_back({entry, message, {}});
+            else
+                same->others.push_back(entry.key);
         }
         for (const Unused& unused : all) {
             std::string others;
-            for (const std::string& key : unused.others) others += (others.empty() ? "; the same holds for " : ", ") + key;
+            for (const std::string& key : unused.others)
+                others += (others.empty() ? "; the same holds for " : ", ") + key;
             document_.unused.push_back({document_.name, unused.first.line, unused.first.key, unused.message + others});
         }
     }

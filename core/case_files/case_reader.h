@@ -4,8 +4,8 @@
 // read cases; see core/case_files/case_file.h.
 #pragma once
 
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/formats/toml_document.h"
 
 #include <optional>

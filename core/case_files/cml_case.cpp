@@ -7,15 +7,15 @@
 #include <system_error>
 #include <utility>
 
-#include "core/physics/slider/surface_check.h"
+#include "core/case/disk_setup.h"
+#include "core/case/fields.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml/cml_kept_values.h"
 #include "core/case_files/cml/cml_rail_file.h"
 #include "core/case_files/cml/cml_run_file.h"
-#include "core/case/disk_setup.h"
-#include "core/case/fields.h"
-#include "core/formats/quotation.h"
 #include "core/case_files/surface_text.h"
+#include "core/formats/quotation.h"
+#include "core/physics/slider/surface_check.h"
 
 namespace touchdown {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cases of the established slider program (CML): a folder or an archive with rail.dat and run.dat or dynamics.def. What they
-// say and Touchdown does not model becomes warnings; what a case says and they cannot, is kept in the comments of run.dat.
+// Cases of the established slider program (CML): a folder or an archive with rail.dat and run.dat or dynamics.def. What
+// they say and Touchdown does not model becomes warnings; what a case says and they cannot, is kept in the comments of
+// run.dat.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +18,8 @@ namespace touchdown {
 /// Whether a path leads to one of its files, to a folder that holds a rail.dat, or bears the name of an archive.
 bool isCmlPath(const std::filesystem::path& path);
 
-/// Reads the case. Of run.dat and dynamics.def, that which the path names counts, else run.dat. `text` of the document is the
-/// same case as TOML.
+/// Reads the case. Of run.dat and dynamics.def, that which the path names counts, else run.dat. `text` of the document
+/// is the same case as TOML.
 CaseDocument readCmlCase(const std::filesystem::path& path);
 
 /// The program's files, each with the name for its problems.
@@ -42,8 +43,8 @@ struct CmlOutput {
 };
 CmlOutput formatCmlCase(const Case& c);
 
-/// Writes them as an archive if the path ends with .cml, else into a folder, which is made if need be. All is written under
-/// other names first, so that a failure leaves what was there. Returns the problem, or "".
+/// Writes them as an archive if the path ends with .cml, else into a folder, which is made if need be. All is written
+/// under other names first, so that a failure leaves what was there. Returns the problem, or "".
 std::string writeCmlCase(const std::filesystem::path& path, const std::vector<CmlMember>& members);
 
 } // namespace touchdown

@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/case/fields.h"
 #include "core/case_files/cml/cml_kept_values.h"
 #include "core/case_files/cml/cml_rail_file.h"
 #include "core/case_files/cml/cml_run_file.h"
-#include "core/case/fields.h"
 #include "core/formats/text_file.h"
 
 namespace touchdown {
@@ -68,7 +68,8 @@ CmlOutput formatCmlCase(const Case& c)
 {
     CmlOutput output;
     if (c.model != ModelKind::Film) {
-        output.problem = "model is " + toText(c, *findField("model")) + "; the established program's files describe an air film (model = \"film\")";
+        output.problem = "model is " + toText(c, *findField("model")) +
+                         "; the established program's files describe an air film (model = \"film\")";
         return output;
     }
     CmlFiles files;

@@ -15,9 +15,9 @@
 //   recess = ["0.2 um", "1 um", "2 um"]
 #pragma once
 
-#include "core/physics/slider/air_bearing_surface.h"
 #include "core/case_files/case_file.h"
 #include "core/formats/toml_document.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The text of a CML file, the established slider program's format: numbers as Fortran reads and writes them, in lists that
-// blanks, commas or new lines separate, between lines that count by their number alone. Windows line ends, Latin-1 bytes,
-// trailing blanks and a missing last line end are all read.
+// The text of a CML file, the established slider program's format: numbers as Fortran reads and writes them, in lists
+// that blanks, commas or new lines separate, between lines that count by their number alone. Windows line ends, Latin-1
+// bytes, trailing blanks and a missing last line end are all read.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,8 @@ struct CmlNumber {
     int line = 0;
 };
 
-/// "1.5", ".5", "+1.0E-007", "1.0D-7", "1.0-7" as other programs write them, "1.0e-7"; nothing for words, "NaN" and "inf".
+/// "1.5", ".5", "+1.0E-007", "1.0D-7", "1.0-7" as other programs write them, "1.0e-7"; nothing for words, "NaN" and
+/// "inf".
 std::optional<std::string> plainDecimal(std::string_view text);
 /// Its value; nothing either for what no double holds.
 std::optional<double> readCmlNumber(std::string_view text);
@@ -70,7 +71,8 @@ public:
 
     /// Skips a remark, from a word that is no number to the end of the line.
     void skipRemark();
-    /// Ends a list: skips what is left of this line. True when that began with a number, which the list did not ask for.
+    /// Ends a list: skips what is left of this line. True when that began with a number, which the list did not ask
+    /// for.
     bool endList();
 
 private:

@@ -58,7 +58,8 @@ private:
 /// Throws Hdf5Error when the library reported a failure.
 void checkHdf5(herr_t status);
 
-/// The default access of a file, but closing it closes all that is in it, and a file system without locks is no failure.
+/// The default access of a file, but closing it closes all that is in it, and a file system without locks is no
+/// failure.
 Hdf5Handle hdf5FileAccess();
 
 Hdf5Handle createHdf5Group(hid_t parent, const std::string& name); // keeps the order of creation

@@ -10,7 +10,9 @@ namespace fs = std::filesystem;
 
 std::string writeHdf5File(const fs::path& path, const std::string& what, const std::function<void(hid_t)>& fill)
 {
-    const auto refuse = [&](const std::string& reason) { return "cannot write " + what + " to " + path.string() + ": " + reason; };
+    const auto refuse = [&](const std::string& reason) {
+        return "cannot write " + what + " to " + path.string() + ": " + reason;
+    };
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(path, error);
     const fs::path target = error ? path : canonical;

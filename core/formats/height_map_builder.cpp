@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <variant>
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/formats/cml_text.h"
 #include "core/formats/height_map_builder.h"
 #include "core/formats/height_map_hdf5.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

@@ -2,20 +2,24 @@
 //
 // Measured surfaces from files: profiles along the track and maps. The ending chooses the form.
 //
-//   *.h5, *.hdf5   datasets x (nx), y (ny) and height (ny rows of nx) in the root; of a profile x and height, both nx long.
+//   *.h5, *.hdf5   datasets x (nx), y (ny) and height (ny rows of nx) in the root; of a profile x and height, both nx
+//   long.
 //                  An attribute "unit" of each is a length; m without it.
-//   *.def          wave.def of the established program: lines "x h1 ... hny", x in m and h in nm; the last line holds the y of
+//   *.def          wave.def of the established program: lines "x h1 ... hny", x in m and h in nm; the last line holds
+//   the y of
 //                  the ny profiles, in m.
 //   others         text, numbers separated by blanks, tabs, commas or semicolons:
 //                    two columns     x, height: a profile
 //                    three columns   x, y, height: a map, every point of it once, line by line along x or along y
 //                    a matrix        of heights, the first line at y = 0, after comments that give its size and unit:
 //                                    "# Width: 10 um", "# Height: 5 um", "# Value units: nm" (as Gwyddion writes them)
-//                  Lines that begin with #, %, ! or // are comments; headings may stand before the first number. Lengths in
-//                  m, or in the units that a heading or comment gives in brackets, one for each column: "x [um]  h [nm]".
+//                  Lines that begin with #, %, ! or // are comments; headings may stand before the first number.
+//                  Lengths in m, or in the units that a heading or comment gives in brackets, one for each column: "x
+//                  [um]  h [nm]".
 //
-// x and y ascend in equal steps; the first point lies at x = y = 0 of the disk. A map has no holes: every number is finite and
-// every line complete. A last row or column that is the first one again closes the map (see core/physics/disk/height_map.h).
+// x and y ascend in equal steps; the first point lies at x = y = 0 of the disk. A map has no holes: every number is
+// finite and every line complete. A last row or column that is the first one again closes the map (see
+// core/physics/disk/height_map.h).
 #pragma once
 
 #include <filesystem>
@@ -23,8 +27,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/physics/disk/height_map.h"
 #include "core/formats/input_problem.h"
+#include "core/physics/disk/height_map.h"
 
 namespace touchdown {
 

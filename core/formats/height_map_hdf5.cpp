@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/formats/cml_text.h"
 #include "core/formats/hdf5_access.h"
 #include "core/formats/height_map_builder.h"
 #include "core/formats/quotation.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 

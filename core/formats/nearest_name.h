@@ -9,7 +9,8 @@
 
 namespace touchdown {
 
-/// The nearest of `names` by letters inserted, deleted, replaced or swapped (Damerau 1964), at most `most`; "" if none is as near.
+/// The nearest of `names` by letters inserted, deleted, replaced or swapped (Damerau 1964), at most `most`; "" if none
+/// is as near.
 std::string nearestName(std::string_view name, const std::vector<std::string>& names, std::size_t most);
 
 /// The same, with the slips that a word of its length allows.

@@ -14,7 +14,8 @@ namespace {
 
 // toml++ descends once per dot of a dotted key, so an endless line of dots would end the program.
 constexpr std::size_t longestLine = 10000; // [byte]
-// Case files have two levels. What lies deeper is not looked into: the keys would take memory by the square of their depth.
+// Case files have two levels. What lies deeper is not looked into: the keys would take memory by the square of their
+// depth.
 constexpr int deepest = 8;
 
 /// Byte offsets of the places that toml++ counts in lines and code points, both from 1.

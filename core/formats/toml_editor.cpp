@@ -104,15 +104,16 @@ std::string_view TomlEditor::headerOf(std::string_view key) const
     return header;
 }
 
-/// The last entry of a table, without those of [[tables]] and of tables with a header of their own in it; of the root for "".
+/// The last entry of a table, without those of [[tables]] and of tables with a header of their own in it; of the root
+/// for "".
 const TomlEntry* TomlEditor::lastEntry(std::string_view group) const
 {
     const TomlEntry* last = nullptr;
     for (const TomlEntry& entry : toml_.entries) {
-        const bool inside = group.empty() ? entry.key.find('.') == std::string::npos
-                                          : isBelow(entry.key, group) &&
-                                                entry.key.find('[', group.size()) == std::string::npos &&
-                                                headerOf(entry.key).size() <= group.size();
+        const bool inside = group.empty()
+                                ? entry.key.find('.') == std::string::npos
+                                : isBelow(entry.key, group) && entry.key.find('[', group.size()) == std::string::npos &&
+                                      headerOf(entry.key).size() <= group.size();
         if (inside) last = &entry;
     }
     return last;

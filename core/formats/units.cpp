@@ -184,7 +184,8 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
-/// Whether a text can be the name of a unit. UDUNITS takes more: numbers as factors ("2 m"), origins ("m @ 5", "s since 1970").
+/// Whether a text can be the name of a unit. UDUNITS takes more: numbers as factors ("2 m"), origins ("m @ 5", "s since
+/// 1970").
 bool looksLikeUnit(std::string_view text)
 {
     if (text.empty() || text.size() > 64) return false;

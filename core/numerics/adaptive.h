@@ -19,8 +19,8 @@
 namespace touchdown {
 
 struct AdaptiveOptions {
-    double tolerance = 1e-8;     // local error of a step, in units of System::scale; not below round-off of the state [-]
-    double firstStep = 1e-9;     // [s]
+    double tolerance = 1e-8; // local error of a step, in units of System::scale; not below round-off of the state [-]
+    double firstStep = 1e-9; // [s]
     double energyBalance = 0.01; // error of the energy in a step across a wall, of the energy there [-]
 };
 
@@ -38,7 +38,8 @@ double workAlong(const System& system, const Segment<typename System::State>& se
 ///   bool step(t, y, mode, at)   an accepted step to time t; at(s) is the state at s within it; false stops
 ///   void event(t, guard, upper, before, after)
 template <SwitchedSystem System, class Recorder>
-IntegrationResult integrateAdaptive(const System& system, Start<System> start, double until, const AdaptiveOptions& options, Recorder& recorder)
+IntegrationResult integrateAdaptive(const System& system, Start<System> start, double until,
+                                    const AdaptiveOptions& options, Recorder& recorder)
 {
     using State = typename System::State;
     constexpr const auto& tableau = dopri5Tableau;
@@ -64,8 +65,10 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
         const State r2 = h * k[0] - r1;
         const State r3 = r1 - h * k[6] - r2;
         const State r4 = combine<tableau.d, 7>(h, k);
-        return Segment<State>{t, h, {y, y + 0.25 * (r1 + r2), y + 0.5 * r1 + (1.0 / 3.0) * r2 + (1.0 / 6.0) * (r3 + r4),
-                                     y + 0.75 * r1 + 0.25 * (r2 + r3), y1}};
+        return Segment<State>{t,
+                              h,
+                              {y, y + 0.25 * (r1 + r2), y + 0.5 * r1 + (1.0 / 3.0) * r2 + (1.0 / 6.0) * (r3 + r4),
+                               y + 0.75 * r1 + 0.25 * (r2 + r3), y1}};
     };
 
     double t = 0.0;
@@ -163,7 +166,8 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             result.end = IntegrationEnd::Diverged;
             break;
         }
-        // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04), in binary logarithms; single precision is plenty.
+        // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04), in binary logarithms; single precision is
+        // plenty.
         const float logError = 0.5f * std::log2(std::max(static_cast<float>(errorSquared), 1e-20f));
         const float factor = 0.9f * std::exp2(0.04f * previousLogError - 0.17f * logError);
         previousLogError = std::max(logError, -13.3f); // log2(1e-4)

@@ -17,7 +17,8 @@ BackwardDifference backwardDifference(BackwardRule rule, double dt, double h1, d
     BackwardDifference result;
     result.perTime = (1.0 + 2.0 * r) / (1.0 + r) / dt;
     result.share = {(1.0 + r) / dt, -r * r / (1.0 + r) / dt, 0.0};
-    if (rule == BackwardRule::Bdf2Opt && second && h2 > 0.0 && dt <= mostGrowthForThird * h1 && h1 <= mostGrowthForThird * h2) {
+    if (rule == BackwardRule::Bdf2Opt && second && h2 > 0.0 && dt <= mostGrowthForThird * h1 &&
+        h1 <= mostGrowthForThird * h2) {
         // Of dt (t - t2) f[t, t1, t2, t3] the parts of m and m1..m3.
         const double factor = thirdShare * dt * (dt + h1), all = dt + h1 + h2;
         result.perTime += factor / (dt * (dt + h1) * all);

@@ -4,8 +4,8 @@
 //
 //   |r + J du|^2 + lambda sum_k (J^T J)_kk du_k^2
 //
-// least. What would leave its bounds is held on the bound, and the rest found anew; so the result is within the bounds, and the
-// least one for what is not held.
+// least. What would leave its bounds is held on the bound, and the rest found anew; so the result is within the bounds,
+// and the least one for what is not held.
 #pragma once
 
 #include <span>

@@ -17,14 +17,16 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-constexpr int mostIterations = 12;      // of Newton
-constexpr double straightest = 0.995;   // cosine between tangents at the ends of a step
-constexpr int fewIterations = 4;        // after so few the step may grow
+constexpr int mostIterations = 12;    // of Newton
+constexpr double straightest = 0.995; // cosine between tangents at the ends of a step
+constexpr int fewIterations = 4;      // after so few the step may grow
 constexpr int mostLocations = 80;
 
 class BranchFollower {
 public:
-    BranchFollower(const ContinuationProblem& problem, const ContinuationOptions& options) : problem_(problem), options_(options) {}
+    BranchFollower(const ContinuationProblem& problem, const ContinuationOptions& options)
+        : problem_(problem), options_(options)
+    {}
 
     Branch follow(Vector x, double p, bool rising, const std::function<bool()>& goOn)
     {
@@ -122,11 +124,12 @@ private:
     {
         const Vector way = joined(first.x, first.p) - joined(from.x, from.p);
         const double along = way.dot(from.tangent);
-        return along > 0.0 && along <= step && (way - along * from.tangent).norm() < 0.1 * step && first.tangent.dot(from.tangent) > 0.9;
+        return along > 0.0 && along <= step && (way - along * from.tangent).norm() < 0.1 * step &&
+               first.tangent.dot(from.tangent) > 0.9;
     }
 
-    /// Where a function changes its sign within a step, by Illinois' regula falsi with bisections; its sign there is that before the change, so
-    /// that a point at the end of a branch lies where the branch holds.
+    /// Where a function changes its sign within a step, by Illinois' regula falsi with bisections; its sign there is
+    /// that before the change, so that a point at the end of a branch lies where the branch holds.
     Change locate(const BranchPoint& from, const BranchPoint& next, double step, const Function& f)
     {
         const bool positive = f(from) > 0.0;
@@ -169,10 +172,12 @@ private:
     void moveToBound(Change& change)
     {
         const double p = change.at.p;
-        const double bound = std::abs(p - options_.lower) < std::abs(p - options_.upper) ? options_.lower : options_.upper;
+        const double bound =
+            std::abs(p - options_.lower) < std::abs(p - options_.upper) ? options_.lower : options_.upper;
         Vector x = change.at.x;
         if (!(change.s > 0.0) || !solveAt(problem_, x, bound, options_.tolerance)) return;
-        if ((x - change.at.x).norm() > 100.0 * options_.locatedTo) return; // at a fold there may be none, and another one farther on
+        if ((x - change.at.x).norm() > 100.0 * options_.locatedTo)
+            return; // at a fold there may be none, and another one farther on
         if (const std::optional<BranchPoint> there = pointAt(joined(x, bound), change.at.tangent)) change.at = *there;
     }
 
@@ -192,7 +197,8 @@ private:
         watch([this](const BranchPoint& at) { return at.p - options_.lower; }, BranchEnd::Bound, -1);
         const std::size_t guards = problem_.guards ? problem_.guards(from.x, from.p).size() : 0;
         for (std::size_t k = 0; k < guards; ++k)
-            watch([this, k](const BranchPoint& at) { return problem_.guards(at.x, at.p)[k]; }, BranchEnd::Guard, static_cast<int>(k));
+            watch([this, k](const BranchPoint& at) { return problem_.guards(at.x, at.p)[k]; }, BranchEnd::Guard,
+                  static_cast<int>(k));
         return first;
     }
 
@@ -218,7 +224,8 @@ private:
         };
         watch([](const BranchPoint& at) { return at.tangent[at.x.size()]; }, -1);
         for (std::size_t k = 0; k < from.tests.size(); ++k)
-            watch([this, k](const BranchPoint& at) { return at.tests.empty() ? problem_.tests(at.x, at.p)[k] : at.tests[k]; },
+            watch([this,
+                   k](const BranchPoint& at) { return at.tests.empty() ? problem_.tests(at.x, at.p)[k] : at.tests[k]; },
                   static_cast<int>(k));
         std::ranges::stable_sort(changes, {}, &Change::s);
         for (Change& change : changes) {
@@ -251,8 +258,8 @@ bool solveAt(const ContinuationProblem& problem, Vector& x, double p, double tol
     return false;
 }
 
-Branch followBranch(const ContinuationProblem& problem, Vector x, double p, bool rising, const ContinuationOptions& options,
-                    const std::function<bool()>& goOn)
+Branch followBranch(const ContinuationProblem& problem, Vector x, double p, bool rising,
+                    const ContinuationOptions& options, const std::function<bool()>& goOn)
 {
     return BranchFollower(problem, options).follow(std::move(x), p, rising, goOn);
 }

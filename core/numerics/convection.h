@@ -50,7 +50,8 @@ EffectiveConductance effectiveConductance(double K, double c)
 {
     const double half = 0.5 * std::abs(c);
     const double sign = c < 0.0 ? -0.5 : 0.5;
-    if constexpr (scheme == ConvectionScheme::Upwind) return {K + half, 1.0, sign};
+    if constexpr (scheme == ConvectionScheme::Upwind)
+        return {K + half, 1.0, sign};
     else if constexpr (scheme == ConvectionScheme::Hybrid)
         return K > half ? EffectiveConductance{K, 1.0, 0.0} : EffectiveConductance{half, 0.0, sign};
     else if constexpr (scheme == ConvectionScheme::PowerLaw) {

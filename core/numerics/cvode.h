@@ -31,7 +31,8 @@ namespace cvode {
 using Context = std::unique_ptr<std::remove_pointer_t<SUNContext>, decltype([](SUNContext c) { SUNContext_Free(&c); })>;
 using Vector = std::unique_ptr<std::remove_pointer_t<N_Vector>, decltype([](N_Vector v) { N_VDestroy(v); })>;
 using Matrix = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, decltype([](SUNMatrix m) { SUNMatDestroy(m); })>;
-using Solver = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, decltype([](SUNLinearSolver s) { SUNLinSolFree(s); })>;
+using Solver =
+    std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, decltype([](SUNLinearSolver s) { SUNLinSolFree(s); })>;
 using Memory = std::unique_ptr<void, decltype([](void* m) { CVodeFree(&m); })>;
 
 /// What the callbacks see.
@@ -43,13 +44,18 @@ struct View {
 };
 
 template <class State>
-Eigen::Map<State> map(N_Vector v) { return Eigen::Map<State>(N_VGetArrayPointer(v)); }
+Eigen::Map<State> map(N_Vector v)
+{
+    return Eigen::Map<State>(N_VGetArrayPointer(v));
+}
 
 } // namespace cvode
 
-/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates at its start and whenever SUNDIALS does.
+/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates at its start and whenever SUNDIALS
+/// does.
 template <SwitchedSystem System, class Recorder>
-IntegrationResult integrateCvode(const System& system, Start<System> start, double until, const AdaptiveOptions& options, Recorder& recorder)
+IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
+                                 const AdaptiveOptions& options, Recorder& recorder)
 {
     using State = typename System::State;
     constexpr int size = State::RowsAtCompileTime;
@@ -86,7 +92,8 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         }
         return 0;
     };
-    const CVLsJacFn jacobian = [](realtype, N_Vector at, N_Vector, SUNMatrix j, void* data, N_Vector, N_Vector, N_Vector) {
+    const CVLsJacFn jacobian = [](realtype, N_Vector at, N_Vector, SUNMatrix j, void* data, N_Vector, N_Vector,
+                                  N_Vector) {
         const auto& v = *static_cast<cvode::View<System>*>(data);
         Eigen::Map<Eigen::Matrix<double, size, size>> out(SUNDenseMatrix_Data(j));
         out.setZero();
@@ -98,14 +105,16 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
     std::array<int, guardEnds> falling;
     falling.fill(-1);
     CVodeInit(cv, derivative, 0.0, y.get());
-    CVodeSVtolerances(cv, 4.0 * std::numeric_limits<double>::epsilon(), tolerance.get()); // not below round-off, as in adaptive.h
+    CVodeSVtolerances(cv, 4.0 * std::numeric_limits<double>::epsilon(),
+                      tolerance.get()); // not below round-off, as in adaptive.h
     CVodeSetUserData(cv, &view);
     CVodeSetLinearSolver(cv, solver.get(), matrix.get());
     CVodeSetJacFn(cv, jacobian);
     CVodeRootInit(cv, guardEnds, ends);
     CVodeSetRootDirection(cv, falling.data());
     CVodeSetNoInactiveRootWarn(cv);
-    CVodeSetErrHandlerFn(cv, [](int, const char*, const char*, char*, void*) {}, nullptr);
+    CVodeSetErrHandlerFn(
+        cv, [](int, const char*, const char*, char*, void*) {}, nullptr);
     CVodeSetMaxNumSteps(cv, -1);
     CVodeSetStopTime(cv, until);
 
@@ -124,7 +133,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         const realtype begin = t;
         const int flag = CVode(cv, until, y.get(), &t, CV_ONE_STEP);
         if (flag < 0) {
-            result.end = flag == CV_CONV_FAILURE ? IntegrationEnd::NewtonFailed
+            result.end = flag == CV_CONV_FAILURE  ? IntegrationEnd::NewtonFailed
                          : flag == CV_ERR_FAILURE ? IntegrationEnd::StepUnderflow
                                                   : IntegrationEnd::Diverged;
             break;
@@ -144,14 +153,16 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
             result.end = IntegrationEnd::Stopped;
             break;
         }
-        // A guard that turns back at once where it has just switched crosses unseen: CVODE looks for roots a little after a restart.
+        // A guard that turns back at once where it has just switched crosses unseen: CVODE looks for roots a little
+        // after a restart.
         std::array<int, guardEnds> found{};
         if (flag == CV_ROOT_RETURN) {
             CVodeGetRootInfo(cv, found.data());
         } else {
             constexpr double certain = 1e3; // resolutions beyond an end
             for (int i = 0; i < guardEnds; ++i)
-                found[static_cast<std::size_t>(i)] = view.watch.inside(y1, i / 2, i % 2 == 1) < -certain * view.watch.resolution(y1, i / 2, t);
+                found[static_cast<std::size_t>(i)] =
+                    view.watch.inside(y1, i / 2, i % 2 == 1) < -certain * view.watch.resolution(y1, i / 2, t);
             if (std::ranges::all_of(found, [](int each) { return each == 0; })) continue;
         }
         bool tooMany = false;
@@ -178,9 +189,11 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
 
 inline constexpr bool haveCvode = false;
 
-/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called, so never defined.
+/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called, so never
+/// defined.
 template <SwitchedSystem System, class Recorder>
-IntegrationResult integrateCvode(const System& system, Start<System> start, double until, const AdaptiveOptions& options, Recorder& recorder);
+IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
+                                 const AdaptiveOptions& options, Recorder& recorder);
 
 #endif
 

@@ -39,13 +39,14 @@ inline DecayMoments decayMoments(double z)
     constexpr double small = 0.125;
     DecayMoments m;
     m.decay = decay(z);
-    // Downwards, all terms are positive and nothing cancels; so E_2 comes first: upwards, or as a series where that cancels.
+    // Downwards, all terms are positive and nothing cancels; so E_2 comes first: upwards, or as a series where that
+    // cancels.
     const double inverse = 1.0 / std::max(z, small);
     const double upwards = (2.0 * ((1.0 - m.decay) * inverse - m.decay) * inverse - m.decay) * inverse;
     const double series =
         1.0 / 3 -
-        z * (1.0 / 4 -
-             z * (1.0 / 10 - z * (1.0 / 36 - z * (1.0 / 168 - z * (1.0 / 960 - z * (1.0 / 6480 - z * (1.0 / 50400)))))));
+        z * (1.0 / 4 - z * (1.0 / 10 -
+                            z * (1.0 / 36 - z * (1.0 / 168 - z * (1.0 / 960 - z * (1.0 / 6480 - z * (1.0 / 50400)))))));
     m.e2 = z > small ? upwards : series;
     m.e1 = 0.5 * (z * m.e2 + m.decay);
     m.e0 = z * m.e1 + m.decay;

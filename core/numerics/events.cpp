@@ -68,7 +68,8 @@ std::optional<double> firstDescent(const Coefficients& coefficients)
         if (piece.c[0] < 0.0) return piece.begin;
         if (neverNegative(piece.c)) continue;
         const double width = std::ldexp(1.0, -piece.depth);
-        if (descendsOnce(piece.c)) return piece.begin + width * onlyRoot(piece.c, std::numeric_limits<double>::epsilon() / width);
+        if (descendsOnce(piece.c))
+            return piece.begin + width * onlyRoot(piece.c, std::numeric_limits<double>::epsilon() / width);
         if (piece.depth == deepest) {
             if (piece.c[4] < 0.0) return piece.begin + width;
             continue;

@@ -4,7 +4,8 @@
 //
 // A guard's course over a step is a polynomial in Bernstein form; it lies within the hull of its coefficients.
 // If no coefficient leaves the interval then no point of the step does, so a contact that touches and leaves
-// again within one step is not missed. Otherwise the first crossing is found by halving down to one change of sign, and Newton's iteration.
+// again within one step is not missed. Otherwise the first crossing is found by halving down to one change of sign, and
+// Newton's iteration.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::optional<double> firstDescent(const std::array<double, 5>& coefficients);
 
 /// A guard leaving its interval.
 struct Crossing {
-    double at = 0.0;    // place in the step, 0..1
+    double at = 0.0; // place in the step, 0..1
     int guard = 0;
     bool upper = false; // through the upper end
 };
@@ -43,7 +44,11 @@ public:
     static constexpr std::size_t most = 64; // switches within one period
 
 private:
-    std::array<double, most> times_ = [] { std::array<double, most> a; a.fill(-std::numeric_limits<double>::infinity()); return a; }();
+    std::array<double, most> times_ = [] {
+        std::array<double, most> a;
+        a.fill(-std::numeric_limits<double>::infinity());
+        return a;
+    }();
     std::size_t next_ = 0;
 };
 
@@ -58,7 +63,8 @@ public:
 
     void enter(typename System::Mode mode)
     {
-        for (int i = 0; i < System::guardCount; ++i) intervals_[static_cast<std::size_t>(i)] = system_.interval(i, mode);
+        for (int i = 0; i < System::guardCount; ++i)
+            intervals_[static_cast<std::size_t>(i)] = system_.interval(i, mode);
     }
 
     /// How far inside the interval's end the state is [unit of q]; negative outside.
@@ -79,13 +85,17 @@ public:
     {
         constexpr double few = 16.0 * std::numeric_limits<double>::epsilon();
         const Interval& interval = intervals_[static_cast<std::size_t>(guard)];
-        double size = y.template head<half>().cwiseAbs().cwiseMax(system_.scale().template head<half>()).dot(system_.guardSizes(guard));
+        double size = y.template head<half>()
+                          .cwiseAbs()
+                          .cwiseMax(system_.scale().template head<half>())
+                          .dot(system_.guardSizes(guard));
         if (std::isfinite(interval.lower)) size = std::max(size, std::abs(interval.lower));
         if (std::isfinite(interval.upper)) size = std::max(size, std::abs(interval.upper));
         return few * size;
     }
 
-    /// How near to the boundary a state can be placed at this time [s]: to its own round-off, and that of the time [unit of q].
+    /// How near to the boundary a state can be placed at this time [s]: to its own round-off, and that of the time
+    /// [unit of q].
     double resolution(const State& y, int guard, double time) const
     {
         constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
@@ -110,7 +120,8 @@ public:
             for (const bool upper : {false, true}) {
                 if (upper ? highest <= interval.upper : lowest >= interval.lower) continue;
                 std::array<double, 5> inside;
-                for (std::size_t k = 0; k < 5; ++k) inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
+                for (std::size_t k = 0; k < 5; ++k)
+                    inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
                 // On the boundary, as after a switch: in unless it moves out.
                 if (const double start = inside[0]; std::abs(start) <= resolution(c[0], i, time))
                     for (double& distance : inside) distance -= start;
@@ -132,7 +143,8 @@ private:
 /// output. Newton's iteration on the length, kept within a bracket. Returns the end state, and false in
 /// `crossed` when the step, taken anew, only grazes the boundary from inside.
 template <SwitchedSystem System, class Take>
-typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double time, double fullLength, double& h, bool& crossed, Take&& take)
+typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double time,
+                                     double fullLength, double& h, bool& crossed, Take&& take)
 {
     double inner = 0.0;        // longest length known to end inside
     double outer = fullLength; // shortest length taken to end outside

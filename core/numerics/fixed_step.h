@@ -15,7 +15,7 @@
 namespace touchdown {
 
 struct FixedStepOptions {
-    double step = 1e-8;   // [s]
+    double step = 1e-8;     // [s]
     double tunnelled = 0.5; // energy made in a step across a wall, of the energy before it, that ends the run [-]
 };
 
@@ -27,8 +27,8 @@ inline long long stepCount(double until, double step)
 
 /// True when a step from y0 to y1 crossed a wall with energy that the step itself made.
 template <SwitchedSystem System>
-bool madeItsWay(const System& system, const typename System::State& y0, typename System::Mode mode0, const typename System::State& y1,
-                typename System::Mode mode1, double h, double share)
+bool madeItsWay(const System& system, const typename System::State& y0, typename System::Mode mode0,
+                const typename System::State& y1, typename System::Mode mode1, double h, double share)
 {
     const double before = system.energy(y0);
     const double work = 0.5 * h * (system.power(y0, mode0) + system.power(y1, mode1));
@@ -38,7 +38,8 @@ bool madeItsWay(const System& system, const typename System::State& y0, typename
 /// Classical Runge-Kutta; every stage picks its law by where it is, the hysteresis branch changes between steps.
 /// Cheap, and of order 1 across a switch. Recorder as in adaptive.h.
 template <SwitchedSystem System, class Recorder>
-IntegrationResult integrateNaively(const System& system, Start<System> start, double until, const FixedStepOptions& options, Recorder& recorder)
+IntegrationResult integrateNaively(const System& system, Start<System> start, double until,
+                                   const FixedStepOptions& options, Recorder& recorder)
 {
     using State = typename System::State;
     State y = start.y;
@@ -115,7 +116,8 @@ private:
 /// Any one-step method with a frozen mode, its switches located by repeating the step up to them. After a switch
 /// the rest of the step follows, so that the grid of times is kept. Recorder as in adaptive.h.
 template <SwitchedSystem System, class Stepper, class Recorder>
-IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<System> start, double until, const FixedStepOptions& options, Recorder& recorder)
+IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<System> start, double until,
+                                 const FixedStepOptions& options, Recorder& recorder)
 {
     using State = typename System::State;
     constexpr int half = GuardWatch<System>::half;
@@ -156,7 +158,8 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
                             return end;
                         });
                         if (!solved) return Stepper::failure;
-                        if (system.isWall(crossing->guard) && madeItsWay(system, y, mode, y1, mode, length, options.tunnelled))
+                        if (system.isWall(crossing->guard) &&
+                            madeItsWay(system, y, mode, y1, mode, length, options.tunnelled))
                             return IntegrationEnd::Tunnelled;
                         if (!crossed) crossing.reset();
                     } else {
@@ -169,7 +172,8 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
                 result.time = t1;
                 if (t1 > t) {
                     const auto at = [&](double s) {
-                        const Segment<State> segment{t, h, hermite(y, system.derivative(y, mode), y1, system.derivative(y1, mode), h)};
+                        const Segment<State> segment{
+                            t, h, hermite(y, system.derivative(y, mode), y1, system.derivative(y1, mode), h)};
                         return segment.at(s);
                     };
                     if (!recorder.step(t1, y1, mode, at)) return IntegrationEnd::Stopped;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted; for real and complex
-// unknowns. What the preconditioner gave is kept (as in Saad 1993), so that the solution needs none of it anew. Vectors of any
-// storage: what is outside the unknowns must stay zero.
+// Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted; for real and
+// complex unknowns. What the preconditioner gave is kept (as in Saad 1993), so that the solution needs none of it anew.
+// Vectors of any storage: what is outside the unknowns must stay zero.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,10 @@ class Gmres {
 public:
     /// `size` of the vectors; restarts after `restart` iterations.
     explicit Gmres(std::size_t size, int restart = 20)
-        : size_(size), restart_(restart), basis_(static_cast<std::size_t>(restart) + 1), preconditioned_(basis_.size() - 1)
+        : size_(size),
+          restart_(restart),
+          basis_(static_cast<std::size_t>(restart) + 1),
+          preconditioned_(basis_.size() - 1)
     {
         // Memory that is never used costs nothing: the system hands it out when it is first touched.
         for (auto* vectors : {&basis_, &preconditioned_})
@@ -44,7 +47,8 @@ public:
         right_.resize(m + 1);
     }
 
-    /// Solves A x = b. `apply(v, out)`: out = A v; `precondition(v, out)`: out = approximately A^-1 v. x holds the first guess.
+    /// Solves A x = b. `apply(v, out)`: out = A v; `precondition(v, out)`: out = approximately A^-1 v. x holds the
+    /// first guess.
     template <typename Apply, typename Precondition>
     GmresResult solve(Apply&& apply, Precondition&& precondition, std::span<const T> b, std::span<T> x,
                       const GmresOptions& options)
@@ -61,7 +65,8 @@ public:
         bool first = !guess, stopped = false;
         while (true) {
             const std::span<T> v0 = basis(0);
-            if (first) std::copy(b.begin(), b.end(), v0.begin());
+            if (first)
+                std::copy(b.begin(), b.end(), v0.begin());
             else {
                 apply(std::span<const T>(x.data(), n), v0);
                 for (std::size_t i = 0; i < n; ++i) v0[i] = b[i] - v0[i];
@@ -70,7 +75,8 @@ public:
             const double start = norm(v0);
             result.residual = start / scale;
             result.converged = result.residual <= options.tolerance;
-            if (result.converged || stopped || result.iterations >= options.maximumIterations || !std::isfinite(start)) return result;
+            if (result.converged || stopped || result.iterations >= options.maximumIterations || !std::isfinite(start))
+                return result;
             for (T& value : v0) value *= 1.0 / start;
             const std::size_t used = expand(apply, precondition, start, scale, options, result, stopped);
             combine(used, x);
@@ -88,10 +94,7 @@ private:
         return {basis_[k].get(), size_};
     }
 
-    static double norm(std::span<const T> v)
-    {
-        return std::sqrt(std::abs(product(v, v)));
-    }
+    static double norm(std::span<const T> v) { return std::sqrt(std::abs(product(v, v))); }
     /// Of the conjugate of a with b. Eight sums side by side: a single one would wait for itself at each number.
     static T product(std::span<const T> a, std::span<const T> b)
     {
@@ -104,14 +107,16 @@ private:
     }
     static T conjugate(const T& value)
     {
-        if constexpr (std::is_same_v<T, double>) return value;
-        else return std::conj(value);
+        if constexpr (std::is_same_v<T, double>)
+            return value;
+        else
+            return std::conj(value);
     }
 
     /// Arnoldi with Givens rotations, until the residual is small; the number of basis vectors used.
     template <typename Apply, typename Precondition>
-    std::size_t expand(Apply& apply, Precondition& precondition, double start, double scale, const GmresOptions& options,
-                       GmresResult& result, bool& stopped)
+    std::size_t expand(Apply& apply, Precondition& precondition, double start, double scale,
+                       const GmresOptions& options, GmresResult& result, bool& stopped)
     {
         const std::size_t m = static_cast<std::size_t>(restart_);
         for (auto* field : {&hessenberg_, &cosine_, &sine_, &right_}) std::fill(field->begin(), field->end(), T{});

@@ -18,8 +18,7 @@ std::vector<double> limitedDensity(const AxisWish& wish, int cells)
     std::vector<double> spacing(bins);
     double scale = 1.0;
     for (int pass = 0; pass < 12; ++pass) {
-        for (std::size_t k = 0; k < bins; ++k)
-            spacing[k] = scale / std::max(wish.density[k], 1e-6 * largest + 1e-300);
+        for (std::size_t k = 0; k < bins; ++k) spacing[k] = scale / std::max(wish.density[k], 1e-6 * largest + 1e-300);
         for (std::size_t k = 1; k < bins; ++k) spacing[k] = std::min(spacing[k], spacing[k - 1] + wish.growth * bin);
         for (std::size_t k = bins - 1; k-- > 0;) spacing[k] = std::min(spacing[k], spacing[k + 1] + wish.growth * bin);
         double count = 0.0;
@@ -37,7 +36,8 @@ double positionAt(const std::vector<double>& sums, const AxisWish& wish, double 
     const auto above = std::upper_bound(sums.begin() + 1, sums.end() - 1, amount);
     const std::size_t k = static_cast<std::size_t>(above - sums.begin());
     const double share = (amount - sums[k - 1]) / (sums[k] - sums[k - 1]);
-    return wish.start + (wish.end - wish.start) * (static_cast<double>(k - 1) + share) / static_cast<double>(sums.size() - 1);
+    return wish.start +
+           (wish.end - wish.start) * (static_cast<double>(k - 1) + share) / static_cast<double>(sums.size() - 1);
 }
 
 double sumAt(const std::vector<double>& sums, const AxisWish& wish, double position)
@@ -64,17 +64,21 @@ std::vector<double> gradedAxis(const AxisWish& wish, int cells)
     };
     std::vector<Anchor> anchors{{0, wish.start}, {cells, wish.end}};
     std::vector<AxisMark> marks = wish.marks;
-    std::stable_sort(marks.begin(), marks.end(), [](const AxisMark& a, const AxisMark& b) { return a.weight > b.weight; });
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const AxisMark& a, const AxisMark& b) { return a.weight > b.weight; });
     for (const AxisMark& mark : marks) {
         if (!(mark.position > wish.start && mark.position < wish.end)) continue;
         const double wanted = sumAt(sums, wish, mark.position) / wish.multiple;
         const int line = static_cast<int>(std::lround(wanted)) * wish.multiple;
-        const auto next = std::find_if(anchors.begin(), anchors.end(), [&](const Anchor& a) { return a.position >= mark.position; });
+        const auto next =
+            std::find_if(anchors.begin(), anchors.end(), [&](const Anchor& a) { return a.position >= mark.position; });
         const auto before = next - 1;
         if (next->position == mark.position || line <= before->line || line >= next->line) continue;
         // A line must not be pulled so far that its neighbours crowd or gape.
-        const double lower = (sumAt(sums, wish, mark.position) - sumAt(sums, wish, before->position)) / (line - before->line);
-        const double upper = (sumAt(sums, wish, next->position) - sumAt(sums, wish, mark.position)) / (next->line - line);
+        const double lower =
+            (sumAt(sums, wish, mark.position) - sumAt(sums, wish, before->position)) / (line - before->line);
+        const double upper =
+            (sumAt(sums, wish, next->position) - sumAt(sums, wish, mark.position)) / (next->line - line);
         if (std::min(lower, upper) < 0.4 || std::max(lower, upper) > 2.5) continue;
         anchors.insert(next, {line, mark.position});
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines of a grid along one axis: as dense as a given density asks, with neighbouring spacings that differ little, and with
-// lines exactly on given positions.
+// Lines of a grid along one axis: as dense as a given density asks, with neighbouring spacings that differ little, and
+// with lines exactly on given positions.
 #pragma once
 
 #include <vector>
@@ -16,10 +16,10 @@ struct AxisMark {
 
 struct AxisWish {
     double start = 0.0, end = 1.0;
-    std::vector<double> density;  // lines per length, up to a factor, at equal bins from start to end; not negative
+    std::vector<double> density; // lines per length, up to a factor, at equal bins from start to end; not negative
     std::vector<AxisMark> marks;
-    double growth = 0.2;          // largest change of the spacing per spacing [-]
-    int multiple = 2;             // marks sit on lines whose number is a multiple of this, so that coarser grids keep them
+    double growth = 0.2; // largest change of the spacing per spacing [-]
+    int multiple = 2;    // marks sit on lines whose number is a multiple of this, so that coarser grids keep them
 };
 
 /// cells + 1 ascending lines from start to end; marks that find no line of their own are left out.

@@ -8,7 +8,8 @@ LineRelaxation::LineRelaxation(const PaddedGrid& pad) : pad_(pad)
     for (auto* field : {&west_, &east_, &south_, &north_, &centre_, &pivotX_, &pivotY_}) field->assign(pad.size(), 0.0);
 }
 
-void LineRelaxation::setOperator(const std::array<MonotoneFaces, 2>& faces, std::span<const double> weight, double diagonal)
+void LineRelaxation::setOperator(const std::array<MonotoneFaces, 2>& faces, std::span<const double> weight,
+                                 double diagonal)
 {
     const std::size_t up = pad_.stride();
     const auto [ex, cx] = faces[0];

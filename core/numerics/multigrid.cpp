@@ -15,8 +15,8 @@ constexpr std::size_t together = 4; // lines solved at once: each waits for its 
 
 /// b less what comes from the rows beside.
 template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setRest(std::size_t count, std::size_t up, const Real* south, const Real* north, const Number* b,
-                                     const Number* v, Number* rest)
+TOUCHDOWN_VECTOR_CLONES void setRest(std::size_t count, std::size_t up, const Real* south, const Real* north,
+                                     const Number* b, const Number* v, Number* rest)
 {
     const Number *below = v - up, *above = v + up;
 #pragma GCC ivdep
@@ -25,8 +25,8 @@ TOUCHDOWN_VECTOR_CLONES void setRest(std::size_t count, std::size_t up, const Re
 
 /// Solves lines along x, `apart` from each other, their right-hand sides in rows a stride apart.
 template <std::size_t lines, typename Real, typename Number>
-void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Real* west, const Real* east, const Number* pivot,
-                const Number* right, Number* v)
+void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Real* west, const Real* east,
+                const Number* pivot, const Number* right, Number* v)
 {
     std::array<Number, lines> last{};
     for (std::size_t i = 0; i < count; ++i)
@@ -43,8 +43,8 @@ void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const 
 
 /// Rows of the lines along y, from the first to the last: v = (b - west and east - south) pivot in every second column.
 template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, const Real* west, const Real* east, const Real* south,
-                                        const Number* pivot, const Number* b, Number* v)
+TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, const Real* west, const Real* east,
+                                        const Real* south, const Number* pivot, const Number* b, Number* v)
 {
     const Number *before = v - 1, *after = v + 1, *below = v - up;
 #pragma GCC ivdep
@@ -55,7 +55,8 @@ TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, c
     }
 }
 template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, const Real* north, const Number* pivot, Number* v)
+TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, const Real* north, const Number* pivot,
+                                         Number* v)
 {
     const Number* above = v + up;
 #pragma GCC ivdep
@@ -67,8 +68,9 @@ TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, 
 
 /// What is left of b in a row, by itself or added to what is there.
 template <bool add, typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setResidual(std::size_t count, std::size_t up, const Real* west, const Real* east, const Real* south,
-                                         const Real* north, const Number* centre, const Number* b, const Number* v, Number* out)
+TOUCHDOWN_VECTOR_CLONES void setResidual(std::size_t count, std::size_t up, const Real* west, const Real* east,
+                                         const Real* south, const Real* north, const Number* centre, const Number* b,
+                                         const Number* v, Number* out)
 {
     const Number *before = v - 1, *after = v + 1, *below = v - up, *above = v + up;
 #pragma GCC ivdep
@@ -88,7 +90,8 @@ TOUCHDOWN_VECTOR_CLONES void addPairs(std::size_t count, const Number* in, Numbe
 
 /// A fine cell takes nine, three, three and one sixteenths of the four coarse cells around its centre.
 template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void addBilinear(std::size_t count, const Number* own, const Number* next, Number* row, Number* v)
+TOUCHDOWN_VECTOR_CLONES void addBilinear(std::size_t count, const Number* own, const Number* next, Number* row,
+                                         Number* v)
 {
     const Real near = Real(0.1875), far = Real(0.0625), three = Real(3);
 #pragma GCC ivdep
@@ -171,8 +174,8 @@ void Multigrid<T>::sweepY(Level& level, int colour)
     const std::size_t up = pad.stride();
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j); // below the first row the ring holds zero
-        forwardRow(pad.nx, colour, up, &level.west[at], &level.east[at], &level.south[at], &level.pivot[1][at], &level.right[at],
-                   &level.value[at]);
+        forwardRow(pad.nx, colour, up, &level.west[at], &level.east[at], &level.south[at], &level.pivot[1][at],
+                   &level.right[at], &level.value[at]);
     }
     for (int j = pad.ny - 2; j >= 0; --j) {
         const std::size_t at = pad.at(0, j);
@@ -195,8 +198,8 @@ void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse)
     row[n] = Number{}; // beside the last column of an odd number
     const auto leave = [&]<bool add>(int j) {
         const std::size_t at = fine.pad.at(0, j);
-        setResidual<add>(n, up, &fine.west[at], &fine.east[at], &fine.south[at], &fine.north[at], &fine.centre[at], &fine.right[at],
-                         &fine.value[at], row);
+        setResidual<add>(n, up, &fine.west[at], &fine.east[at], &fine.south[at], &fine.north[at], &fine.centre[at],
+                         &fine.right[at], &fine.value[at], row);
     };
     for (int j = 0; j < coarse.pad.ny; ++j) {
         leave.template operator()<false>(2 * j);

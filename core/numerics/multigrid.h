@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Multigrid for linear convection and diffusion on cells, with alternating-direction line sweeps (Brandt 1977; Wesseling
-// 1992): the preconditioner of the film's linear systems. Two cells along each axis make one of the next coarser level.
-// A coarse face's conductance is that of the fine paths it stands for, in series along and side by side across; its
-// convection is the fine faces' sum, and the exponential scheme joins the two anew. So coarse levels stay monotone whatever
-// the Peclet number, and jumps of the conductance are averaged as nature does.
+// Multigrid for linear convection and diffusion on cells, with alternating-direction line sweeps (Brandt 1977;
+// Wesseling 1992): the preconditioner of the film's linear systems. Two cells along each axis make one of the next
+// coarser level. A coarse face's conductance is that of the fine paths it stands for, in series along and side by side
+// across; its convection is the fine faces' sum, and the exponential scheme joins the two anew. So coarse levels stay
+// monotone whatever the Peclet number, and jumps of the conductance are averaged as nature does.
 //
-// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part. Real ones are kept in single
-// precision inside, which is half the memory to pass over, and all that something approximate needs; a power of two keeps
-// the operator within its range.
+// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part. Real ones are kept in
+// single precision inside, which is half the memory to pass over, and all that something approximate needs; a power of
+// two keeps the operator within its range.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ public:
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
-    /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D (D + X)^-1 b
-    /// (Beam & Warming 1976). Good where D leads; a third of the work of a sweep. v has zero rings.
+    /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D
+    /// (D + X)^-1 b (Beam & Warming 1976). Good where D leads; a third of the work of a sweep. v has zero rings.
     void solveFactors(std::span<const T> b, std::span<T> v);
     /// v = approximately A^-1 b by these factors, then the coarser levels: what is left is rough.
     void halfCycle(std::span<const T> b, std::span<T> v);
@@ -63,7 +63,7 @@ private:
         PaddedGrid pad;
         std::vector<Real> west, east, south, north; // of the stencil, <= 0
         std::vector<Number> centre;
-        std::array<std::vector<Number>, 2> pivot;   // 1/pivot of the lines along x, along y
+        std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
         std::vector<Number> value, right;
     };
     /// What a level's stencil is made of; of the finest, the caller's.
@@ -94,9 +94,9 @@ private:
     std::vector<CoarseSource> sources_; // of the levels but the finest
     // Of the finest level's lines along y: (centre, south, north) times 1/pivot.
     std::vector<Number> factorCentre_, factorSouth_, factorNorth_;
-    double scale_ = 1.0;                // of the operator
+    double scale_ = 1.0; // of the operator
     std::vector<T> noMass_;
-    std::vector<Number> rows_;          // work space: a few rows with rings
+    std::vector<Number> rows_; // work space: a few rows with rings
 };
 
 } // namespace touchdown

@@ -13,8 +13,8 @@ namespace {
 
 /// The lines along x of a factored operator: as solveLines, without what comes from the lines beside.
 template <std::size_t lines, typename Real, typename Number>
-void solveLinesAlone(std::size_t count, std::size_t apart, const Real* west, const Real* east, const Number* pivot, const Number* b,
-                     Number* v)
+void solveLinesAlone(std::size_t count, std::size_t apart, const Real* west, const Real* east, const Number* pivot,
+                     const Number* b, Number* v)
 {
     std::array<Number, lines> last{};
     for (std::size_t i = 0; i < count; ++i)
@@ -31,7 +31,8 @@ void solveLinesAlone(std::size_t count, std::size_t apart, const Real* west, con
 
 /// Rows of its lines along y.
 template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void forwardRowAlone(std::size_t count, std::size_t up, const Number* centre, const Number* south, Number* v)
+TOUCHDOWN_VECTOR_CLONES void forwardRowAlone(std::size_t count, std::size_t up, const Number* centre,
+                                             const Number* south, Number* v)
 {
     const Number* below = v - up;
 #pragma GCC ivdep

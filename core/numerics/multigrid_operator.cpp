@@ -40,8 +40,8 @@ struct StencilRow {
 };
 
 template <typename T, typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setStencilRow(std::size_t count, std::size_t up, double scale, FaceRow faces, const T* mass,
-                                           StencilRow<Real, Number> out)
+TOUCHDOWN_VECTOR_CLONES void setStencilRow(std::size_t count, std::size_t up, double scale, FaceRow faces,
+                                           const T* mass, StencilRow<Real, Number> out)
 {
     const double *ex = faces.ex, *cx = faces.cx, *ey = faces.ey, *cy = faces.cy;
     Real *west = out.west, *east = out.east, *south = out.south, *north = out.north;
@@ -69,8 +69,8 @@ inline T inversePivot(T centre, T taken)
 
 /// 1/pivots of lines along x, several at once.
 template <typename T, int lines, typename Real, typename Number>
-void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real* west, const Real* east, const Number* centre,
-                 Number* pivot)
+void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real* west, const Real* east,
+                 const Number* centre, Number* pivot)
 {
     std::array<T, lines> last{};
     for (std::size_t i = 0; i < n; ++i)
@@ -84,15 +84,15 @@ void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real
 
 /// Of lines along y, a row; below the first one the ring holds zero.
 template <typename T, typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const Real* south, const Real* north, const Number* centre,
-                                       Number* pivot)
+TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const Real* south, const Real* north,
+                                       const Number* centre, Number* pivot)
 {
     const Real* northBelow = north - up;
     const Number* below = pivot - up;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
-        pivot[k] = static_cast<Number>(
-            inversePivot(static_cast<T>(centre[k]), static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
+        pivot[k] = static_cast<Number>(inversePivot(
+            static_cast<T>(centre[k]), static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
 }
 
 template <typename Real, typename Number>
@@ -107,7 +107,8 @@ TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const Number* pivot,
 template <typename T>
 void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal)
 {
-    const double most = std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
+    const double most =
+        std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
     scale_ = most > 0.0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
     Source source{faces, diagonal.empty() ? std::span<const T>(noMass_) : diagonal};
     for (std::size_t l = 0;; ++l) {
@@ -137,7 +138,8 @@ void Multigrid<T>::setStencil(Level& level, const Source& source)
     for (int j = 0; j < level.pad.ny; ++j) {
         const std::size_t at = level.pad.at(0, j);
         setStencilRow<T>(static_cast<std::size_t>(level.pad.nx), level.pad.stride(), scale_,
-                         FaceRow{&x.effective[at], &x.convection[at], &y.effective[at], &y.convection[at]}, &source.mass[at],
+                         FaceRow{&x.effective[at], &x.convection[at], &y.effective[at], &y.convection[at]},
+                         &source.mass[at],
                          StencilRow<Real, Number>{&level.west[at], &level.east[at], &level.south[at], &level.north[at],
                                                   &level.centre[at]});
     }
@@ -150,7 +152,8 @@ void Multigrid<T>::factor(Level& level)
     const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
     const auto factor = [&]<int lines>(int j) {
-        factorLines<T, lines>(pad.at(0, j), up, n, level.west.data(), level.east.data(), level.centre.data(), level.pivot[0].data());
+        factorLines<T, lines>(pad.at(0, j), up, n, level.west.data(), level.east.data(), level.centre.data(),
+                              level.pivot[0].data());
     };
     int first = 0;
     for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
@@ -172,8 +175,7 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
             for (int i = 0; i < to.nx + (axis == 0); ++i) {
                 const int line = axis == 0 ? i : j, side = axis == 0 ? j : i;
                 const int fineLine = std::min(2 * line, n);
-                const std::size_t first =
-                    axis == 0 ? from.at(fineLine, 2 * side) : from.at(2 * side, fineLine);
+                const std::size_t first = axis == 0 ? from.at(fineLine, 2 * side) : from.at(2 * side, fineLine);
                 double diffusion = 0.0, convection = 0.0;
                 for (int k = 0; k < 2 && 2 * side + k < nAcross; ++k) {
                     const std::size_t at = first + static_cast<std::size_t>(k) * across;
@@ -185,7 +187,8 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
                     const bool pairBelow = fineLine > 1 && (fineLine % 2 == 0); // the coarse cell below has two cells
                     const bool pairAbove = fineLine < n - 1;
                     if (!open || (pairBelow && below <= 0.0) || (pairAbove && above <= 0.0)) continue;
-                    diffusion += 1.0 / (1.0 / K[at] + (pairBelow ? 0.5 / below : 0.0) + (pairAbove ? 0.5 / above : 0.0));
+                    diffusion +=
+                        1.0 / (1.0 / K[at] + (pairBelow ? 0.5 / below : 0.0) + (pairAbove ? 0.5 / above : 0.0));
                 }
                 const std::size_t at = to.at(i, j);
                 coarse.diffusion[axis][at] = diffusion;

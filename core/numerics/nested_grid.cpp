@@ -20,9 +20,11 @@ std::vector<double> everySecond(const std::vector<double>& lines)
 CellGrid everySecondLine(const CellGrid& fine) { return {everySecond(fine.x), everySecond(fine.y)}; }
 
 GridTransfer::GridTransfer(const CellGrid& fine)
-    : fine_{fine.nx(), fine.ny()}, coarse_{(fine.nx() + 1) / 2, (fine.ny() + 1) / 2}, x_(axisOf(fine.x)), y_(axisOf(fine.y))
-{
-}
+    : fine_{fine.nx(), fine.ny()},
+      coarse_{(fine.nx() + 1) / 2, (fine.ny() + 1) / 2},
+      x_(axisOf(fine.x)),
+      y_(axisOf(fine.y))
+{}
 
 GridTransfer::Axis GridTransfer::axisOf(const std::vector<double>& lines)
 {

@@ -19,8 +19,8 @@
 namespace touchdown {
 
 struct NewmarkOptions {
-    double beta = 0.25;      // [-]
-    double gamma = 0.5;      // [-]
+    double beta = 0.25; // [-]
+    double gamma = 0.5; // [-]
     int mostIterations = 25;
 };
 
@@ -45,18 +45,21 @@ public:
         Vector a1 = a0;
         double previous = std::numeric_limits<double>::infinity();
         for (int i = 0; i < options_.mostIterations; ++i) {
-            y1.template head<half>() = y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
+            y1.template head<half>() =
+                y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
             y1.template tail<half>() = y.template tail<half>() + h * ((1.0 - gamma) * a0 + gamma * a1);
             const Vector residual = a1 - acceleration(y1, mode);
             const auto j = system_.jacobian(y1, mode);
-            const Square newton = Square::Identity() - beta * h * h * j.template leftCols<half>() - gamma * h * j.template rightCols<half>();
+            const Square newton = Square::Identity() - beta * h * h * j.template leftCols<half>() -
+                                  gamma * h * j.template rightCols<half>();
             const Vector change = newton.inverse() * residual;
             a1 -= change;
             // What is left is quadratic in the change; stop when that cannot move the state by round-off.
             const double moved = (gamma * h * change).cwiseQuotient(scale.template tail<half>()).cwiseAbs().maxCoeff();
             if (!std::isfinite(moved)) return false;
             if (moved <= 1e-13 || (moved <= 1e-10 && moved >= 0.5 * previous)) {
-                y1.template head<half>() = y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
+                y1.template head<half>() =
+                    y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
                 y1.template tail<half>() = y.template tail<half>() + h * ((1.0 - gamma) * a0 + gamma * a1);
                 return y1.allFinite();
             }

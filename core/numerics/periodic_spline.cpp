@@ -23,8 +23,8 @@ double quantumOf(double largest, double step)
     return lost <= finest ? finest : std::exp2(std::ceil(std::log2(lost)));
 }
 
-/// One axis and how far the surface has moved along it. Positions and the shift are rounded each for itself: what a position
-/// becomes must not depend on how far a surface has gone that stands where it stood.
+/// One axis and how far the surface has moved along it. Positions and the shift are rounded each for itself: what a
+/// position becomes must not depend on how far a surface has gone that stands where it stood.
 struct Axis {
     double step = 0.0;    // [m]
     int points = 0;       // of the period
@@ -33,7 +33,8 @@ struct Axis {
     double shiftPart = 0.0; // of a cell beyond it, 0 <= shiftPart < 1
 
     /// For positions up to +-`largest` [m], of a surface moved by `moved` [m].
-    Axis(double cell, int count, double largest, double moved) : step(cell), points(count), quantum(quantumOf(largest, cell))
+    Axis(double cell, int count, double largest, double moved)
+        : step(cell), points(count), quantum(quantumOf(largest, cell))
     {
         const double shiftQuantum = quantumOf(std::abs(moved), cell);
         const double cells = std::nearbyint(moved / cell / shiftQuantum) * shiftQuantum;
@@ -145,8 +146,8 @@ double evaluate(const std::vector<double>& sums, int nx, int ny, const Taps& x, 
     return sum + y.turns * dot(&sums[static_cast<std::size_t>(ny - 1) * columns], columns - 1, x);
 }
 
-/// From values to coefficients, (c_(k-1) + 4 c_k + c_(k+1))/6 = f_k, periodic: one recursion forwards and one back with the
-/// pole z = sqrt(3) - 2 (Unser 1999, box 2). Each k is a run of `width` neighbours; z^40 is below rounding.
+/// From values to coefficients, (c_(k-1) + 4 c_k + c_(k+1))/6 = f_k, periodic: one recursion forwards and one back with
+/// the pole z = sqrt(3) - 2 (Unser 1999, box 2). Each k is a run of `width` neighbours; z^40 is below rounding.
 void findCoefficients(double* values, int points, std::size_t stride, std::size_t width)
 {
     const double z = std::sqrt(3.0) - 2.0;
@@ -199,8 +200,7 @@ void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double sh
     std::array<Taps, chunk> along;
     for (int begin = 0; begin < grid.nx; begin += chunk) {
         const int count = std::min(chunk, grid.nx - begin);
-        for (int i = 0; i < count; ++i)
-            along[static_cast<std::size_t>(i)] = valueTaps(grid.x(begin + i), axisX);
+        for (int i = 0; i < count; ++i) along[static_cast<std::size_t>(i)] = valueTaps(grid.x(begin + i), axisX);
         for (int j = 0; j < grid.ny; ++j) {
             const Taps across = valueTaps(grid.y(j), axisY);
             double* row = &out[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx)] + begin;
@@ -216,9 +216,10 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
     addMeans(grid, shiftX, shiftY, out, work);
 }
 
-// First along each row of the map that a line across meets, from line to line of the columns, then across those: a map's rows are
-// met again and again where it is narrower than the grid.
-void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const
+// First along each row of the map that a line across meets, from line to line of the columns, then across those: a
+// map's rows are met again and again where it is narrower than the grid.
+void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
+                              std::vector<double>& work) const
 {
     assert(out.size() == grid.cells());
     if (out.empty()) return;
@@ -237,7 +238,8 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
             along[i] = integralTaps(grid.x[static_cast<std::size_t>(begin) + i], axisX, turnX);
             if (i > 0) perWidth[i - 1] = 1.0 / (along[i].cells - along[i - 1].cells);
         }
-        for (std::size_t l = 0; l < rows; ++l) work[l * chunk] = std::numeric_limits<double>::quiet_NaN(); // not yet known
+        for (std::size_t l = 0; l < rows; ++l)
+            work[l * chunk] = std::numeric_limits<double>::quiet_NaN(); // not yet known
         const auto rowOf = [&](std::size_t l) {
             double* row = &work[l * chunk];
             if (!std::isnan(row[0])) return row;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cubic spline through values on the points (i dx, j dy), periodic with (nx dx, ny dy) (Unser 1999). What is kept are the
-// running sums of its coefficients,
+// The cubic spline through values on the points (i dx, j dy), periodic with (nx dx, ny dy) (Unser 1999). What is kept
+// are the running sums of its coefficients,
 //
 //   S_ij = sum of c_kl, k <= i, l <= j,     W(x, y) = dx dy sum of S_ij B(x/dx - i) B(y/dy - j),
 //
-// with B the quartic B-spline between 2 cells before and 3 behind: W is the spline's integral over x and y. A value is its
-// mixed derivative, the mean over a rectangle of any size a second difference: both cost the same few terms, and one
-// array holds it all.
+// with B the quartic B-spline between 2 cells before and 3 behind: W is the spline's integral over x and y. A value is
+// its mixed derivative, the mean over a rectangle of any size a second difference: both cost the same few terms, and
+// one array holds it all.
 #pragma once
 
 #include <span>
@@ -29,7 +29,8 @@ public:
     /// Adds the means over the grid's cells.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// The same; allocates nothing once `work` has served for this spline.
-    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const;
+    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
+                  std::vector<double>& work) const;
 
     int nx() const { return nx_; }
     int ny() const { return ny_; }

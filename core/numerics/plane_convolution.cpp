@@ -13,8 +13,9 @@
 namespace touchdown {
 namespace {
 
-// Columns are transformed by blocks that stay in the cache from the forward transform to the inverse. A block is 64 bytes
-// wide, so that every row of it and every row of the field's transform is aligned alike, as FFTW asks of one plan.
+// Columns are transformed by blocks that stay in the cache from the forward transform to the inverse. A block is 64
+// bytes wide, so that every row of it and every row of the field's transform is aligned alike, as FFTW asks of one
+// plan.
 constexpr int block = 4;
 
 // w_k *= kernel_k for the block's rows k and my - k, to which the even kernel gives the same values.
@@ -46,10 +47,10 @@ int paddedSize(int n)
 
 struct PlaneConvolution::Plans {
     int nx, ny, mx, my;
-    std::size_t stride;             // of the rows of `lines`: mx/2 + 1, rounded up to whole blocks
-    std::vector<double> kernel;     // block after block
-    double* row = nullptr;          // of the domain
-    fftw_complex* lines = nullptr;  // the ny rows' transforms along x
+    std::size_t stride;            // of the rows of `lines`: mx/2 + 1, rounded up to whole blocks
+    std::vector<double> kernel;    // block after block
+    double* row = nullptr;         // of the domain
+    fftw_complex* lines = nullptr; // the ny rows' transforms along x
     fftw_complex* columns = nullptr;
     fftw_plan rowForward = nullptr, rowInverse = nullptr, columnsForward = nullptr, columnsInverse = nullptr;
 
@@ -87,7 +88,8 @@ struct PlaneConvolution::Plans {
 
     fftw_plan columnPlan(int direction) const
     {
-        return fftw_plan_many_dft(1, &my, block, columns, nullptr, block, 1, columns, nullptr, block, 1, direction, FFTW_ESTIMATE);
+        return fftw_plan_many_dft(1, &my, block, columns, nullptr, block, 1, columns, nullptr, block, 1, direction,
+                                  FFTW_ESTIMATE);
     }
     void release()
     {
@@ -122,9 +124,11 @@ void PlaneConvolution::setTransform(std::span<const double> transform)
     const auto width = static_cast<std::size_t>(p.mx / 2 + 1);
     const auto height = static_cast<std::size_t>(p.my / 2 + 1);
     assert(transform.size() == width * height);
-    const double scale = 1.0 / (static_cast<double>(p.mx) * p.my); // FFTW's inverse of its transform is m_x m_y times too large
+    const double scale =
+        1.0 / (static_cast<double>(p.mx) * p.my); // FFTW's inverse of its transform is m_x m_y times too large
     for (std::size_t k = 0; k < height; ++k)
-        for (std::size_t i = 0; i < width; ++i) p.kernel[((i / block) * height + k) * block + i % block] = scale * transform[k * width + i];
+        for (std::size_t i = 0; i < width; ++i)
+            p.kernel[((i / block) * height + k) * block + i % block] = scale * transform[k * width + i];
 }
 
 void PlaneConvolution::apply(std::span<const double> in, std::span<double> out)
@@ -151,7 +155,8 @@ void PlaneConvolution::transformKernel(std::span<double> kernel, int mx, int my)
     {
         // An even periodic kernel's transform is the cosine transform of its quarter.
         const std::lock_guard lock(fourierPlanner());
-        plan = fftw_plan_r2r_2d(my / 2 + 1, mx / 2 + 1, kernel.data(), kernel.data(), FFTW_REDFT00, FFTW_REDFT00, FFTW_ESTIMATE);
+        plan = fftw_plan_r2r_2d(my / 2 + 1, mx / 2 + 1, kernel.data(), kernel.data(), FFTW_REDFT00, FFTW_REDFT00,
+                                FFTW_ESTIMATE);
     }
     if (!plan) throw std::bad_alloc();
     fftw_execute(plan);

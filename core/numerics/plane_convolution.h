@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convolution of a real field with a real kernel that is even along x and along y, by FFT. The field of nx x ny values, row
-// by row, is a part of a domain of mx x my values that repeats in both directions; the rest of the domain is zero, and only
-// rows that can hold something are transformed. With m >= 2 n - 1 no repetition is seen (zero-padding: exact).
+// Convolution of a real field with a real kernel that is even along x and along y, by FFT. The field of nx x ny values,
+// row by row, is a part of a domain of mx x my values that repeats in both directions; the rest of the domain is zero,
+// and only rows that can hold something are transformed. With m >= 2 n - 1 no repetition is seen (zero-padding: exact).
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace touchdown {
 
-/// The smallest size m >= 2 n - 1 that FFTW transforms fast: even, beyond 32 a multiple of 8 (54 takes longer than 56), without
-/// prime factors above 7.
+/// The smallest size m >= 2 n - 1 that FFTW transforms fast: even, beyond 32 a multiple of 8 (54 takes longer than 56),
+/// without prime factors above 7.
 int paddedSize(int n);
 
 /// Keeps FFTW's plans and working memory. One thread at a time for each object.
@@ -24,12 +24,14 @@ public:
     PlaneConvolution(PlaneConvolution&&) noexcept;
     PlaneConvolution& operator=(PlaneConvolution&&) noexcept;
 
-    /// Sets the kernel by its transform, real and even: mx/2 + 1 values of wave numbers along x for each of my/2 + 1 along y.
+    /// Sets the kernel by its transform, real and even: mx/2 + 1 values of wave numbers along x for each of my/2 + 1
+    /// along y.
     void setTransform(std::span<const double> transform);
     /// out = kernel * in, each nx ny long; may be the same array. Allocates nothing.
     void apply(std::span<const double> in, std::span<double> out);
 
-    /// Transform, as setTransform() takes it, of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my even.
+    /// Transform, as setTransform() takes it, of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my
+    /// even.
     static void transformKernel(std::span<double> kernel, int mx, int my);
 
 private:

@@ -48,20 +48,28 @@ inline constexpr Tableau<7> dopri5Tableau{
 template <const auto& weights, std::size_t count, class State, std::size_t stages>
 inline State combine(double h, const std::array<State, stages>& k)
 {
-    return [&]<std::size_t... j>(std::index_sequence<j...>) {
+    return [&]<std::size_t... j>(std::index_sequence<j...>)
+    {
         State sum = State::Zero();
-        ([&] { if constexpr (weights[j] != 0.0) sum += (h * weights[j]) * k[j]; }(), ...);
+        (
+            [&] {
+                if constexpr (weights[j] != 0.0) sum += (h * weights[j]) * k[j];
+            }(),
+            ...);
         return sum;
-    }(std::make_index_sequence<count>{});
+    }
+    (std::make_index_sequence<count>{});
 }
 
 /// Stages 1 to last of a step of length h from y; k[0] must hold the derivative at y.
 template <const auto& tableau, class State, std::size_t stages, class Derivative>
 inline void evaluateStages(const State& y, double h, std::array<State, stages>& k, Derivative&& derivative)
 {
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
+    [&]<std::size_t... i>(std::index_sequence<i...>)
+    {
         ((k[i + 1] = derivative(State(y + combine<tableau.a[i + 1], i + 1>(h, k)))), ...);
-    }(std::make_index_sequence<stages - 1>{});
+    }
+    (std::make_index_sequence<stages - 1>{});
 }
 
 } // namespace touchdown

@@ -27,10 +27,10 @@ struct WelchOptions {
 };
 
 struct Spectrum {
-    std::vector<double> frequency; // [Hz], from 0 to half the sampling rate
-    std::vector<double> power;     // [unit^2/Hz] or [unit^2]
-    std::size_t segment = 0;       // samples used for each segment
-    std::size_t segments = 0;      // averaged
+    std::vector<double> frequency;         // [Hz], from 0 to half the sampling rate
+    std::vector<double> power;             // [unit^2/Hz] or [unit^2]
+    std::size_t segment = 0;               // samples used for each segment
+    std::size_t segments = 0;              // averaged
     double equivalentNoiseBandwidth = 0.0; // of the window [Hz]
     bool empty() const { return frequency.empty(); }
 };
@@ -61,7 +61,9 @@ struct Peak {
     double frequency = 0.0; // [Hz], between bins by a parabola through the logarithms
     double amplitude = 0.0; // of the sine that would show so [unit]
 };
-/// The `most` largest peaks, largest first, that stand out of their surroundings by at least `prominence` (a ratio of powers).
-std::vector<Peak> findPeaks(const Spectrum& spectrum, SpectrumScaling scaling, std::size_t most = 5, double prominence = 10.0);
+/// The `most` largest peaks, largest first, that stand out of their surroundings by at least `prominence` (a ratio of
+/// powers).
+std::vector<Peak> findPeaks(const Spectrum& spectrum, SpectrumScaling scaling, std::size_t most = 5,
+                            double prominence = 10.0);
 
 } // namespace touchdown

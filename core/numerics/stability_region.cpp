@@ -108,7 +108,8 @@ private:
 /// Cells of the upper half of the plane, and where growth crosses 1 on their edges.
 class Contour {
 public:
-    Contour(const Growth& growth, const PlaneWindow& window) : growth_(growth), window_(window), size_((window.right - window.left) / window.columns)
+    Contour(const Growth& growth, const PlaneWindow& window)
+        : growth_(growth), window_(window), size_((window.right - window.left) / window.columns)
     {
         rows_ = std::max(1, static_cast<int>(std::ceil(window.height / size_)));
         inside_.resize(static_cast<std::size_t>((window.columns + 1) * (rows_ + 1)));
@@ -163,10 +164,14 @@ private:
                 grown = false;
                 for (std::size_t k = 0; k < lines_.size() && !grown; ++k) {
                     std::vector<Complex>& other = lines_[k];
-                    if (meet(line.back(), other.back()) || meet(line.front(), other.front())) std::reverse(other.begin(), other.end());
-                    if (meet(line.back(), other.front())) line.insert(line.end(), other.begin() + 1, other.end());
-                    else if (meet(line.front(), other.back())) line.insert(line.begin(), other.begin(), other.end() - 1);
-                    else continue;
+                    if (meet(line.back(), other.back()) || meet(line.front(), other.front()))
+                        std::reverse(other.begin(), other.end());
+                    if (meet(line.back(), other.front()))
+                        line.insert(line.end(), other.begin() + 1, other.end());
+                    else if (meet(line.front(), other.back()))
+                        line.insert(line.begin(), other.begin(), other.end() - 1);
+                    else
+                        continue;
                     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(k));
                     grown = true;
                 }
@@ -236,7 +241,8 @@ double backwardGrowth(BackwardRule rule, Complex z)
 double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, double leak)
 {
     const CoupledStep step(rule, w, dampingRatio, leak);
-    if (rule.coupling == CouplingKind::Iterated && !(step.contraction() < 1.0)) return std::numeric_limits<double>::infinity();
+    if (rule.coupling == CouplingKind::Iterated && !(step.contraction() < 1.0))
+        return std::numeric_limits<double>::infinity();
     Eigen::Matrix<double, 6, 6> matrix;
     for (int k = 0; k < 6; ++k) matrix.col(k) = step(CoupledStep::State::Unit(k));
     return matrix.eigenvalues().cwiseAbs().maxCoeff();
@@ -262,6 +268,9 @@ double largestStable(const std::function<bool(double)>& stable, double from, dou
     return to;
 }
 
-std::vector<std::vector<Complex>> stabilityBoundary(const Growth& growth, const PlaneWindow& window) { return Contour(growth, window).lines(); }
+std::vector<std::vector<Complex>> stabilityBoundary(const Growth& growth, const PlaneWindow& window)
+{
+    return Contour(growth, window).lines();
+}
 
 } // namespace touchdown

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much a step of length h changes a linear motion: the largest factor by which what two initial states differ in grows per step
-// (the spectral radius of the step's matrix). A method is stable where it is at most 1. All of them are found by taking the very steps of
-// the integrators on linear systems.
+// How much a step of length h changes a linear motion: the largest factor by which what two initial states differ in
+// grows per step (the spectral radius of the step's matrix). A method is stable where it is at most 1. All of them are
+// found by taking the very steps of the integrators on linear systems.
 //
-//   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a backward difference; of
-//                       Newmark's rule, the oscillator whose eigenvalues are lambda and its conjugate: omega h = |z|, zeta = -Re z/|z|
+//   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a backward
+//   difference; of
+//                       Newmark's rule, the oscillator whose eigenvalues are lambda and its conjugate: omega h = |z|,
+//                       zeta = -Re z/|z|
 //   coupledGrowth(w)    of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
 //
-//       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: what the film is compressed by, m: what leaks out of it
+//       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: what the film is compressed by, m: what
+//       leaks out of it
 //
 //   the mass by Newmark's rule with gamma 1/2, the film by a backward difference, and the two
 //     monolithic   at once,
-//     iterated     in turns until they agree: the same where it converges, beta w^2 (1 - s/(s + c/h)) < 1 + zeta w, with c/h the weight
+//     iterated     in turns until they agree: the same where it converges, beta w^2 (1 - s/(s + c/h)) < 1 + zeta w,
+//     with c/h the weight
 //                  of m in the backward difference; infinite elsewhere
-//     in turns     a number of times only; once is one-way: the mass moves under the film's last force, then the film follows.
+//     in turns     a number of times only; once is one-way: the mass moves under the film's last force, then the film
+//     follows.
 #pragma once
 
 #include <array>
@@ -40,7 +45,7 @@ struct CoupledRule {
     double beta = 0.25; // of Newmark's rule [-]
     BackwardRule film = BackwardRule::Bdf2Opt;
     CouplingKind coupling = CouplingKind::Monolithic;
-    int turns = 1;      // InTurns: so often the mass moves and the film follows
+    int turns = 1; // InTurns: so often the mass moves and the film follows
 };
 /// w = omega h, the mass's own damping ratio, the leak s/omega [-].
 double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, double leak);
@@ -48,12 +53,13 @@ double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, dou
 /// Growth above which a method counts as unstable: round-off of the eigenvalues does not.
 inline constexpr double stableGrowth = 1.0 + 1e-9;
 
-/// The largest x up to which stable(x') holds for all x' <= x, looked for from `from` up to `to` in steps of a fraction of an octave and
-/// by halving; `to` where it always holds, zero where it does not at `from`.
+/// The largest x up to which stable(x') holds for all x' <= x, looked for from `from` up to `to` in steps of a fraction
+/// of an octave and by halving; `to` where it always holds, zero where it does not at `from`.
 double largestStable(const std::function<bool(double)>& stable, double from, double to);
 
-/// Lines of growth = 1 in a part of the complex plane, symmetrical about the real axis, joined into as few as there are; a closed one
-/// ends where it begins. By marching squares (Lorensen & Cline 1987) on cells of width/columns, with the crossings found by halving.
+/// Lines of growth = 1 in a part of the complex plane, symmetrical about the real axis, joined into as few as there
+/// are; a closed one ends where it begins. By marching squares (Lorensen & Cline 1987) on cells of width/columns, with
+/// the crossings found by halving.
 struct PlaneWindow {
     double left = -4.0, right = 1.0, height = 4.0; // of its upper half [-]
     int columns = 200;

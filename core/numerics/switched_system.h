@@ -19,30 +19,55 @@
 namespace touchdown {
 
 template <class S>
-concept SwitchedSystem = requires(const S& system, const typename S::State& y, typename S::Mode mode, int guard) {
-    { S::guardCount } -> std::convertible_to<int>;
+concept SwitchedSystem = requires(const S& system, const typename S::State& y, typename S::Mode mode, int guard)
+{
+    {
+        S::guardCount
+        } -> std::convertible_to<int>;
     /// dy/dt by the smooth law of a mode, whether or not y is inside its intervals.
-    { system.derivative(y, mode) } -> std::same_as<typename S::State>;
+    {
+        system.derivative(y, mode)
+        } -> std::same_as<typename S::State>;
     /// dy/dt with every law chosen by y itself, and only the branch of a hysteresis taken from the mode.
-    { system.naiveDerivative(y, mode) } -> std::same_as<typename S::State>;
+    {
+        system.naiveDerivative(y, mode)
+        } -> std::same_as<typename S::State>;
     /// The mode of y, when the branch was that of `mode` until now.
-    { system.naiveMode(y, mode) } -> std::same_as<typename S::Mode>;
+    {
+        system.naiveMode(y, mode)
+        } -> std::same_as<typename S::Mode>;
     /// Guard values of the positions in y [unit of q]; linear, so they apply to velocities as well.
-    { system.guards(y.template head<S::State::RowsAtCompileTime / 2>()) };
+    {system.guards(y.template head<S::State::RowsAtCompileTime / 2>())};
     /// Sizes of a guard's coefficients: |guard(q)| <= guardSizes . |q|, for its round-off.
-    { system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>()) } -> std::convertible_to<double>;
-    { system.interval(guard, mode) } -> std::same_as<Interval>;
+    {
+        system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>())
+        } -> std::convertible_to<double>;
+    {
+        system.interval(guard, mode)
+        } -> std::same_as<Interval>;
     /// The mode beyond the upper or lower end of a guard's interval.
-    { system.beyond(mode, guard, true) } -> std::same_as<typename S::Mode>;
+    {
+        system.beyond(mode, guard, true)
+        } -> std::same_as<typename S::Mode>;
     /// Typical size of each component of y, against which an adaptive method's tolerance counts.
-    { system.scale() } -> std::same_as<typename S::State>;
+    {
+        system.scale()
+        } -> std::same_as<typename S::State>;
     /// True when crossing the guard means to climb a potential wall, which an inaccurate step may jump.
-    { system.isWall(guard) } -> std::same_as<bool>;
+    {
+        system.isWall(guard)
+        } -> std::same_as<bool>;
     /// Shortest time scale of the motion near y [s].
-    { system.period(y, mode) } -> std::same_as<double>;
+    {
+        system.period(y, mode)
+        } -> std::same_as<double>;
     /// Energy [J], and the power that is not its own [W]: dE/dt = power.
-    { system.energy(y) } -> std::same_as<double>;
-    { system.power(y, mode) } -> std::same_as<double>;
+    {
+        system.energy(y)
+        } -> std::same_as<double>;
+    {
+        system.power(y, mode)
+        } -> std::same_as<double>;
 };
 
 /// A step's dense output: polynomials of degree 4 in Bernstein form, so that their values lie between the
@@ -59,7 +84,8 @@ struct Segment {
         const double w = 1.0 - x;
         const double xx = x * x;
         const double ww = w * w;
-        return (ww * ww) * c[0] + (4.0 * ww * w * x) * c[1] + (6.0 * ww * xx) * c[2] + (4.0 * w * x * xx) * c[3] + (xx * xx) * c[4];
+        return (ww * ww) * c[0] + (4.0 * ww * w * x) * c[1] + (6.0 * ww * xx) * c[2] + (4.0 * w * x * xx) * c[3] +
+               (xx * xx) * c[4];
     }
 };
 
@@ -74,21 +100,21 @@ std::array<Vector, 5> hermite(const Vector& y0, const Vector& dy0, const Vector&
 
 /// Why an integration ended.
 enum class IntegrationEnd {
-    Reached,        // the end time
-    Stopped,        // by the recorder
-    Diverged,       // a step made a value that is no number, or one beyond any use
-    StepUnderflow,  // the error test asks for steps below round-off
-    NewtonFailed,   // an implicit step found no solution
-    Chattering,     // switches follow each other without end
-    Tunnelled,      // a step crossed a potential wall with energy that it made itself
+    Reached,       // the end time
+    Stopped,       // by the recorder
+    Diverged,      // a step made a value that is no number, or one beyond any use
+    StepUnderflow, // the error test asks for steps below round-off
+    NewtonFailed,  // an implicit step found no solution
+    Chattering,    // switches follow each other without end
+    Tunnelled,     // a step crossed a potential wall with energy that it made itself
 };
 
 struct IntegrationResult {
     IntegrationEnd end = IntegrationEnd::Reached;
-    double time = 0.0;           // reached [s]
-    long long steps = 0;         // accepted
+    double time = 0.0;   // reached [s]
+    long long steps = 0; // accepted
     long long rejectedSteps = 0;
-    long long evaluations = 0;   // of the right-hand side
+    long long evaluations = 0; // of the right-hand side
 };
 
 /// Where a run starts.

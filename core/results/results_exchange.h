@@ -37,8 +37,8 @@ public:
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
-    /// Adds samples and snapshots, and what ends a run, and shows the result under the file's name. Throws Hdf5Error; then the file
-    /// is what it was before.
+    /// Adds samples and snapshots, and what ends a run, and shows the result under the file's name. Throws Hdf5Error;
+    /// then the file is what it was before.
     void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
                  const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
 

@@ -144,8 +144,7 @@ void readSet(hid_t file, const std::string& name, StoredFields& stored)
     RecordedFields fields;
     fields.group = name;
     fields.grid = {readSeries(openHdf5Dataset(group, "x_lines")), readSeries(openHdf5Dataset(group, "y_lines"))};
-    if (fields.grid.x.size() < 2 || fields.grid.y.size() < 2)
-        throw Hdf5Error("the grid of " + name + " has no cells");
+    if (fields.grid.x.size() < 2 || fields.grid.y.size() < 2) throw Hdf5Error("the grid of " + name + " has no cells");
     const std::size_t first = stored.snapshots.size();
     for (const double time : times) stored.snapshots.push_back({time, stored.sets.size(), {}});
     for (const std::string& member : namesInHdf5Group(group)) {

@@ -27,10 +27,12 @@ namespace touchdown {
 inline constexpr int resultsFormatMajor = 1;
 inline constexpr int resultsFormatMinor = 2;
 
-/// Why results could not go to `file`, before anything is written: a directory, no permission, no such folder. "" if they can.
+/// Why results could not go to `file`, before anything is written: a directory, no permission, no such folder. "" if
+/// they can.
 std::string checkResultsTarget(const std::filesystem::path& file);
 
-/// Writes one run, on a thread of its own. Every call returns "" or the problem in one sentence (disk full, no permission, ...).
+/// Writes one run, on a thread of its own. Every call returns "" or the problem in one sentence (disk full, no
+/// permission, ...).
 class ResultsWriter {
 public:
     explicit ResultsWriter(std::chrono::milliseconds flushInterval = std::chrono::milliseconds(700));
@@ -67,7 +69,7 @@ struct StoredRun {
     SampleBatch samples;
     std::vector<RecordedFields> recorded; // sets of which there are snapshots
     std::vector<FieldSnapshot> fields;    // in the order of time
-    std::string problem; // "" when it was read; else one sentence, and nothing else is set
+    std::string problem;                  // "" when it was read; else one sentence, and nothing else is set
 };
 StoredRun readResults(const std::filesystem::path& file);
 

@@ -2,14 +2,12 @@
 //
 // What stands where in a results file (HDF5):
 //
-//   /                                attributes format, format_version, software_version, date, seed, status, message, title
-//   /case/text                       the input as it was
-//   /case/parameters/<key>           every parameter that the model uses, with unit and long_name
-//   /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle + deflate; time is the dimension scale
-//   /fields/time, x, y, <quantity>   snapshots (time, y, x) at cell centres; x_lines and y_lines bound the cells
-//   /contact_fields/...              likewise, of the patch that can touch, where the film above it has its own /fields; since 1.2
-//   /spectra/<quantity>/frequency, density | power
-//   /events/time, name
+//   /                                attributes format, format_version, software_version, date, seed, status, message,
+//   title /case/text                       the input as it was /case/parameters/<key>           every parameter that
+//   the model uses, with unit and long_name /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle +
+//   deflate; time is the dimension scale /fields/time, x, y, <quantity>   snapshots (time, y, x) at cell centres;
+//   x_lines and y_lines bound the cells /contact_fields/...              likewise, of the patch that can touch, where
+//   the film above it has its own /fields; since 1.2 /spectra/<quantity>/frequency, density | power /events/time, name
 //   /summary/...                     numbers and texts of the Summary
 //
 // Each function throws Hdf5Error. Hold a Hdf5Access around them.
@@ -59,7 +57,8 @@ Hdf5Handle createResultsFile(const std::filesystem::path& file, const ResultsHea
 /// Samples in a file.
 hsize_t storedSamples(hid_t file);
 
-/// Brings `to` to the samples of `from`, an earlier or later state of the same run. Compressed chunks go over as they are.
+/// Brings `to` to the samples of `from`, an earlier or later state of the same run. Compressed chunks go over as they
+/// are.
 void copyMissingSamples(hid_t from, hid_t to, const std::vector<Quantity>& quantities);
 
 void appendSamples(hid_t file, const std::vector<Quantity>& quantities, const SampleBatch& batch);

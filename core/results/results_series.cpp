@@ -6,7 +6,8 @@
 namespace touchdown {
 namespace {
 
-// 64 KiB a column: a reader that wants a short window unpacks little, and half a chunk, rewritten at a flush, costs little.
+// 64 KiB a column: a reader that wants a short window unpacks little, and half a chunk, rewritten at a flush, costs
+// little.
 constexpr hsize_t chunkSamples = 8192;
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One column of numbers that grows at its end, in a results file. Each function throws Hdf5Error. Hold a Hdf5Access around
-// them.
+// One column of numbers that grows at its end, in a results file. Each function throws Hdf5Error. Hold a Hdf5Access
+// around them.
 #pragma once
 
 #include <string>

@@ -74,7 +74,8 @@ void writeFit(hid_t group, const CharacteristicFit& fit)
     writeNumber(all, "take_off", p.takeOff, "m", "d_e of the fitted characteristic");
     writeText(all, "take_off_shape", p.takeOffShape == TakeOffShape::Constant ? "constant" : "linear",
               "Adhesion between d_s and d_e of the fitted characteristic");
-    writeNumber(all, "contact_error", fit.contact.worst, "", "Worst error of the contact force against its largest value");
+    writeNumber(all, "contact_error", fit.contact.worst, "",
+                "Worst error of the contact force against its largest value");
     writeNumber(all, "adhesion_error", fit.adhesion.worst, "", "Worst error of the adhesion against its largest value");
     writeCount(all, "describes", fit.describes ? 1 : 0, "1 when the five parameters describe the model");
     writeText(all, "message", fit.message, "How well they do");

@@ -46,7 +46,8 @@ bool fits(const std::vector<FieldSnapshot>& snapshots, const std::vector<Recorde
         if (snapshot.set >= sets.size()) return false;
         const RecordedFields& set = sets[snapshot.set];
         return snapshot.values.size() == set.quantities.size() &&
-               std::ranges::all_of(snapshot.values, [&](const auto& values) { return values.size() == set.grid.cells(); });
+               std::ranges::all_of(snapshot.values,
+                                   [&](const auto& values) { return values.size() == set.grid.cells(); });
     });
 }
 
@@ -157,8 +158,7 @@ ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
 std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::string& caseText,
-                                const std::vector<Quantity>& quantities,
-                                const std::vector<RecordedFields>& fields)
+                                const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields)
 {
     file_.reset();
     if (std::string problem = checkResultsTarget(file); !problem.empty()) return problem;
@@ -178,8 +178,7 @@ std::string ResultsWriter::append(const SampleBatch& batch, const std::vector<Fi
 {
     if (!file_) return "no results file is open";
     if (!fits(batch, file_->columns)) return "the samples do not fit the columns of " + file_->path.string();
-    if (!fits(fields, file_->fields))
-        return "the snapshots do not fit the grid of " + file_->path.string();
+    if (!fits(fields, file_->fields)) return "the snapshots do not fit the grid of " + file_->path.string();
     std::unique_lock lock(file_->mutex);
     file_->changed.wait(lock, [&] { return !file_->problem.empty() || file_->numbersPending() < mostPending; });
     if (!file_->problem.empty()) return file_->problem;

@@ -53,14 +53,16 @@ void addKeys(std::vector<StudyKey>& keys, const std::string& kind, const Case& c
 {
     const std::string text = withOffers(studyTemplate(kind, c));
     const StudyPlan plan = parseStudy(kind, text, kind, {}, &c);
-    if (std::ranges::find(plan.problems, "case", &InputProblem::key) != plan.problems.end()) return; // it cannot be made of this model
+    if (std::ranges::find(plan.problems, "case", &InputProblem::key) != plan.problems.end())
+        return; // it cannot be made of this model
     const TomlDocument toml = readToml(text);
     for (const StudyQuestion& question : plan.questions) {
         auto key = std::ranges::find(keys, question.key, &StudyKey::key);
         if (key == keys.end())
             key = keys.insert(key, {question.key, question.answer, question.unit, question.displayUnit, {}, {}});
         key->varies = key->varies || key->allowed != question.answer;
-        const auto entry = std::ranges::find(toml.entries, question.key, [](const TomlEntry& each) { return withoutNumbers(each.key); });
+        const auto entry = std::ranges::find(toml.entries, question.key,
+                                             [](const TomlEntry& each) { return withoutNumbers(each.key); });
         if (entry == toml.entries.end()) continue;
         key->inList = entry->key.find('[') != std::string::npos;
         if (key->help.empty()) key->help = commentOf(text, *entry);
@@ -73,7 +75,8 @@ void addKeys(std::vector<StudyKey>& keys, const std::string& kind, const Case& c
 std::vector<StudyKey> studyKeys(const std::string& kind)
 {
     std::vector<StudyKey> keys;
-    for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact}) addKeys(keys, kind, defaultsOf(model));
+    for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact})
+        addKeys(keys, kind, defaultsOf(model));
     return keys;
 }
 

@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/case_files/cml_case.h"
 #include "core/case/fields.h"
+#include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/hysteresis/hysteresis.h"
-#include "core/studies/study/sample_study.h"
+#include "core/studies/precision/work_precision.h"
 #include "core/studies/stability/stability.h"
+#include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_options.h"
 #include "core/studies/study/study_reader.h"
-#include "core/studies/precision/work_precision.h"
 
 namespace touchdown {
 
@@ -32,19 +32,23 @@ const std::vector<Study>& studies()
 {
     static const std::vector<Study> list{
         {{"work-precision", "Accuracy against speed",
-          "Runs a case by several methods with several settings: the error of each against a proven reference, and its time"},
+          "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
+          "time"},
          planWorkPrecision,
          workPrecisionTemplate},
         {{"stability", "Stability where methods fail",
-          "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one parameter"},
+          "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
+          "parameter"},
          planStability,
          stabilityTemplate},
         {{"hysteresis", "Touch-down and take-off",
-          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the equilibria"},
+          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
+          "equilibria"},
          planHysteresis,
          hysteresisTemplate},
         {{"advise", "No more model than the scene needs",
-          "Tries a ladder of models on a film case, from small motions to the whole film, and advises the cheapest that is good enough"},
+          "Tries a ladder of models on a film case, from small motions to the whole film, and advises the cheapest "
+          "that is good enough"},
          planAdvisor,
          advisorTemplate},
     };
@@ -60,7 +64,7 @@ const Study* findStudy(const std::string& kind)
 
 /// What may stand where a study is wanted.
 struct Source {
-    std::string text;                  // of a study's file; "" for a case
+    std::string text; // of a study's file; "" for a case
     std::string name;
     std::filesystem::path folder;
     std::optional<CaseDocument> given; // where the text names none
@@ -95,7 +99,8 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     if (study == nullptr) {
         std::vector<std::string> names;
         for (const StudyKind& each : studyKinds()) names.push_back(each.name);
-        return refuse(std::move(plan), "", inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
+        return refuse(std::move(plan), "",
+                      inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
     }
     TomlDocument toml = readToml(source.text);
     if (!toml.problem.empty()) {
@@ -123,19 +128,24 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     const auto isOfCase = [](const InputProblem& problem) { return problem.key == "case"; };
     // What a study misses beside a case that it cannot take follows from that, unless it was written.
     if (std::any_of(plan.problems.begin() + before, plan.problems.end(), isOfCase)) {
-        const auto follows = [&](const InputProblem& problem) { return !isOfCase(problem) && problem.line == 0 && problem.file == plan.name; };
-        plan.problems.erase(std::remove_if(plan.problems.begin() + before, plan.problems.end(), follows), plan.problems.end());
+        const auto follows = [&](const InputProblem& problem) {
+            return !isOfCase(problem) && problem.line == 0 && problem.file == plan.name;
+        };
+        plan.problems.erase(std::remove_if(plan.problems.begin() + before, plan.problems.end(), follows),
+                            plan.problems.end());
     }
     reader.finish();
     plan.questions = reader.questions();
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
     const bool named = !title.empty();
-    plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs, const StudyCallback& callback) {
+    plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs,
+                                                                                   const StudyCallback& callback) {
         StudyReport report = perform(jobs, callback);
         report.kind = kind;
         if (named || report.title.empty()) report.title = title;
-        if (report.status == StudyStatus::Cancelled && report.message.empty()) report.message = "stopped before it was done";
+        if (report.status == StudyStatus::Cancelled && report.message.empty())
+            report.message = "stopped before it was done";
         return report;
     };
     return plan;
@@ -210,15 +220,17 @@ StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, cons
     if (isFile(fileOrName)) {
         const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
         if (auto study = studyInFile(fileOrName))
-            return planStudy(kind, {std::move(study->text), fileOrName, folder.empty() ? "." : folder, {}}, settings, options);
+            return planStudy(kind, {std::move(study->text), fileOrName, folder.empty() ? "." : folder, {}}, settings,
+                             options);
     } else if (const SampleStudy* sample = findSampleStudy(kind, fileOrName)) {
         return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options);
     }
     return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName)}, settings, options);
 }
 
-StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                     const Case* given, const std::vector<std::string>& settings, const std::vector<std::string>& options)
+StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
+                     const std::filesystem::path& folder, const Case* given, const std::vector<std::string>& settings,
+                     const std::vector<std::string>& options)
 {
     Source source{text, name, folder, {}};
     if (given != nullptr) {

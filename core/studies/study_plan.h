@@ -33,12 +33,12 @@ std::span<const StudyKind> studyKinds();
 
 struct StudyPlan {
     std::string kind;
-    std::string name;    // of the file, for problems
+    std::string name; // of the file, for problems
     std::string title;
-    std::string text;    // the study's file; "" where a case was given
-    CaseDocument start;  // the case that is studied
-    std::vector<InputProblem> problems; // all of them, those of the case among them
-    StudyPerformance perform;           // set where there is no problem
+    std::string text;                     // the study's file; "" where a case was given
+    CaseDocument start;                   // the case that is studied
+    std::vector<InputProblem> problems;   // all of them, those of the case among them
+    StudyPerformance perform;             // set where there is no problem
     std::vector<StudyQuestion> questions; // the keys that this study asks for of this case
     bool valid() const { return problems.empty(); }
 };
@@ -52,15 +52,15 @@ struct StudySource {
 /// Nothing where the name is that of a case, or of nothing.
 std::optional<StudySource> findStudySource(const std::string& fileOrName);
 
-/// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of this kind or of a
-/// sample case. The settings are those of --set, on the case; the options are those of --option: "key=value" with a key of the
-/// study and a value as TOML or as bare text, over those of its file.
-StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings = {},
-                    const std::vector<std::string>& options = {});
+/// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of
+/// this kind or of a sample case. The settings are those of --set, on the case; the options are those of --option:
+/// "key=value" with a key of the study and a value as TOML or as bare text, over those of its file.
+StudyPlan openStudy(const std::string& kind, const std::string& fileOrName,
+                    const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {});
 /// A study's text that stands in `folder`. `given` is the case where the text names none.
-StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                     const Case* given = nullptr, const std::vector<std::string>& settings = {},
-                     const std::vector<std::string>& options = {});
+StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
+                     const std::filesystem::path& folder, const Case* given = nullptr,
+                     const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {});
 /// The text with which a study of this case begins: its kind and its defaults, with a comment for each key.
 std::string studyTemplate(const std::string& kind, const Case& c);
 

@@ -62,16 +62,21 @@ void TestCommandLine::wrongArguments_data()
     QTest::addColumn<QByteArray>("says");
     QTest::newRow("none") << QStringList{} << QByteArray("A command (run, steady, modes, ");
     QTest::newRow("unknown command") << QStringList{"fly"} << QByteArray("\"fly\" is no command\n");
-    QTest::newRow("misspelt command") << QStringList{"runn", "fig10a"} << QByteArray("\"runn\" is no command; did you mean run?\n");
-    QTest::newRow("the case first") << QStringList{"fig10a", "study", "hysteresis"}
-                                    << QByteArray("\"fig10a\" is no command; did you mean `touchdown study hysteresis fig10a`?\n");
+    QTest::newRow("misspelt command") << QStringList{"runn", "fig10a"}
+                                      << QByteArray("\"runn\" is no command; did you mean run?\n");
+    QTest::newRow("the case first")
+        << QStringList{"fig10a", "study", "hysteresis"}
+        << QByteArray("\"fig10a\" is no command; did you mean `touchdown study hysteresis fig10a`?\n");
     QTest::newRow("a kind without study") << QStringList{"work-precison", "fig10a"}
                                           << QByteArray("did you mean `touchdown study work-precision fig10a`?\n");
     QTest::newRow("only a case") << QStringList{"fig10a"} << QByteArray("did you mean `touchdown run fig10a`?\n");
-    QTest::newRow("a study as a case") << QStringList{"run", "hysteresis_take_off"}
-                                       << QByteArray("is a study, not a case; did you mean `touchdown study hysteresis hysteresis_take_off`?\n");
-    QTest::newRow("a study to convert") << QStringList{"convert", "hysteresis_take_off", "a.toml"} << QByteArray("is a study, not a case; ");
-    QTest::newRow("misspelt option") << QStringList{"run", "fig10a", "--sett", "a=1"} << QByteArray("run: --sett is no option; did you mean --set?\n");
+    QTest::newRow("a study as a case")
+        << QStringList{"run", "hysteresis_take_off"}
+        << QByteArray("is a study, not a case; did you mean `touchdown study hysteresis hysteresis_take_off`?\n");
+    QTest::newRow("a study to convert") << QStringList{"convert", "hysteresis_take_off", "a.toml"}
+                                        << QByteArray("is a study, not a case; ");
+    QTest::newRow("misspelt option") << QStringList{"run", "fig10a", "--sett", "a=1"}
+                                     << QByteArray("run: --sett is no option; did you mean --set?\n");
     QTest::newRow("only options") << QStringList{"--json"} << QByteArray("--json");
     QTest::newRow("unknown option") << QStringList{"run", "fig10a", "--fast"} << QByteArray("--fast");
     QTest::newRow("no case") << QStringList{"run"} << QByteArray("CASE");
@@ -139,7 +144,8 @@ void TestCommandLine::validate()
 // A study is checked with its case; what it says in vain is told.
 void TestCommandLine::validateStudies()
 {
-    QCOMPARE(folder_->touchdown({"validate", "hysteresis_take_off"}).out, QByteArray("hysteresis_take_off: valid, a study of kind hysteresis\n"));
+    QCOMPARE(folder_->touchdown({"validate", "hysteresis_take_off"}).out,
+             QByteArray("hysteresis_take_off: valid, a study of kind hysteresis\n"));
     const QString design = TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/film_fig4_pico.toml";
     QCOMPARE(folder_->touchdown({"validate", design}).code, 0);
     QCOMPARE(folder_->touchdown({"validate", design, "--json"}).json()["kind"].toString(), "design");
@@ -148,13 +154,17 @@ void TestCommandLine::validateStudies()
         const Outcome o = folder_->touchdown({"validate", "a.toml"});
         return o.code == 2 && o.out.isEmpty() ? o.err : "code " + QByteArray::number(o.code);
     };
-    QCOMPARE(said("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 0\n"), QByteArray("a.toml:3: steps: must be a whole number from 1 to 999\n"));
+    QCOMPARE(said("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 0\n"),
+             QByteArray("a.toml:3: steps: must be a whole number from 1 to 999\n"));
     QCOMPARE(said("case = \"fig10a\"\n"),
-             QByteArray("a.toml: kind: is missing, so that nothing says how to read it: it is one of design, work-precision, stability, hysteresis, advise\n"));
+             QByteArray("a.toml: kind: is missing, so that nothing says how to read it: it is one of design, "
+                        "work-precision, stability, hysteresis, advise\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
-             QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of design, work-precision, stability, hysteresis, advise; "
+             QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of design, work-precision, "
+                        "stability, hysteresis, advise; "
                         "did you mean hysteresis?\n"));
-    QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24), QByteArray("a.toml:4: set.run.step: "));
+    QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
+             QByteArray("a.toml:4: set.run.step: "));
 }
 
 void TestCommandLine::list()
@@ -241,12 +251,17 @@ void TestCommandLine::describeStudies()
 {
     const Outcome kinds = folder_->touchdown({"describe", "study"});
     QCOMPARE(kinds.code, 0);
-    for (const char* part : {"work-precision  ", "stability  ", "hysteresis  ", "advise  "}) QVERIFY2(kinds.out.contains(part), kinds.out);
+    for (const char* part : {"work-precision  ", "stability  ", "hysteresis  ", "advise  "})
+        QVERIFY2(kinds.out.contains(part), kinds.out);
     const Outcome all = folder_->touchdown({"describe", "study.hysteresis"});
     QCOMPARE(all.code, 0);
-    QVERIFY2(all.out.contains("\nsteps       a whole number from 1 to 999\n      From one end to the other. Default: 40; film: 6.\n"), all.out);
+    QVERIFY2(
+        all.out.contains(
+            "\nsteps       a whole number from 1 to 999\n      From one end to the other. Default: 40; film: 6.\n"),
+        all.out);
     QCOMPARE(folder_->touchdown({"describe", "study", "hysteresis"}).out, all.out);
-    QVERIFY(folder_->touchdown({"describe", "work-precision"}).out.contains("\n[ensemble]\nensemble.starts  a whole number from 2 to 100000\n"));
+    QVERIFY(folder_->touchdown({"describe", "work-precision"})
+                .out.contains("\n[ensemble]\nensemble.starts  a whole number from 2 to 100000\n"));
     const Outcome one = folder_->touchdown({"describe", "hysteresis.hold", "--json"});
     const QJsonObject key = one.json()["keys"].toArray()[0].toObject();
     QCOMPARE(key["unit"].toString(), "s");

@@ -14,8 +14,8 @@ private slots:
     void found()
     {
         folder_->put("a.toml", planeStudy("0.085"));
-        const Outcome o = folder_->touchdown({"study", "design", "a.toml", "--json", "--out", "found.toml", "--csv", "a.csv",
-                                              "--set", "film.nodes=33, 33"});
+        const Outcome o = folder_->touchdown({"study", "design", "a.toml", "--json", "--out", "found.toml", "--csv",
+                                              "a.csv", "--set", "film.nodes=33, 33"});
         QCOMPARE(o.err, QByteArray());
         QCOMPARE(o.code, 0);
         const QJsonObject study = o.json();
@@ -30,7 +30,8 @@ private slots:
         QVERIFY(found.valid());
         QCOMPARE(found.value.initial.nominalTrailingEdgeHeight, height);
         QVERIFY(found.text.find("# The whole of the slider.") != std::string::npos);
-        const Outcome text = folder_->touchdown({"study", "design", "a.toml", "--set", "film.nodes=33, 33", "--progress"});
+        const Outcome text =
+            folder_->touchdown({"study", "design", "a.toml", "--set", "film.nodes=33, 33", "--progress"});
         QCOMPARE(text.code, 0);
         QVERIFY2(text.out.contains("wanted 8.6676 gf within 0.00102 gf"), text.out);
         QVERIFY2(text.err.contains("static states"), text.err);
@@ -38,10 +39,13 @@ private slots:
     void outOfReach()
     {
         folder_->put("a.toml", planeStudy("0.5"));
-        const Outcome o = folder_->touchdown({"study", "design", "a.toml", "--out", "found.toml", "--set", "film.nodes=33, 33"});
+        const Outcome o =
+            folder_->touchdown({"study", "design", "a.toml", "--out", "found.toml", "--set", "film.nodes=33, 33"});
         QCOMPARE(o.code, 1);
-        QVERIFY2(o.err.startsWith("failed: the targets are not reached within the bounds; the best set lies on the bound of "
-                                  "initial.nominal_trailing_edge_height"), o.err);
+        QVERIFY2(
+            o.err.startsWith("failed: the targets are not reached within the bounds; the best set lies on the bound of "
+                             "initial.nominal_trailing_edge_height"),
+            o.err);
         QVERIFY2(o.out.contains("80 nm, from 100 nm"), o.out);
         QCOMPARE(folder_->files(), QStringList{"a.toml"});
     }
@@ -80,7 +84,8 @@ maximum = "150 nm"
 [[target]]
 quantity = "net_force"
 tolerance = 1e-5
-value = )" + force + "\n";
+value = )" + force +
+               "\n";
     }
     std::unique_ptr<CommandFolder> folder_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown modes` as a person and as a script use it. Whether the modes are right: tests/simulation/small_motions/test_modes.cpp.
+// `touchdown modes` as a person and as a script use it. Whether the modes are right:
+// tests/simulation/small_motions/test_modes.cpp.
 
 #include <QtTest>
 

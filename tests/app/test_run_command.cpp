@@ -142,7 +142,7 @@ void TestRunCommand::contactCase()
     QCOMPARE(run.samples.size(), std::size_t{201});
     QCOMPARE(run.recorded.size(), std::size_t{1});
     QCOMPARE(run.recorded.front().quantities.size(), std::size_t{3}); // gap, contact pressure, disk surface
-    QCOMPARE(run.fields.size(), std::size_t{41});             // 40, and the closest approach
+    QCOMPARE(run.fields.size(), std::size_t{41});                     // 40, and the closest approach
 
     const Outcome text = folder_->touchdown({"run", "contact_ono_yamane"});
     QCOMPARE(text.code, 0);

@@ -194,8 +194,7 @@ void TestSteadyCommand::wrongInput()
 // Under a disk that stands still nothing carries the slider: exit code 1, the status and the reason.
 void TestSteadyCommand::notConverged()
 {
-    const Outcome o =
-        folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + quick({"disk.speed=0 rpm"}));
+    const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + quick({"disk.speed=0 rpm"}));
     QCOMPARE(o.code, 1);
     const QString status = o.json()["status"].toString();
     QVERIFY(status == "not converged" || status == "failed");

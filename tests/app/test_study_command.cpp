@@ -15,7 +15,8 @@ private slots:
 
     void json()
     {
-        const Outcome o = folder_->touchdown(QStringList{"study", "hysteresis", "fig10a", "--json", "--out", "a.h5", "--csv", "a.csv"} + quick_);
+        const Outcome o = folder_->touchdown(
+            QStringList{"study", "hysteresis", "fig10a", "--json", "--out", "a.h5", "--csv", "a.csv"} + quick_);
         QCOMPARE(o.code, 0);
         QCOMPARE(o.err, QByteArray());
         const QJsonObject study = o.json();
@@ -40,7 +41,8 @@ private slots:
     }
     void aFile()
     {
-        folder_->put("a.toml", "kind = \"hysteresis\"\ntitle = \"Mine\"\ncase = \"fig10a\"\nsteps = 1\nhold = \"20 us\"\nequilibria = false\n");
+        folder_->put("a.toml", "kind = \"hysteresis\"\ntitle = \"Mine\"\ncase = \"fig10a\"\nsteps = 1\nhold = \"20 "
+                               "us\"\nequilibria = false\n");
         const Outcome o = folder_->touchdown({"study", "hysteresis", "a.toml", "--json", "--jobs", "2"});
         QCOMPARE(o.code, 0);
         QVERIFY(!o.json()["title"].toString().isEmpty());
@@ -48,7 +50,8 @@ private slots:
     /// What --template prints is a study of that case.
     void asTemplate()
     {
-        const Outcome o = folder_->touchdown({"study", "hysteresis", "--template", "fig10a", "--set", "run.duration=1 ms"});
+        const Outcome o =
+            folder_->touchdown({"study", "hysteresis", "--template", "fig10a", "--set", "run.duration=1 ms"});
         QCOMPARE(o.code, 0);
         QCOMPARE(o.err, QByteArray());
         const StudyPlan plan = parseStudy("hysteresis", o.out.toStdString(), "a.toml", {});
@@ -75,11 +78,12 @@ private slots:
         QCOMPARE(o.code, 2);
         QCOMPARE(o.err, QByteArray("--option: ensemble.starts: must be a whole number from 2 to 100000\n"));
     }
-    /// No line is wider than what shows it; rows beyond 40, and columns for which there is no room, are named. 44 runs: there and back
-    /// over 22 values.
+    /// No line is wider than what shows it; rows beyond 40, and columns for which there is no room, are named. 44 runs:
+    /// there and back over 22 values.
     void tablesFit()
     {
-        const QStringList arguments{"study", "hysteresis", "fig10a", "--option", "steps=21", "hold=2 us", "equilibria=false"};
+        const QStringList arguments{"study",    "hysteresis", "fig10a",          "--option",
+                                    "steps=21", "hold=2 us",  "equilibria=false"};
         for (const int width : {40, 72, 200}) {
             const Outcome o = folder_->touchdown(arguments, {QString("COLUMNS=%1").arg(width)});
             QCOMPARE(o.code, 0);
@@ -113,7 +117,9 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) { QTest::newRow(name) << arguments << says; };
+        const auto row = [](const char* name, const QStringList& arguments, const char* says) {
+            QTest::newRow(name) << arguments << says;
+        };
         row("no study", {"study"}, "study: a kind (convergence, design, work-precision");
         row("a study that is not there", {"study", "sweep", "contact_hertz"}, "sweep");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
@@ -121,31 +127,44 @@ private slots:
         row("another kind", {"study", "stability", "a.toml"}, "a.toml:1: kind: is \"hysteresis\", not \"stability\"");
         row("a design by name", {"study", "hysteresis", "film_fig1_micro_pa"}, "film_fig1_micro_pa: ");
         row("a directory", {"study", "hysteresis", "."}, ".: ");
-        row("a bad setting", {"study", "hysteresis", "fig10a", "--set", "run.duratio=1"}, "--set: run.duratio: unknown key; did you mean run.duration?");
-        row("a bad option", {"study", "hysteresis", "fig10a", "--option", "step=1"}, "--option: step: unknown key; did you mean steps?");
+        row("a bad setting", {"study", "hysteresis", "fig10a", "--set", "run.duratio=1"},
+            "--set: run.duratio: unknown key; did you mean run.duration?");
+        row("a bad option", {"study", "hysteresis", "fig10a", "--option", "step=1"},
+            "--option: step: unknown key; did you mean steps?");
         row("only an option", {"study", "hysteresis", "--option", "steps=1"}, "hysteresis: FILE");
         row("a bad target", {"study", "hysteresis", "fig10a", "--out", "no/such.h5"}, "no/such.h5");
         row("a directory as target", {"study", "hysteresis", "fig10a", "--csv", "."}, "--csv: ");
-        row("the study itself", {"study", "hysteresis", "a.toml", "--csv", "a.toml"}, "--csv: a.toml is the case file itself");
-        row("one file for two", {"study", "hysteresis", "fig10a", "--out", "a", "--csv", "a"}, "--out and --csv: both name a");
+        row("the study itself", {"study", "hysteresis", "a.toml", "--csv", "a.toml"},
+            "--csv: a.toml is the case file itself");
+        row("one file for two", {"study", "hysteresis", "fig10a", "--out", "a", "--csv", "a"},
+            "--out and --csv: both name a");
         row("no jobs", {"study", "hysteresis", "fig10a", "--jobs", "0"}, "--jobs");
         row("an option without a value", {"study", "hysteresis", "fig10a", "--option"}, "--option");
         row("a template of nothing", {"study", "hysteresis", "--template", "fig10q"}, "did you mean");
-        row("a template of springs to advise on", {"advise", "fig10a", "--template"}, "fig10a: case: must be of model \"film\"");
-        row("a template with an option", {"study", "hysteresis", "fig10a", "--template", "--option", "steps=3"}, "--option: has no effect");
-        row("a template of a study with a setting", {"study", "hysteresis", "a.toml", "--template", "--set", "run.duration=1 ms"}, "--set: has no effect");
+        row("a template of springs to advise on", {"advise", "fig10a", "--template"},
+            "fig10a: case: must be of model \"film\"");
+        row("a template with an option", {"study", "hysteresis", "fig10a", "--template", "--option", "steps=3"},
+            "--option: has no effect");
+        row("a template of a study with a setting",
+            {"study", "hysteresis", "a.toml", "--template", "--set", "run.duration=1 ms"}, "--set: has no effect");
         row("two tolerances", {"advise", "film_pico", "--tolerance", "1%", "--option", "tolerance=2%"},
             "advise: --tolerance 1% and --option tolerance=2% are one value; give it once");
         row("the case before the kind", {"study", "fig10a", "hysteresis"},
             "\"fig10a\" is no kind of study; did you mean `touchdown study hysteresis fig10a`?");
-        row("a misspelt kind", {"study", "hysteresys", "fig10a"}, "\"hysteresys\" is no kind of study; did you mean hysteresis?");
-        row("a study without its kind", {"study", "a.toml", "--json"}, "did you mean `touchdown study hysteresis a.toml --json`?");
-        row("a misspelt option", {"study", "hysteresis", "fig10a", "--option", "steps=3", "--jsom"}, "hysteresis: --jsom is no option; did you mean --json?");
-        row("two studies", {"study", "hysteresis", "fig10a", "--json", "fig10b"}, "hysteresis: \"fig10b\" was not expected");
+        row("a misspelt kind", {"study", "hysteresys", "fig10a"},
+            "\"hysteresys\" is no kind of study; did you mean hysteresis?");
+        row("a study without its kind", {"study", "a.toml", "--json"},
+            "did you mean `touchdown study hysteresis a.toml --json`?");
+        row("a misspelt option", {"study", "hysteresis", "fig10a", "--option", "steps=3", "--jsom"},
+            "hysteresis: --jsom is no option; did you mean --json?");
+        row("two studies", {"study", "hysteresis", "fig10a", "--json", "fig10b"},
+            "hysteresis: \"fig10b\" was not expected");
         row("a pad", {"study", "stability", "contact_hertz"}, "contact_hertz: case: ");
         row("a case to design", {"study", "design", "fig10a"}, "fig10a: is a case; a design needs the file of a study");
-        row("a list of tables as option", {"study", "hysteresis", "fig10a", "--option", "method.name=a"}, "--option: method");
-        row("advice on a slider that is held", {"advise", "film_plane"}, "film_plane: case: is meant for one attitude alone (steady.fixed_attitude = true)");
+        row("a list of tables as option", {"study", "hysteresis", "fig10a", "--option", "method.name=a"},
+            "--option: method");
+        row("advice on a slider that is held", {"advise", "film_plane"},
+            "film_plane: case: is meant for one attitude alone (steady.fixed_attitude = true)");
         row("advice on springs", {"advise", "fig10a"}, "fig10a: case: must be of model \"film\"");
         row("advice without a case", {"advise", "--tolerance", "1%"}, "advise: FILE");
         row("a bad tolerance", {"advise", "film_pico", "--tolerance", "few"}, "--option: tolerance: ");
@@ -164,7 +183,8 @@ private slots:
     }
     void allProblemsAtOnce()
     {
-        const Outcome o = folder_->touchdown({"study", "hysteresis", "fig10a", "--option", "step=1", "hold=x", "--csv", "."});
+        const Outcome o =
+            folder_->touchdown({"study", "hysteresis", "fig10a", "--option", "step=1", "hold=x", "--csv", "."});
         QCOMPARE(o.code, 2);
         QCOMPARE(o.errorLines().size(), 3);
     }

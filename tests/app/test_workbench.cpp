@@ -29,7 +29,8 @@ Outcome workbench(const QStringList& arguments, const QString& platform)
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
-/// From the header of a PNG file (ISO/IEC 15948: signature, then IHDR with width and height); invalid for anything else.
+/// From the header of a PNG file (ISO/IEC 15948: signature, then IHDR with width and height); invalid for anything
+/// else.
 QSize pngSize(const QString& path)
 {
     QFile file(path);
@@ -84,11 +85,14 @@ void TestWorkbench::refusesBadInput_data()
     QTest::newRow("no such case") << QStringList{"nonsuch"} << QByteArray("nonsuch");
     QTest::newRow("unknown key") << QStringList{folder_.filePath("bad.toml")} << QByteArray("slider.mas");
     QTest::newRow("no such run") << QStringList{folder_.filePath("missing.h5")} << QByteArray("missing.h5");
-    QTest::newRow("pictures of a saved run") << QStringList{"run.h5", "--export", "pictures"} << QByteArray("saved run");
+    QTest::newRow("pictures of a saved run")
+        << QStringList{"run.h5", "--export", "pictures"} << QByteArray("saved run");
     QTest::newRow("two cases") << QStringList{"fig10a", "fig10b"} << QByteArray("more than one case");
     QTest::newRow("unknown option") << QStringList{"--fast"} << QByteArray("fast");
-    QTest::newRow("study without pictures") << QStringList{"--study", "work-precision", "fig10a"} << QByteArray("--pictures");
-    QTest::newRow("unknown study") << QStringList{"--study", "speed", "--pictures", folder_.filePath("s"), "fig10a"} << QByteArray("speed");
+    QTest::newRow("study without pictures")
+        << QStringList{"--study", "work-precision", "fig10a"} << QByteArray("--pictures");
+    QTest::newRow("unknown study") << QStringList{"--study", "speed", "--pictures", folder_.filePath("s"), "fig10a"}
+                                   << QByteArray("speed");
     QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << QByteArray("pink");
 }
 

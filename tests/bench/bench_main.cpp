@@ -12,10 +12,10 @@
 //
 //   touchdown-bench --coupled [CASE OR KEY=VALUE]...                        (tests/bench/coupled_bench.h)
 //
-// The error is that of the flying height every 2 us against a stored reference (tests/bench/reference_<case>.csv), up to
-// the time to which the reference is determined. References are made by --write-references: dopri5 at 1e-13, as far as
-// rk4-events at a quarter of a nanosecond agrees with it to 1e-5 nm; a bouncing slider loses all memory of its start, and
-// beyond that time no method knows the trajectory.
+// The error is that of the flying height every 2 us against a stored reference (tests/bench/reference_<case>.csv), up
+// to the time to which the reference is determined. References are made by --write-references: dopri5 at 1e-13, as far
+// as rk4-events at a quarter of a nanosecond agrees with it to 1e-5 nm; a bouncing slider loses all memory of its
+// start, and beyond that time no method knows the trajectory.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,11 +26,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/numerics/cvode.h"
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
-#include "core/simulation/run.h"
+#include "core/case_files/case_file.h"
 #include "core/formats/units.h"
+#include "core/numerics/cvode.h"
+#include "core/simulation/run.h"
 #include "tests/bench/contact_bench.h"
 #include "tests/bench/coupled_bench.h"
 #include "tests/bench/film_bench.h"
@@ -63,7 +63,10 @@ Trajectory integrate(Case c)
     return trajectory;
 }
 
-std::string referenceFile(const std::string& name) { return std::string(TOUCHDOWN_SOURCE_DIR "/tests/bench/reference_") + name + ".csv"; }
+std::string referenceFile(const std::string& name)
+{
+    return std::string(TOUCHDOWN_SOURCE_DIR "/tests/bench/reference_") + name + ".csv";
+}
 
 std::vector<double> readReference(const std::string& name)
 {
@@ -87,7 +90,8 @@ bool writeReference(const std::string& name, Case c)
     c.run.step = 0.25e-9;
     const Trajectory other = integrate(c);
     std::size_t determined = 0;
-    while (determined < std::min(tight.height.size(), other.height.size()) && std::abs(tight.height[determined] - other.height[determined]) <= agreement)
+    while (determined < std::min(tight.height.size(), other.height.size()) &&
+           std::abs(tight.height[determined] - other.height[determined]) <= agreement)
         ++determined;
     std::ofstream out(referenceFile(name));
     out << "# " << name << ": dopri5 at 1e-13, agreeing with rk4-events at 0.25 ns to 1e-5 nm up to its last row\n";
@@ -97,7 +101,8 @@ bool writeReference(const std::string& name, Case c)
         std::snprintf(row, sizeof row, "%zu,%.9f\n", 2 * i, tight.height[i] * 1e9);
         out << row;
     }
-    std::fprintf(stderr, "%s: determined to %zu us of %g us\n", name.c_str(), determined == 0 ? 0 : 2 * (determined - 1), c.run.duration * 1e6);
+    std::fprintf(stderr, "%s: determined to %zu us of %g us\n", name.c_str(),
+                 determined == 0 ? 0 : 2 * (determined - 1), c.run.duration * 1e6);
     return bool(out.flush());
 }
 
@@ -134,10 +139,11 @@ void benchmark(const std::string& name, const Case& c, int repeats)
     double end = NAN;
     for (const auto& [quantity, value] : summary.final)
         if (quantity == "flying_height") end = value;
-    std::printf("%s,%s,%s,%.4f,%.4f,%lld,%lld,%lld,%zu,%.3g,%.3g,%zu,%.5f,%s\n", name.c_str(), toText(c, *findField("run.integrator")).c_str(), setting.c_str(),
-                seconds.front() * 1e3, seconds[seconds.size() / 2] * 1e3, summary.steps, summary.rejectedSteps, summary.evaluations, summary.events.size(),
-                count > 0 ? std::sqrt(sum / double(count)) * 1e9 : NAN, worst * 1e9, count > 0 ? 2 * (count - 1) : 0, end * 1e9,
-                std::string(touchdown::name(summary.status)).c_str());
+    std::printf("%s,%s,%s,%.4f,%.4f,%lld,%lld,%lld,%zu,%.3g,%.3g,%zu,%.5f,%s\n", name.c_str(),
+                toText(c, *findField("run.integrator")).c_str(), setting.c_str(), seconds.front() * 1e3,
+                seconds[seconds.size() / 2] * 1e3, summary.steps, summary.rejectedSteps, summary.evaluations,
+                summary.events.size(), count > 0 ? std::sqrt(sum / double(count)) * 1e9 : NAN, worst * 1e9,
+                count > 0 ? 2 * (count - 1) : 0, end * 1e9, std::string(touchdown::name(summary.status)).c_str());
     std::fflush(stdout);
 }
 
@@ -151,14 +157,22 @@ int main(int argc, char** argv)
     int repeats = 7;
     for (int i = 1; i < argc; ++i) {
         const bool more = i + 1 < argc;
-        if (std::strcmp(argv[i], "--case") == 0 && more) only = argv[++i];
-        else if (std::strcmp(argv[i], "--repeats") == 0 && more) repeats = std::max(1, std::atoi(argv[++i]));
-        else if (std::strcmp(argv[i], "--sweep") == 0) sweep = true;
-        else if (std::strcmp(argv[i], "--write-references") == 0) write = true;
-        else if (std::strcmp(argv[i], "--contact") == 0) return benchmarkContact(repeats);
-        else if (std::strcmp(argv[i], "--coupled") == 0) return benchmarkCoupled({argv + i + 1, argv + argc});
-        else if (std::strcmp(argv[i], "--film") == 0) return benchmarkFilm(more ? argv[i + 1] : "", repeats);
-        else if (std::strcmp(argv[i], "--film-terms") == 0 && more) return tellFilmTerms(argv[i + 1], {argv + i + 2, argv + argc});
+        if (std::strcmp(argv[i], "--case") == 0 && more)
+            only = argv[++i];
+        else if (std::strcmp(argv[i], "--repeats") == 0 && more)
+            repeats = std::max(1, std::atoi(argv[++i]));
+        else if (std::strcmp(argv[i], "--sweep") == 0)
+            sweep = true;
+        else if (std::strcmp(argv[i], "--write-references") == 0)
+            write = true;
+        else if (std::strcmp(argv[i], "--contact") == 0)
+            return benchmarkContact(repeats);
+        else if (std::strcmp(argv[i], "--coupled") == 0)
+            return benchmarkCoupled({argv + i + 1, argv + argc});
+        else if (std::strcmp(argv[i], "--film") == 0)
+            return benchmarkFilm(more ? argv[i + 1] : "", repeats);
+        else if (std::strcmp(argv[i], "--film-terms") == 0 && more)
+            return tellFilmTerms(argv[i + 1], {argv + i + 2, argv + argc});
         else {
             std::fprintf(stderr, "usage: touchdown-bench [--case NAME] [--sweep] [--repeats N] [--write-references]\n"
                                  "       touchdown-bench [--repeats N] --film [CASE OR FOLDER OF CML FILES]\n"
@@ -170,9 +184,11 @@ int main(int argc, char** argv)
     }
 
     if (!write) {
-        std::printf("# touchdown %s, %s, %u threads (one used), GCC %s, minimum and median of %d runs after a warm-up\n", TOUCHDOWN_VERSION, processor().c_str(),
-                    std::thread::hardware_concurrency(), __VERSION__, repeats);
-        std::printf("case,integrator,setting,minimum [ms],median [ms],steps,rejected,evaluations,switches,L2 error [nm],largest error [nm],"
+        std::printf(
+            "# touchdown %s, %s, %u threads (one used), GCC %s, minimum and median of %d runs after a warm-up\n",
+            TOUCHDOWN_VERSION, processor().c_str(), std::thread::hardware_concurrency(), __VERSION__, repeats);
+        std::printf("case,integrator,setting,minimum [ms],median [ms],steps,rejected,evaluations,switches,L2 error "
+                    "[nm],largest error [nm],"
                     "reference to [us],end [nm],status\n");
     }
     bool found = false;
@@ -188,9 +204,12 @@ int main(int argc, char** argv)
             }
             continue;
         }
-        const std::vector<double> tolerances = sweep ? std::vector{1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11} : std::vector{document.value.run.tolerance};
-        const std::vector<double> steps = sweep ? std::vector{100e-9, 50e-9, 20e-9, 10e-9, 5e-9, 2e-9, 1e-9} : std::vector{document.value.run.step};
-        for (const IntegratorKind kind : {IntegratorKind::Dopri5, IntegratorKind::Rk4, IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Cvode}) {
+        const std::vector<double> tolerances = sweep ? std::vector{1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11}
+                                                     : std::vector{document.value.run.tolerance};
+        const std::vector<double> steps =
+            sweep ? std::vector{100e-9, 50e-9, 20e-9, 10e-9, 5e-9, 2e-9, 1e-9} : std::vector{document.value.run.step};
+        for (const IntegratorKind kind : {IntegratorKind::Dopri5, IntegratorKind::Rk4, IntegratorKind::Rk4Events,
+                                          IntegratorKind::Newmark, IntegratorKind::Cvode}) {
             Case c = document.value;
             c.run.integrator = kind;
             if (kind == IntegratorKind::Cvode && !haveCvode) continue;

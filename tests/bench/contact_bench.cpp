@@ -53,13 +53,15 @@ double transformSeconds(int n, int repeats)
     return seconds;
 }
 
-void tell(const char* problem, int n, HalfSpaceEdges edges, double seconds, double iterations, const ElasticContactSummary& summary,
-          ElasticContact& contact, double transform)
+void tell(const char* problem, int n, HalfSpaceEdges edges, double seconds, double iterations,
+          const ElasticContactSummary& summary, ElasticContact& contact, double transform)
 {
     const UniformGrid& grid = contact.space().grid();
-    std::printf("%s,%d,%s,%.3f,%.1f,%.2g,%.2f,%.3f,%.3f,%.2f,%s\n", problem, n, edges == HalfSpaceEdges::Free ? "free" : "periodic", seconds * 1e3, iterations,
-                summary.error, 100.0 * contact.contactArea() / (static_cast<double>(grid.cells()) * grid.cellArea()), seconds / iterations * 1e3, transform * 1e3,
-                seconds / iterations / transform, summary.converged ? "converged" : summary.message.c_str());
+    std::printf("%s,%d,%s,%.3f,%.1f,%.2g,%.2f,%.3f,%.3f,%.2f,%s\n", problem, n,
+                edges == HalfSpaceEdges::Free ? "free" : "periodic", seconds * 1e3, iterations, summary.error,
+                100.0 * contact.contactArea() / (static_cast<double>(grid.cells()) * grid.cellArea()),
+                seconds / iterations * 1e3, transform * 1e3, seconds / iterations / transform,
+                summary.converged ? "converged" : summary.message.c_str());
     std::fflush(stdout);
 }
 
@@ -111,14 +113,16 @@ void benchmarkSteps(double height, double tolerance, int repeats)
     }
     char name[64];
     std::snprintf(name, sizeof name, "step from %.1f nm to %.0e", height * 1e9, tolerance);
-    tell(name, n, HalfSpaceEdges::Free, total / steps, static_cast<double>(iterations) / steps, summary, contact, transformSeconds(n, repeats));
+    tell(name, n, HalfSpaceEdges::Free, total / steps, static_cast<double>(iterations) / steps, summary, contact,
+         transformSeconds(n, repeats));
 }
 
 } // namespace
 
 int benchmarkContact(int repeats)
 {
-    std::printf("problem,cells along a side,edges,time [ms],iterations,error [-],cells in contact [%%],time of an iteration [ms],FFT there and back [ms],"
+    std::printf("problem,cells along a side,edges,time [ms],iterations,error [-],cells in contact [%%],time of an "
+                "iteration [ms],FFT there and back [ms],"
                 "iteration/FFT [-],status\n");
     for (const HalfSpaceEdges edges : {HalfSpaceEdges::Periodic, HalfSpaceEdges::Free})
         for (const int n : {128, 256, 512}) benchmarkLoad(n, edges, repeats);

@@ -10,15 +10,16 @@
 #include <fstream>
 #include <optional>
 
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr std::array stepErrors{1e-10, 1e-11, 1e-12, 1e-13}; // each is compared with the next, the last one has no row [m]
+constexpr std::array stepErrors{1e-10, 1e-11, 1e-12,
+                                1e-13}; // each is compared with the next, the last one has no row [m]
 
 struct BenchCase {
     std::string name;
@@ -108,10 +109,11 @@ void tell(const std::string& name, double stepError, const Timed& run, const Tim
         largest = std::max(largest, error);
         squares += error * error;
     }
-    std::printf("%s,%g,%.2f,%.2f,%.2f", name.c_str(), stepError * 1e9, run.staticSeconds, run.processor / milliseconds, run.wall / milliseconds);
+    std::printf("%s,%g,%.2f,%.2f,%.2f", name.c_str(), stepError * 1e9, run.staticSeconds, run.processor / milliseconds,
+                run.wall / milliseconds);
     const std::array<double, 7> counts{static_cast<double>(summary.steps), static_cast<double>(summary.rejectedSteps),
-                                       figure(summary, "film_solves"), static_cast<double>(summary.evaluations),
-                                       figure(summary, "linearisations"), figure(summary, "contact_solves"),
+                                       figure(summary, "film_solves"),     static_cast<double>(summary.evaluations),
+                                       figure(summary, "linearisations"),  figure(summary, "contact_solves"),
                                        figure(summary, "contact_skipped")};
     for (const double value : counts) std::printf(",%.0f", value / milliseconds);
     double rest = run.wall;
@@ -121,8 +123,8 @@ void tell(const std::string& name, double stepError, const Timed& run, const Tim
         std::printf(",%.1f", 100.0 * seconds / run.wall);
     }
     std::printf(",%.1f,%.0f,%.2g,%.2g,%.2g,%s\n", 100.0 * rest / run.wall, run.memory, largest * 1e9,
-                std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1))) * 1e9, figure(summary, "energy_balance"),
-                std::string(touchdown::name(summary.status)).c_str());
+                std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1))) * 1e9,
+                figure(summary, "energy_balance"), std::string(touchdown::name(summary.status)).c_str());
     std::fflush(stdout);
     if (!summary.message.empty()) std::fprintf(stderr, "%s: %s\n", name.c_str(), summary.message.c_str());
 }
@@ -148,8 +150,10 @@ int benchmarkCoupled(const std::vector<std::string>& casesAndSettings)
     std::vector<BenchCase> cases;
     std::vector<std::string> settings;
     for (const std::string& argument : casesAndSettings)
-        if (argument.find('=') == std::string::npos) cases.push_back({argument, {}});
-        else settings.push_back(argument);
+        if (argument.find('=') == std::string::npos)
+            cases.push_back({argument, {}});
+        else
+            settings.push_back(argument);
     if (cases.empty()) cases = defaultCases();
 
     std::vector<std::pair<std::string, Case>> runs;
@@ -159,7 +163,8 @@ int benchmarkCoupled(const std::vector<std::string>& casesAndSettings)
         applySettings(document, settings);
         for (const InputProblem& problem : document.problems) std::fprintf(stderr, "%s\n", problem.text().c_str());
         if (!document.valid()) return 2;
-        const std::string reason = document.value.model == ModelKind::Film ? reasonNotToRun(document.value) : "it has no film";
+        const std::string reason =
+            document.value.model == ModelKind::Film ? reasonNotToRun(document.value) : "it has no film";
         if (!reason.empty()) {
             std::fprintf(stderr, "%s: %s\n", bench.name.c_str(), reason.c_str());
             return 2;
@@ -167,10 +172,13 @@ int benchmarkCoupled(const std::vector<std::string>& casesAndSettings)
         runs.emplace_back(bench.name, document.value);
     }
 
-    std::printf("# one thread used; counts and times of a simulated ms; errors of the minimum spacing against a tenth of the step error\n");
-    std::printf("case,step error [nm],static state [s],processor time [s/ms],wall time [s/ms],steps,rejected,film solves,film "
-                "iterations,linearisations,contact solves,contact skipped,film [%%],responses [%%],forces [%%],contact [%%],disk "
-                "[%%],rest [%%],peak memory [MB],largest error [nm],rms error [nm],energy balance [-],status\n");
+    std::printf("# one thread used; counts and times of a simulated ms; errors of the minimum spacing against a tenth "
+                "of the step error\n");
+    std::printf(
+        "case,step error [nm],static state [s],processor time [s/ms],wall time [s/ms],steps,rejected,film solves,film "
+        "iterations,linearisations,contact solves,contact skipped,film [%%],responses [%%],forces [%%],contact "
+        "[%%],disk "
+        "[%%],rest [%%],peak memory [MB],largest error [nm],rms error [nm],energy balance [-],status\n");
     for (const auto& [name, c] : runs) rows(name, c);
     return 0;
 }

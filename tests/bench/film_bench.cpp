@@ -10,9 +10,9 @@
 #include <numeric>
 #include <vector>
 
+#include "core/case_files/case_file.h"
 #include "core/physics/film/film_energy.h"
 #include "core/physics/film/film_step.h"
-#include "core/case_files/case_file.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 
@@ -124,7 +124,8 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
     return largest;
 }
 
-/// Time of implicit steps, and what they leave: against the same steps solved to round-off, beside the error of these in time.
+/// Time of implicit steps, and what they leave: against the same steps solved to round-off, beside the error of these
+/// in time.
 void stepRow(const std::string& name, Case c, int repeats)
 {
     constexpr double dt = 1e-7;             // [s]

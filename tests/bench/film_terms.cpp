@@ -23,7 +23,9 @@ constexpr std::array finestColumns{1025, 1537, 2305}; // where walls a few micro
 class FilmTerms {
 public:
     explicit FilmTerms(const Case& c)
-        : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
+        : case_(c),
+          recess_(c.surface, c.slider.length, c.slider.width),
+          spacing_(c.surface, recess_),
           attitude_{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll}
     {
         case_.steady.fixedAttitude = true;
@@ -45,8 +47,8 @@ public:
         return result.converged ? result.load / gramForce : NAN;
     }
 
-    /// Our flow through paths of pieces and our load, on the same nodes: the cells are their control volumes; those of the
-    /// nodes on the outline, of half the width, have nodes of their own.
+    /// Our flow through paths of pieces and our load, on the same nodes: the cells are their control volumes; those of
+    /// the nodes on the outline, of half the width, have nodes of their own.
     double controlVolumes(int lines, ConvectionScheme scheme) const
     {
         Case c = case_;
@@ -73,7 +75,10 @@ public:
     }
 
 private:
-    CellGrid uniform(int lines) const { return uniformGrid(case_.slider.length, case_.slider.width, lines - 1, lines - 1); }
+    CellGrid uniform(int lines) const
+    {
+        return uniformGrid(case_.slider.length, case_.slider.width, lines - 1, lines - 1);
+    }
 
     Case case_;
     Recess recess_;
@@ -124,7 +129,8 @@ int tellFilmTerms(const std::string& fileOrFolder, const std::vector<std::string
     const FilmTerms terms(document.value);
     using enum ConvectionScheme;
 
-    std::printf("# net force at the initial attitude [gf] and what each step changes, by lines along x and along y\nstep");
+    std::printf(
+        "# net force at the initial attitude [gf] and what each step changes, by lines along x and along y\nstep");
     for (const int lines : columns) std::printf(",%d,change", lines);
     std::printf("\n");
     const auto nodes = [&](FaceGaps gaps, ConvectionScheme scheme) {
@@ -159,7 +165,8 @@ int tellFilmTerms(const std::string& fileOrFolder, const std::vector<std::string
     };
     changed("uniform disk velocity", [](FilmSetting& setting) { setting.disk.field = VelocityField::Uniform; });
     if (document.value.air.slip.model == SlipModel::FukuiKaneko)
-        changed("fit of Fukui and Kaneko", [](FilmSetting& setting) { setting.slip.model = SlipModel::FukuiKanekoFit; });
+        changed("fit of Fukui and Kaneko",
+                [](FilmSetting& setting) { setting.slip.model = SlipModel::FukuiKanekoFit; });
 
     std::printf("# towards the limit [gf]\nmanner");
     for (const int lines : finestColumns) std::printf(",%d", lines);

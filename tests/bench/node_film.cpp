@@ -44,9 +44,13 @@ struct Face {
 
 class NodeFilm {
 public:
-    NodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude, const CellGrid& nodes, FaceGaps gaps)
-        : setting_(setting), table_(setting.slip, setting.air), lines_{Line(nodes.x), Line(nodes.y)},
-          pad_{lines_[0].volumes(), lines_[1].volumes()}, p_(pad_.size(), setting.air.pressure)
+    NodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude, const CellGrid& nodes,
+             FaceGaps gaps)
+        : setting_(setting),
+          table_(setting.slip, setting.air),
+          lines_{Line(nodes.x), Line(nodes.y)},
+          pad_{lines_[0].volumes(), lines_[1].volumes()},
+          p_(pad_.size(), setting.air.pressure)
     {
         for (int axis = 0; axis < 2; ++axis) {
             const std::size_t a = static_cast<std::size_t>(axis);
@@ -82,10 +86,12 @@ public:
                                    FaceOperator{diffusion_[1], effective_[1], convection_[1]}},
                                   {});
             std::fill(step.begin(), step.end(), 0.0);
-            gmres.solve([this](std::span<const double> v, std::span<double> out) { divergence(lower_, upper_, v, out); },
-                        [&](std::span<const double> v, std::span<double> out) { multigrid.precondition(v, out); }, residual,
-                        step, {});
-            for (std::size_t at = 0; at < p_.size(); ++at) p_[at] = std::clamp(p_[at] + step[at], p_[at] / 3.0, 3.0 * p_[at]);
+            gmres.solve(
+                [this](std::span<const double> v, std::span<double> out) { divergence(lower_, upper_, v, out); },
+                [&](std::span<const double> v, std::span<double> out) { multigrid.precondition(v, out); }, residual,
+                step, {});
+            for (std::size_t at = 0; at < p_.size(); ++at)
+                p_[at] = std::clamp(p_[at] + step[at], p_[at] / 3.0, 3.0 * p_[at]);
         }
         for (int j = 0; j < pad_.ny; ++j)
             for (int i = 0; i < pad_.nx; ++i)
@@ -110,21 +116,27 @@ private:
         const double position = line.face[k], low = other.face[m], high = other.face[m + 1], node = other.node[m + 1];
         const double x = axis == 0 ? position : node, y = axis == 0 ? node : position;
         const Velocity disk = diskVelocity(setting_.disk, recess.length(), recess.width(), x, y);
-        Face face{.shares = shares_.size(), .shareEnd = 0,
-                  .lift = attitude.height + attitude.pitch * (recess.length() - x) - attitude.roll * (y - 0.5 * recess.width()),
-                  .meanRecess = 0.0, .width = high - low, .length = line.node[k + 1] - line.node[k],
+        Face face{.shares = shares_.size(),
+                  .shareEnd = 0,
+                  .lift = attitude.height + attitude.pitch * (recess.length() - x) -
+                          attitude.roll * (y - 0.5 * recess.width()),
+                  .meanRecess = 0.0,
+                  .width = high - low,
+                  .length = line.node[k + 1] - line.node[k],
                   .speed = 0.5 * (axis == 0 ? disk.x : disk.y)};
 
         breaks_.assign(1, low);
-        const bool smooth = axis == 0 ? recess.isSmooth(position, position, low, high)
-                                      : recess.isSmooth(low, high, position, position);
+        const bool smooth =
+            axis == 0 ? recess.isSmooth(position, position, low, high) : recess.isSmooth(low, high, position, position);
         if (!smooth && gaps == FaceGaps::TwoOfSamples) {
             const int samples = axis == 0 ? 10 : 20;
             for (int s = 1; s < samples; ++s) breaks_.push_back(low + (high - low) * s / samples);
         } else if (!smooth) {
             std::vector<double> edges;
-            if (axis == 0) recess.breaksAlongY(position, low, high, edges);
-            else recess.breaksAlongX(position, low, high, edges);
+            if (axis == 0)
+                recess.breaksAlongY(position, low, high, edges);
+            else
+                recess.breaksAlongX(position, low, high, edges);
             edges.push_back(high);
             for (const double edge : edges) // walls slope between their breaks
                 for (double from = breaks_.back(), part = 0.25; part <= 1.0; part += 0.25)
@@ -154,12 +166,17 @@ private:
         shares_.push_back({shallow, 1.0 - share});
     }
 
-    double convectionOf(const Face& face) const { return face.speed * face.width * std::max(0.0, face.meanRecess + face.lift); }
+    double convectionOf(const Face& face) const
+    {
+        return face.speed * face.width * std::max(0.0, face.meanRecess + face.lift);
+    }
 
     void linearise()
     {
-        if (setting_.scheme == ConvectionScheme::PowerLaw) linearise<ConvectionScheme::PowerLaw>();
-        else linearise<ConvectionScheme::Exponential>();
+        if (setting_.scheme == ConvectionScheme::PowerLaw)
+            linearise<ConvectionScheme::PowerLaw>();
+        else
+            linearise<ConvectionScheme::Exponential>();
     }
     template <ConvectionScheme scheme>
     void linearise()
@@ -211,7 +228,7 @@ private:
     FlowTable table_;
     std::array<Line, 2> lines_;
     PaddedGrid pad_;
-    std::vector<double> p_; // rings at p0 [Pa]
+    std::vector<double> p_;  // rings at p0 [Pa]
     double flowScale_ = 0.0; // [Pa m^3/s]
     std::array<std::vector<Face>, 2> faces_;
     std::vector<RecessShare> shares_;
@@ -221,8 +238,8 @@ private:
 
 } // namespace
 
-NodeFilmResult solveNodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude, const CellGrid& nodes,
-                             FaceGaps gaps)
+NodeFilmResult solveNodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude,
+                             const CellGrid& nodes, FaceGaps gaps)
 {
     return NodeFilm(recess, setting, attitude, nodes, gaps).solve();
 }

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A static film counted as the established program counts it (its published source, CMLAir), in code of its own: a check of
-// core/physics/film/gas_film.h that shares no face, no gap and no quadrature with it, only slip, recess and linear algebra.
+// A static film counted as the established program counts it (its published source, CMLAir), in code of its own: a
+// check of core/physics/film/gas_film.h that shares no face, no gap and no quadrature with it, only slip, recess and
+// linear algebra.
 //
-// Pressures sit on nodes at the crossings of lines, those on the outline at p0; faces stand halfway between lines. A face
-// sees the recess on its own line only, not what lies before or behind it:
+// Pressures sit on nodes at the crossings of lines, those on the outline at p0; faces stand halfway between lines. A
+// face sees the recess on its own line only, not what lies before or behind it:
 //
-//   conductance  K = width <h^3 p Q>/(12 mu length), the mean of two gaps, that over the deepest and that over the shallowest
+//   conductance  K = width <h^3 p Q>/(12 mu length), the mean of two gaps, that over the deepest and that over the
+//   shallowest
 //                recess on the face, weighted so that their mean is the mean recess; p the mean of the two nodes
 //   convection   c = (U/2) width h, h over the mean recess, U at the face
 //   both         F = c (p1 + p2)/2 - E(K, c) (p2 - p1), Patankar's power law
 //   load         each node's pressure above ambient times its control volume (reported in gram-force of 9.81 mN)
 //
-// That is consistent, but of first order: an edge between two nodes may lie half a spacing nearer or farther and no face
-// sees it.
+// That is consistent, but of first order: an edge between two nodes may lie half a spacing nearer or farther and no
+// face sees it.
 #pragma once
 
 #include <cstdint>
 
 #include "core/numerics/cell_grid.h"
-#include "core/physics/slider/attitude.h"
 #include "core/physics/film/gas_film.h"
+#include "core/physics/slider/attitude.h"
 #include "core/physics/slider/recess.h"
 
 namespace touchdown {
@@ -39,7 +41,7 @@ struct NodeFilmResult {
 };
 
 /// `nodes`: the lines whose crossings they are. The setting's scheme is the power law, else the exponential one counts.
-NodeFilmResult solveNodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude, const CellGrid& nodes,
-                             FaceGaps gaps);
+NodeFilmResult solveNodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude,
+                             const CellGrid& nodes, FaceGaps gaps);
 
 } // namespace touchdown

@@ -59,8 +59,8 @@ private slots:
         row("a film with a statistical surface", {"model=film", "contact=asperity"}, "contact",
             "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"");
         row("a film with roll held", {"model=film", "contact=none"}, "", "");
-        row("springs that a film does not have", film + QStringList{"springs.cutoff=9.26 nm", "run.integrator=rk4", "run.step=3 ms"},
-            "", "");
+        row("springs that a film does not have",
+            film + QStringList{"springs.cutoff=9.26 nm", "run.integrator=rk4", "run.step=3 ms"}, "", "");
         row("a spectrum of a film from the end on", film + QStringList{"spectrum.start=2 ms"}, "spectrum.start",
             "must be less than run.duration (2 ms)");
         row("a fixed step of a film longer than the run", film + QStringList{"run.steps=fixed", "run.step=3 ms"},
@@ -75,7 +75,8 @@ private slots:
         const QStringList specular = film + QStringList{"air.accommodation=0.9"};
         row("kinetic values of specular walls", specular, "air.accommodation",
             "must be 1 with this air.slip (fukui-kaneko)");
-        row("their fit", specular + QStringList{"air.slip=fukui-kaneko-fit"}, "air.accommodation", "(fukui-kaneko-fit)");
+        row("their fit", specular + QStringList{"air.slip=fukui-kaneko-fit"}, "air.accommodation",
+            "(fukui-kaneko-fit)");
         row("the second order of specular walls", specular + QStringList{"air.slip=second-order"}, "air.accommodation",
             "(second-order)");
         row("the combination of specular walls", specular + QStringList{"air.slip=combination"}, "air.accommodation",
@@ -91,8 +92,8 @@ private slots:
             for (int i = 0; i < count; ++i) list << QString::number(0.01 + 1e-4 * i);
             return list.join(',');
         };
-        row("ten thousand states",
-            film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100)}, "", "");
+        row("ten thousand states", film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100)},
+            "", "");
         row("more states than one may want",
             film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100), "steady.altitudes=0,1"},
             "steady.radii", "makes 20000 static states");
@@ -157,10 +158,10 @@ private slots:
         row("a coupling of springs", {}, "film.coupling", "has no effect here, only with model = \"film\"");
         row("a contact that is not there", {"contact=none"}, "ono_yamane.touch_down",
             "has no effect here, only with contact = \"ono-yamane\"");
-        row("a load at a fixed attitude", {"model=film", "contact=none", "steady.fixed_attitude=true"}, "steady.load_tolerance",
-            "has no effect here, only with steady.fixed_attitude = false");
-        row("a window of springs that do not move by themselves", {"model=contact", "contact=elastic"}, "spectrum.window",
-            "has no effect here, only with model = \"springs\" or \"film\"");
+        row("a load at a fixed attitude", {"model=film", "contact=none", "steady.fixed_attitude=true"},
+            "steady.load_tolerance", "has no effect here, only with steady.fixed_attitude = false");
+        row("a window of springs that do not move by themselves", {"model=contact", "contact=elastic"},
+            "spectrum.window", "has no effect here, only with model = \"springs\" or \"film\"");
         // Neither the model alone nor the contact alone would make a pad of it.
         row("what wants more than one other choice", {"contact=none"}, "pad.radius", "has no effect here");
     }
@@ -171,7 +172,8 @@ private slots:
         QFETCH(QString, message);
         Case c;
         for (const QString& setting : settings)
-            QVERIFY(!setFromText(c, *findField(setting.section('=', 0, 0).toStdString()), setting.section('=', 1).toStdString()));
+            QVERIFY(!setFromText(c, *findField(setting.section('=', 0, 0).toStdString()),
+                                 setting.section('=', 1).toStdString()));
         const Field* field = findField(key.toStdString());
         QVERIFY(field != nullptr);
         QCOMPARE(QString::fromStdString(unusedMessage(c, *field)), message);

@@ -133,19 +133,20 @@ private slots:
         QTest::newRow("an endless integer") << "degrees_of_freedom"
                                             << "1e30"
                                             << "1e30 is out of range: allowed is at least 2, at most 3";
-        QTest::newRow("an unknown choice") << "contact"
-                                           << "plastic"
-                                           << "\"plastic\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
-                                              "multi-asperity";
+        QTest::newRow("an unknown choice")
+            << "contact"
+            << "plastic"
+            << "\"plastic\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
+               "multi-asperity";
         QTest::newRow("no such model") << "model"
                                        << "foil"
                                        << "\"foil\" is not known: allowed is one of springs, film, contact";
         const char* nodes = "2 numbers, each 17, 33, 49 and so on to 2049";
         QTest::newRow("one number of nodes") << "film.nodes"
                                              << "97" << QString("has 1 number: allowed is %1").arg(nodes);
-        QTest::newRow("three numbers of nodes") << "film.nodes"
-                                                << "97, 97, 97"
-                                                << QString("has too many numbers: allowed is %1").arg(nodes);
+        QTest::newRow("three numbers of nodes")
+            << "film.nodes"
+            << "97, 97, 97" << QString("has too many numbers: allowed is %1").arg(nodes);
         QTest::newRow("a hundred nodes") << "film.nodes"
                                          << "97, 100" << QString("100 is not possible: allowed is %1").arg(nodes);
         QTest::newRow("half a node") << "film.nodes"
@@ -157,15 +158,17 @@ private slots:
         QTest::newRow("a hole in a list") << "steady.radii"
                                           << "20 mm,, 30 mm"
                                           << "is empty; a number is needed";
-        QTest::newRow("a wrong unit in a list") << "steady.radii"
-                                                << "20 mm, 30 mg"
-                                                << "\"30 mg\" has the wrong unit; a length such as nm, um or mm is needed";
+        QTest::newRow("a wrong unit in a list")
+            << "steady.radii"
+            << "20 mm, 30 mg"
+            << "\"30 mg\" has the wrong unit; a length such as nm, um or mm is needed";
         QTest::newRow("a word in a list") << "steady.radii"
                                           << "20 mm, nan"
                                           << "\"nan\" is not a finite number";
-        QTest::newRow("an endless list") << "steady.speeds" << QString("1,").repeated(101)
-                                         << "has too many numbers: allowed is at most 100 numbers, each at least 0 rpm, "
-                                            "at most 100000 rad/s";
+        QTest::newRow("an endless list")
+            << "steady.speeds" << QString("1,").repeated(101)
+            << "has too many numbers: allowed is at most 100 numbers, each at least 0 rpm, "
+               "at most 100000 rad/s";
         QTest::newRow("yes") << "run.step_check"
                              << "yes"
                              << "\"yes\" is neither true nor false";

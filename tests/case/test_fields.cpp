@@ -33,7 +33,8 @@ std::optional<FieldValue> another(const Field& field, const Case& c)
         break;
     case FieldKind::Integer: return static_cast<int>(field.maximum);
     case FieldKind::List:
-        return std::vector<double>(std::max<std::size_t>(field.minimumCount, 1), field.stride > 0 ? field.maximum : 0.25);
+        return std::vector<double>(std::max<std::size_t>(field.minimumCount, 1),
+                                   field.stride > 0 ? field.maximum : 0.25);
     }
     return {};
 }
@@ -101,9 +102,10 @@ private slots:
             group = field.group();
             QVERIFY2(done.insert(group).second, group.c_str());
         }
-        QCOMPARE(done, (std::set<std::string>{"about", "slider", "springs", "suspension", "pad", "approach", "ono_yamane",
-                                              "elastic", "adhesion", "asperity", "meniscus", "abs", "air", "disk",
-                                              "disk.surface", "film", "steady", "initial", "run", "spectrum"}));
+        QCOMPARE(done, (std::set<std::string>{"about",    "slider",     "springs", "suspension", "pad",
+                                              "approach", "ono_yamane", "elastic", "adhesion",   "asperity",
+                                              "meniscus", "abs",        "air",     "disk",       "disk.surface",
+                                              "film",     "steady",     "initial", "run",        "spectrum"}));
     }
     void choicesFollowTheEnumerators()
     {
@@ -127,9 +129,11 @@ private slots:
         for (const auto& [name, model] :
              {std::pair{"continuum", SlipModel::Continuum}, std::pair{"first-order", SlipModel::FirstOrder},
               std::pair{"second-order", SlipModel::SecondOrder}, std::pair{"1.5-order", SlipModel::OnePointFiveOrder},
-              std::pair{"fukui-kaneko", SlipModel::FukuiKaneko}, std::pair{"fukui-kaneko-fit", SlipModel::FukuiKanekoFit},
+              std::pair{"fukui-kaneko", SlipModel::FukuiKaneko},
+              std::pair{"fukui-kaneko-fit", SlipModel::FukuiKanekoFit},
               std::pair{"new-first-order", SlipModel::NewFirstOrder},
-              std::pair{"new-second-order", SlipModel::NewSecondOrder}, std::pair{"combination", SlipModel::Combination}}) {
+              std::pair{"new-second-order", SlipModel::NewSecondOrder},
+              std::pair{"combination", SlipModel::Combination}}) {
             findField("air.slip")->set(c, std::string(name));
             QCOMPARE(c.air.slip.model, model);
         }
@@ -167,7 +171,8 @@ private slots:
         QCOMPARE(c.film.grid, GridKind::Graded);
         for (const auto& [name, scheme] :
              {std::pair{"upwind", ConvectionScheme::Upwind}, std::pair{"hybrid", ConvectionScheme::Hybrid},
-              std::pair{"power-law", ConvectionScheme::PowerLaw}, std::pair{"exponential", ConvectionScheme::Exponential},
+              std::pair{"power-law", ConvectionScheme::PowerLaw},
+              std::pair{"exponential", ConvectionScheme::Exponential},
               std::pair{"complete-flux", ConvectionScheme::CompleteFlux}}) {
             findField("film.scheme")->set(c, std::string(name));
             QCOMPARE(c.film.scheme, scheme);
@@ -368,7 +373,8 @@ private slots:
         ofContact("disk.surface.rms", "disk.surface.kind=waves", false);
         ofContact("disk.surface.hurst", "disk.surface.kind=rough", false);
         ofContact("disk.surface.hurst", "disk.surface.kind=rough disk.surface.spectrum=self-affine", true);
-        ofContact("disk.surface.correlation_length", "disk.surface.kind=rough disk.surface.spectrum=self-affine", false);
+        ofContact("disk.surface.correlation_length", "disk.surface.kind=rough disk.surface.spectrum=self-affine",
+                  false);
         ofContact("disk.surface.file", "disk.surface.kind=file", true);
         ofContact("disk.surface.track", "disk.surface.kind=file", false);
         ofContact("disk.surface.bump_heights", "disk.surface.kind=bumps", true);
@@ -391,9 +397,10 @@ private slots:
         QFETCH(bool, used);
         Case c;
         for (const QString& each : choice.split(' '))
-            QCOMPARE(setFromText(c, *findField(each.section('=', 0, 0).toStdString()), each.section('=', 1).toStdString())
-                         .value_or(""),
-                     std::string());
+            QCOMPARE(
+                setFromText(c, *findField(each.section('=', 0, 0).toStdString()), each.section('=', 1).toStdString())
+                    .value_or(""),
+                std::string());
         QCOMPARE(findField(key.toStdString())->used(c), used);
     }
 

@@ -150,7 +150,8 @@ private slots:
         row("a wrong unit in a list", "[steady]\nskews = ['1 deg', '2 mm']",
             "a.toml:2: steady.skews: \"2 mm\" has the wrong unit; an angle such as urad, mrad or deg is needed");
         row("a list for a choice", "contact = ['none']",
-            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity");
+            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane, elastic, asperity, "
+            "multi-asperity");
         row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, saw '\\n'");
         row("Latin-1", "# \xb5", "a.toml:1: is not valid UTF-8 text");
     }
@@ -292,14 +293,16 @@ private slots:
         QTest::newRow("two problems")
             << QStringList{"slider.mass=0 mg", "contact=x"}
             << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is greater than 0 mg, at most 10 kg",
-                           "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane, elastic, asperity, multi-asperity"};
+                           "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
+                           "multi-asperity"};
         QTest::newRow("a list, and a quantity")
             << QStringList{"steady.radii=[20 mm, 30 mm]", "springs.flying_height=8 nm"} << QStringList();
         QTest::newRow("a short list")
             << QStringList("film.nodes=97")
             << QStringList("--set: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
-        QTest::newRow("list without commas") << QStringList("film.nodes=97 193")
-                                             << QStringList("--set: film.nodes: \"97 193\" is no number; commas part the numbers of a list");
+        QTest::newRow("list without commas")
+            << QStringList("film.nodes=97 193")
+            << QStringList("--set: film.nodes: \"97 193\" is no number; commas part the numbers of a list");
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(
@@ -394,7 +397,8 @@ private slots:
             ++figures;
             const Case c = openCase(sample.name).value;
             for (const Field& field : fields())
-                if (QStringList{"slider", "suspension", "abs", "air", "film", "steady"}.contains(QString::fromStdString(field.group())))
+                if (QStringList{"slider", "suspension", "abs", "air", "film", "steady"}.contains(
+                        QString::fromStdString(field.group())))
                     QVERIFY2(field.get(c) == field.get(slider), (sample.name + ": " + field.key).c_str());
             QVERIFY2(c.surface == slider.surface, sample.name.c_str());
             // The paper: no roughness, or one of 0.2 nm that moves or does not.

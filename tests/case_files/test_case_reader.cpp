@@ -18,8 +18,9 @@ QStringList unusedOf(const CaseDocument& document)
     return lines;
 }
 
-const std::string film = "model = 'film'\n[slider]\nlength = '1 mm'\n[ono_yamane]\ntouch_down = '3 nm'\nfriction = 0.2\n"
-                         "[run]\nstep = '1 ns'\nintegrator = 'rk4'\nduration = '1 ms'\n";
+const std::string film =
+    "model = 'film'\n[slider]\nlength = '1 mm'\n[ono_yamane]\ntouch_down = '3 nm'\nfriction = 0.2\n"
+    "[run]\nstep = '1 ns'\nintegrator = 'rk4'\nduration = '1 ms'\n";
 
 } // namespace
 
@@ -31,11 +32,13 @@ private slots:
     {
         const CaseDocument document = parseCase(film, "case.toml");
         QVERIFY(document.valid());
-        QCOMPARE(unusedOf(document),
-                 (QStringList{"case.toml:5: ono_yamane.touch_down: has no effect here, only with contact = \"ono-yamane\"; the same "
-                              "holds for ono_yamane.friction",
-                              "case.toml:8: run.step: has no effect here, only with run.steps = \"fixed\"",
-                              "case.toml:9: run.integrator: has no effect here, only with model = \"springs\""}));
+        QCOMPARE(
+            unusedOf(document),
+            (QStringList{
+                "case.toml:5: ono_yamane.touch_down: has no effect here, only with contact = \"ono-yamane\"; the same "
+                "holds for ono_yamane.friction",
+                "case.toml:8: run.step: has no effect here, only with run.steps = \"fixed\"",
+                "case.toml:9: run.integrator: has no effect here, only with model = \"springs\""}));
     }
 
     /// It is the problems that have to be mended first.
@@ -59,13 +62,15 @@ private slots:
     {
         CaseDocument document = parseCase("model = 'film'\n", "case.toml");
         applySettings(document, {" run.tolerance = 1e-9"});
-        QCOMPARE(unusedOf(document), QStringList("--set: run.tolerance: has no effect here, only with model = \"springs\""));
+        QCOMPARE(unusedOf(document),
+                 QStringList("--set: run.tolerance: has no effect here, only with model = \"springs\""));
     }
 
     /// What is switched off on purpose is no mistake of the file.
     void whatASettingSwitchesOffIsNotNamed()
     {
-        CaseDocument document = parseCase("model = 'film'\ncontact = 'ono-yamane'\n[ono_yamane]\nfriction = 0.2\n", "case.toml");
+        CaseDocument document =
+            parseCase("model = 'film'\ncontact = 'ono-yamane'\n[ono_yamane]\nfriction = 0.2\n", "case.toml");
         applySettings(document, {"contact=none"});
         QVERIFY(document.valid());
         QCOMPARE(unusedOf(document), QStringList());

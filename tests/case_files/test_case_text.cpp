@@ -106,8 +106,7 @@ private slots:
         c.degreesOfFreedom = 2;
         QCOMPARE(updateCaseText("# notes\nmodel = \"springs\"\ncontact = \"none\"\n", c),
                  std::string("# notes\nmodel = \"film\"\ncontact = \"none\"\ndegrees_of_freedom = 2\n"));
-        QCOMPARE(updateCaseText("# notes\nmodel = \"film\"\n", Case{}),
-                 std::string("# notes\nmodel = \"springs\"\n"));
+        QCOMPARE(updateCaseText("# notes\nmodel = \"film\"\n", Case{}), std::string("# notes\nmodel = \"springs\"\n"));
         QCOMPARE(updateCaseText("", defaultsOf(ModelKind::Film)), std::string("model = \"film\"\n"));
     }
     void rootKeysStayAboveTheTables()

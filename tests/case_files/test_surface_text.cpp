@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/surface_text.h"
 
-#include "core/case_files/cml/cml_rail_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/cml/cml_rail_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>

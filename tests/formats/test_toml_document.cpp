@@ -82,7 +82,8 @@ private slots:
     /// Tables of one name are counted from 1, whether they have headers or stand in a line.
     void arraysOfTables()
     {
-        const std::string text = "[a]\nb = [{ x = 1 }, { x = 2 }]\n\n[[c.d]] # first\ny = 1\n\n[[ c.d ]]\n[c.d.e]\nz = 1\n";
+        const std::string text =
+            "[a]\nb = [{ x = 1 }, { x = 2 }]\n\n[[c.d]] # first\ny = 1\n\n[[ c.d ]]\n[c.d.e]\nz = 1\n";
         const TomlDocument document = readToml(text);
         QCOMPARE(document.problem, std::string());
         QStringList tables;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How values get into a text. What case files do with it: tests/case_files/test_case_text.cpp and test_surface_text.cpp.
+// How values get into a text. What case files do with it: tests/case_files/test_case_text.cpp and
+// test_surface_text.cpp.
 #include "core/formats/toml_editor.h"
 
 #include <QTest>
@@ -29,7 +30,8 @@ class TestTomlEditor : public QObject {
 private slots:
     void nothingChangesNothing()
     {
-        for (const std::string text : {"", "a = 1", "[a]\r\nb = 1\r\n"}) QCOMPARE(edited(text, [](TomlEditor&) {}), text);
+        for (const std::string text : {"", "a = 1", "[a]\r\nb = 1\r\n"})
+            QCOMPARE(edited(text, [](TomlEditor&) {}), text);
     }
     void knowsItsKeys()
     {
@@ -45,11 +47,12 @@ private slots:
                  std::string("a = \"x\" # one\nb = 2\n"));
         QCOMPARE(edited("[t]\na = 1 # one", [](TomlEditor& e) { e.put("t.b", "2"); }),
                  std::string("[t]\na = 1 # one\nb = 2"));
-        QCOMPARE(edited("a = 1", [](TomlEditor& e) {
-                     e.put("t.b", "2");
-                     e.put("t.c", "3");
-                     e.put("u.d", "4");
-                 }),
+        QCOMPARE(edited("a = 1",
+                        [](TomlEditor& e) {
+                            e.put("t.b", "2");
+                            e.put("t.c", "3");
+                            e.put("u.d", "4");
+                        }),
                  std::string("a = 1\n\n[t]\nb = 2\nc = 3\n\n[u]\nd = 4\n"));
     }
     /// New keys of a table do not fall into the [[tables]] below it.
@@ -61,10 +64,11 @@ private slots:
                  std::string("[t]\nc = 3\n[[t.row]]\nb = 2\n"));
         QCOMPARE(edited("[[t.row]]\nb = 2\n", [](TomlEditor& e) { e.put("t.c", "3"); }),
                  std::string("[[t.row]]\nb = 2\n\n[t]\nc = 3\n"));
-        QCOMPARE(edited("[[t.row]]\nb = 2\n[[t.row]]\n", [](TomlEditor& e) {
-                     e.put("t.row[1].c", "3");
-                     e.put("t.row[2].c", "4");
-                 }),
+        QCOMPARE(edited("[[t.row]]\nb = 2\n[[t.row]]\n",
+                        [](TomlEditor& e) {
+                            e.put("t.row[1].c", "3");
+                            e.put("t.row[2].c", "4");
+                        }),
                  std::string("[[t.row]]\nb = 2\nc = 3\n[[t.row]]\nc = 4\n"));
     }
     /// [disk.surface] is a table of its own, whatever comes first and however it is written.

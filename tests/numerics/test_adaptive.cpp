@@ -19,7 +19,8 @@ namespace {
 const PiecewiseOscillator smooth = smoothOscillator({0.3, 1.0, 0.1});
 const PiecewiseOscillator bilinear = switchedOscillator({0.0, 1.0, 0.0}, {0.0, 25.0, 0.0});
 
-IntegrationResult integrate(const PiecewiseOscillator& system, PiecewiseOscillator::State y, double until, double tolerance, Log& log)
+IntegrationResult integrate(const PiecewiseOscillator& system, PiecewiseOscillator::State y, double until,
+                            double tolerance, Log& log)
 {
     return integrateAdaptive(system, Start<PiecewiseOscillator>{y, system.naiveMode(y, Mode::Upper)}, until,
                              {.tolerance = tolerance, .firstStep = 1e-3}, log);
@@ -66,7 +67,8 @@ private slots:
         QCOMPARE(log.dense.size(), log.askedTimes.size());
         double worst = 0.0;
         for (std::size_t i = 0; i < log.dense.size(); ++i)
-            worst = std::max(worst, (log.dense[i] - PiecewiseOscillator::exact(smooth.upper, {1.0, 0.0}, log.askedTimes[i])).norm());
+            worst = std::max(
+                worst, (log.dense[i] - PiecewiseOscillator::exact(smooth.upper, {1.0, 0.0}, log.askedTimes[i])).norm());
         QVERIFY2(worst < 1e-7, qPrintable(QString::number(worst)));
     }
 
@@ -106,7 +108,8 @@ private slots:
         }
     }
 
-    /// The dip below zero lasts 2e-3 of the time of one swing and ends inside one step: q = 1 + a sin t with a = 1 + 1e-6.
+    /// The dip below zero lasts 2e-3 of the time of one swing and ends inside one step: q = 1 + a sin t with a = 1 +
+    /// 1e-6.
     void aShortContactIsNotMissed()
     {
         const PiecewiseOscillator dipping = switchedOscillator({1.0, 1.0, 0.0}, {1.0, 1.0, 0.0});
@@ -123,7 +126,8 @@ private slots:
         QCOMPARE(above.events.size(), std::size_t{0});
     }
 
-    /// Pushed onto the boundary from both sides, and damped: ever more switches, and a sentence instead of an endless run.
+    /// Pushed onto the boundary from both sides, and damped: ever more switches, and a sentence instead of an endless
+    /// run.
     void chatteringEnds()
     {
         const PiecewiseOscillator sliding = switchedOscillator({-1.0, 0.0, 2.0}, {1.0, 0.0, 2.0});
@@ -134,14 +138,16 @@ private slots:
         QVERIFY(log.last().allFinite());
     }
 
-    /// At rest on the boundary but for round-off, on either side, and pushed up by both laws: at most the one switch that is due.
+    /// At rest on the boundary but for round-off, on either side, and pushed up by both laws: at most the one switch
+    /// that is due.
     void aStartOnTheBoundaryIsNoChatter()
     {
         const PiecewiseOscillator pushed = switchedOscillator({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
         for (const double q : {-3e-15, -1e-16, -1e-30, 0.0, 1e-30, 1e-16, 3e-15}) {
             for (const Mode mode : {Mode::Upper, Mode::Lower}) {
                 Log log;
-                const auto result = integrateAdaptive(pushed, Start<PiecewiseOscillator>{{q, 0.0}, mode}, 2.0, {.tolerance = 1e-8, .firstStep = 1e-3}, log);
+                const auto result = integrateAdaptive(pushed, Start<PiecewiseOscillator>{{q, 0.0}, mode}, 2.0,
+                                                      {.tolerance = 1e-8, .firstStep = 1e-3}, log);
                 QCOMPARE(result.end, IntegrationEnd::Reached);
                 QCOMPARE(log.events.size(), std::size_t{mode == Mode::Lower});
                 QVERIFY(std::abs(log.last()[0] - 2.0) < 1e-13);
@@ -149,8 +155,8 @@ private slots:
         }
     }
 
-    /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q = 0:
-    /// still one switch, whichever side of the boundary the step ends on.
+    /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q
+    /// = 0: still one switch, whichever side of the boundary the step ends on.
     void aFastCrossingIsOneSwitch()
     {
         const PiecewiseOscillator flight = switchedOscillator({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
@@ -173,15 +179,18 @@ private slots:
         QVERIFY2((log.last() - exact).norm() < 1e-11 * 1e6, qPrintable(QString::number((log.last() - exact).norm())));
     }
 
-    /// The hill of test_fixed_step, with a tolerance that controls nothing: still no step crosses with energy that it made.
+    /// The hill of test_fixed_step, with a tolerance that controls nothing: still no step crosses with energy that it
+    /// made.
     void aWallIsCrossedWithTheEnergyThatIsThere()
     {
         const PiecewiseOscillator hill = switchedOscillator({400.0, 400.0, 0.0}, {400.0, 400.0, 0.0}, true);
         Log log;
-        integrateAdaptive(hill, Start<PiecewiseOscillator>{{1.5, -1.0}, Mode::Upper}, 10.0, {.tolerance = 5.0, .firstStep = 0.4}, log);
+        integrateAdaptive(hill, Start<PiecewiseOscillator>{{1.5, -1.0}, Mode::Upper}, 10.0,
+                          {.tolerance = 5.0, .firstStep = 0.4}, log);
         QVERIFY(log.events.size() > 10);
         for (const Log::Event& event : log.events) {
-            const auto step = std::size_t(std::find(log.times.begin(), log.times.end(), event.time) - log.times.begin());
+            const auto step =
+                std::size_t(std::find(log.times.begin(), log.times.end(), event.time) - log.times.begin());
             QVERIFY(step > 0 && step < log.times.size());
             const double before = hill.energy(log.states[step - 1]);
             const double after = hill.energy(log.states[step]);
@@ -214,7 +223,8 @@ private slots:
     {
         EventCount recorder;
         const long long before = allocations;
-        const auto result = integrateAdaptive(bilinear, Start<PiecewiseOscillator>{{1.0, 0.0}, Mode::Upper}, 1000.0, {.tolerance = 1e-9}, recorder);
+        const auto result = integrateAdaptive(bilinear, Start<PiecewiseOscillator>{{1.0, 0.0}, Mode::Upper}, 1000.0,
+                                              {.tolerance = 1e-9}, recorder);
         QCOMPARE(allocations - before, 0LL);
         QVERIFY(result.steps > 1000 && recorder.events > 100);
     }

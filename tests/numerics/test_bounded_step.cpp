@@ -41,7 +41,8 @@ private slots:
         const auto step = freeStep({{1.0, 1.0, 1.0}, {0.0, 1.0, 2.0}}, {-1.0, -3.0, -4.0}, hardlyDamped);
         QVERIFY(std::abs(step[0] - 7.0 / 6.0) < 1e-11 && std::abs(step[1] - 1.5) < 1e-11);
     }
-    /// One target 2 a + b = 1; with D = diag(4, 1) the penalty 4 a^2 + b^2 is least at 2 a = b = 1/2 as lambda goes to 0.
+    /// One target 2 a + b = 1; with D = diag(4, 1) the penalty 4 a^2 + b^2 is least at 2 a = b = 1/2 as lambda goes to
+    /// 0.
     void moreParameters()
     {
         const auto step = freeStep({{2.0}, {1.0}}, {-1.0}, 1e-7);

@@ -46,8 +46,8 @@ ContinuationProblem circle()
     }};
 }
 
-/// The normal form of a Hopf point at p = 0, moved to (x, y) = (p, 2 p) so that the branch has a way to go, with a third
-/// direction of its own: eigenvalues p +- i and -1.
+/// The normal form of a Hopf point at p = 0, moved to (x, y) = (p, 2 p) so that the branch has a way to go, with a
+/// third direction of its own: eigenvalues p +- i and -1.
 MatrixXd hopfMatrix(double p)
 {
     MatrixXd a = MatrixXd::Zero(3, 3);
@@ -166,7 +166,8 @@ private slots:
     void stopsWhenAsked()
     {
         int left = 5;
-        const Branch branch = followBranch(fold(), vector({1.0}), 1.0, false, {.lower = -1.0, .upper = 1.5}, [&] { return left-- > 0; });
+        const Branch branch =
+            followBranch(fold(), vector({1.0}), 1.0, false, {.lower = -1.0, .upper = 1.5}, [&] { return left-- > 0; });
         QCOMPARE(branch.end, BranchEnd::Stopped);
         QCOMPARE(branch.points.size(), std::size_t(6));
     }

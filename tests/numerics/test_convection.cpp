@@ -40,15 +40,17 @@ class TestConvection : public QObject {
     Q_OBJECT
 
 private slots:
-    /// u coth u and coth u - u/sinh^2 u in long double. The series below u = 0.02 leaves out 2 u^6/945 of the value, 1.4e-13,
-    /// and 12 u^5/945 of the slope 2u/3, 3e-9 of it; the tail above 10 leaves out 2 u exp(-4u), 1e-17 of the value.
+    /// u coth u and coth u - u/sinh^2 u in long double. The series below u = 0.02 leaves out 2 u^6/945 of the
+    /// value, 1.4e-13, and 12 u^5/945 of the slope 2u/3, 3e-9 of it; the tail above 10 leaves out 2 u exp(-4u), 1e-17
+    /// of the value.
     void cothProductAndItsSlope()
     {
         for (double u = 1e-6; u < 40.0; u *= 1.0173) {
             const long double exact = u, sinh = std::sinh(exact), value = exact / std::tanh(exact);
             // From the series where the difference of the formula loses its digits.
-            const long double slope = u < 1e-3 ? exact * (2.0L / 3 - exact * exact * (4.0L / 45 - exact * exact * 4.0L / 315))
-                                               : 1.0L / std::tanh(exact) - exact / (sinh * sinh);
+            const long double slope =
+                u < 1e-3 ? exact * (2.0L / 3 - exact * exact * (4.0L / 45 - exact * exact * 4.0L / 315))
+                         : 1.0L / std::tanh(exact) - exact / (sinh * sinh);
             const CothProduct result = cothProduct(u);
             QVERIFY2(std::abs(result.value / value - 1.0L) < 1e-12L, qPrintable(QString::number(u)));
             QVERIFY2(std::abs(result.derivative / slope - 1.0L) < 4e-9L, qPrintable(QString::number(u)));
@@ -97,7 +99,8 @@ private slots:
             const double p2 = flow / c + (p1 - flow / c) * std::exp(peclet);
             const double E = conductance(ConvectionScheme::Exponential, k, c).value;
             // Both terms are as large as exp(Pe): rounding is against them.
-            QVERIFY(std::abs(0.5 * c * (p1 + p2) - E * (p2 - p1) - flow) < 1e-13 * (std::abs(c) + E) * (std::abs(p2) + p1));
+            QVERIFY(std::abs(0.5 * c * (p1 + p2) - E * (p2 - p1) - flow) <
+                    1e-13 * (std::abs(c) + E) * (std::abs(p2) + p1));
         }
     }
 
@@ -110,10 +113,12 @@ private slots:
             for (const double sign : {1.0, -1.0}) {
                 const double K = 0.8, c = sign * peclet * K, d = 1e-6;
                 const EffectiveConductance e = conductance(scheme, K, c);
-                const double byK = (conductance(scheme, K * (1 + d), c).value - conductance(scheme, K * (1 - d), c).value) /
-                                   (2 * d * K);
-                const double byC = (conductance(scheme, K, c * (1 + d)).value - conductance(scheme, K, c * (1 - d)).value) /
-                                   (2 * d * c);
+                const double byK =
+                    (conductance(scheme, K * (1 + d), c).value - conductance(scheme, K * (1 - d), c).value) /
+                    (2 * d * K);
+                const double byC =
+                    (conductance(scheme, K, c * (1 + d)).value - conductance(scheme, K, c * (1 - d)).value) /
+                    (2 * d * c);
                 // Differences lose 1e-16 E/(d K) and, by c, 1e-16 E/(d c).
                 const double lost = 1e-9 * (1.0 + peclet);
                 QVERIFY2(std::abs(e.byDiffusion - byK) < lost, qPrintable(QString::number(peclet)));

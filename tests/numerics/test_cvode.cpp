@@ -33,8 +33,9 @@ private slots:
         std::array<double, 2> error{};
         for (std::size_t i = 0; i < 2; ++i) {
             Log log;
-            const auto result = integrateCvode(smooth, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 20.0,
-                                               {.tolerance = i == 0 ? 1e-6 : 1e-10}, log);
+            const auto result =
+                integrateCvode(smooth, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 20.0,
+                               {.tolerance = i == 0 ? 1e-6 : 1e-10}, log);
             QCOMPARE(result.end, IntegrationEnd::Reached);
             error[i] = (log.last() - exact).norm();
         }
@@ -45,8 +46,9 @@ private slots:
     {
         const PiecewiseOscillator bilinear = switchedOscillator({0.0, 1.0, 0.0}, {0.0, 25.0, 0.0});
         Log log;
-        const auto result = integrateCvode(bilinear, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 40.0,
-                                           {.tolerance = 1e-10}, log);
+        const auto result =
+            integrateCvode(bilinear, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 40.0,
+                           {.tolerance = 1e-10}, log);
         QCOMPARE(result.end, IntegrationEnd::Reached);
         QCOMPARE(log.events.size(), std::size_t{22});
         double expected = 0.5 * std::numbers::pi;
@@ -60,17 +62,21 @@ private slots:
     {
         const PiecewiseOscillator oscillator = smoothOscillator({0.0, 1.0, 0.0});
         Log log;
-        const auto result = integrateCvode(oscillator, Start<PiecewiseOscillator>{{1e6, 0.0}, PiecewiseOscillator::Mode::Upper}, 20.0, {.tolerance = 1e-14}, log);
+        const auto result =
+            integrateCvode(oscillator, Start<PiecewiseOscillator>{{1e6, 0.0}, PiecewiseOscillator::Mode::Upper}, 20.0,
+                           {.tolerance = 1e-14}, log);
         QCOMPARE(result.end, IntegrationEnd::Reached);
         QVERIFY((log.last() - PiecewiseOscillator::exact(oscillator.upper, {1e6, 0.0}, 20.0)).norm() < 1e-7 * 1e6);
     }
-    /// Pushed onto the boundary from both sides: a switch that turns back at once is not missed, so that the law is that of the side on
-    /// which the state is, and the chattering is seen as by the other methods.
+    /// Pushed onto the boundary from both sides: a switch that turns back at once is not missed, so that the law is
+    /// that of the side on which the state is, and the chattering is seen as by the other methods.
     void chatteringEnds()
     {
         const PiecewiseOscillator sliding = switchedOscillator({-1.0, 0.0, 2.0}, {1.0, 0.0, 2.0});
         Log log;
-        const auto result = integrateCvode(sliding, Start<PiecewiseOscillator>{{0.1, 0.0}, PiecewiseOscillator::Mode::Upper}, 100.0, {.tolerance = 1e-8}, log);
+        const auto result =
+            integrateCvode(sliding, Start<PiecewiseOscillator>{{0.1, 0.0}, PiecewiseOscillator::Mode::Upper}, 100.0,
+                           {.tolerance = 1e-8}, log);
         QCOMPARE(result.end, IntegrationEnd::Chattering);
         QVERIFY(std::abs(log.last()[0]) < 1e-3);
     }
@@ -79,7 +85,8 @@ private slots:
         const PiecewiseOscillator smooth = smoothOscillator({0.3, 1.0, 0.1});
         Log log;
         log.stopAfter = 7;
-        const auto result = integrateCvode(smooth, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 1e6, {}, log);
+        const auto result = integrateCvode(
+            smooth, Start<PiecewiseOscillator>{{1.0, 0.0}, PiecewiseOscillator::Mode::Upper}, 1e6, {}, log);
         QCOMPARE(result.end, IntegrationEnd::Stopped);
         QCOMPARE(log.times.size(), std::size_t{7});
     }

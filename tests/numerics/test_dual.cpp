@@ -26,11 +26,11 @@ private slots:
         check(x - y, 5.0, 1.0, -1.0);
         check(-y, 2.0, 0.0, -1.0);
         check(x * y, -6.0, -2.0, 3.0);
-        check(x / y, -1.5, -0.5, -0.75);              // 1/y, -x/y^2
+        check(x / y, -1.5, -0.5, -0.75); // 1/y, -x/y^2
         check(exp(x * y), std::exp(-6.0), -2.0 * std::exp(-6.0), 3.0 * std::exp(-6.0));
-        check(x + 1.0, 4.0, 1.0, 0.0);                // a constant has no derivatives
+        check(x + 1.0, 4.0, 1.0, 0.0); // a constant has no derivatives
         check(Dual<2>(2.0) * y, -4.0, 0.0, 2.0);
-        check(x.chain(9.0, 6.0), 9.0, 6.0, 0.0);      // x^2 from outside
+        check(x.chain(9.0, 6.0), 9.0, 6.0, 0.0); // x^2 from outside
         Dual<2> sum = x;
         sum += y;
         check(sum, 1.0, 1.0, 1.0);

@@ -18,7 +18,8 @@ using Coefficients = std::array<double, 5>;
 double value(const Coefficients& c, double x)
 {
     const double w = 1.0 - x;
-    return w * w * w * w * c[0] + 4 * w * w * w * x * c[1] + 6 * w * w * x * x * c[2] + 4 * w * x * x * x * c[3] + x * x * x * x * c[4];
+    return w * w * w * w * c[0] + 4 * w * w * w * x * c[1] + 6 * w * w * x * x * c[2] + 4 * w * x * x * x * c[3] +
+           x * x * x * x * c[4];
 }
 
 /// Bernstein coefficients of a + b x + c x^2: b_k = a + b k/4 + c k(k-1)/12.
@@ -79,7 +80,8 @@ private slots:
                 if (value(c, k / 20000.0) < 0.0) sampled = k / 20000.0;
             const std::optional<double> at = touchdown::firstDescent(c);
             if (sampled < 0.0) {
-                // Sampling may miss a short dip; then the polynomial must really be negative just behind the place found.
+                // Sampling may miss a short dip; then the polynomial must really be negative just behind the place
+                // found.
                 if (at) QVERIFY(value(c, *at + 1e-9) <= 0.0);
                 continue;
             }
@@ -120,7 +122,9 @@ private slots:
     {
         const PiecewiseOscillator system;
         const GuardWatch<PiecewiseOscillator> watch(system, PiecewiseOscillator::Mode::Upper);
-        const auto take = [](double h) { return PiecewiseOscillator::State(1e-6 + (h - 0.5) * (h - 0.5), 2.0 * (h - 0.5)); };
+        const auto take = [](double h) {
+            return PiecewiseOscillator::State(1e-6 + (h - 0.5) * (h - 0.5), 2.0 * (h - 0.5));
+        };
         double length = 0.49;
         bool crossed = true;
         const auto y = endOnCrossing(watch, Crossing{0.49, 0, false}, 0.0, 1.0, length, crossed, take);

@@ -22,7 +22,8 @@ const PiecewiseOscillator smooth = smoothOscillator({0.3, 1.0, 0.1});
 const PiecewiseOscillator bilinear = switchedOscillator({0.0, 1.0, 0.0}, {0.0, 25.0, 0.0});
 
 template <class Recorder>
-IntegrationResult integrate(Method method, const System& system, System::State y, double until, double step, Recorder& log)
+IntegrationResult integrate(Method method, const System& system, System::State y, double until, double step,
+                            Recorder& log)
 {
     const Start<System> start{y, system.naiveMode(y, Mode::Upper)};
     const FixedStepOptions options{.step = step};
@@ -30,7 +31,9 @@ IntegrationResult integrate(Method method, const System& system, System::State y
     case Naive: return integrateNaively(system, start, until, options, log);
     case Rk4Located: return integrateFixed(system, Rk4Stepper<System>(system), start, until, options, log);
     case NewmarkLocated: return integrateFixed(system, NewmarkStepper<System>(system, {}), start, until, options, log);
-    case NewmarkDamped: return integrateFixed(system, NewmarkStepper<System>(system, {.beta = 0.3025, .gamma = 0.6}), start, until, options, log);
+    case NewmarkDamped:
+        return integrateFixed(system, NewmarkStepper<System>(system, {.beta = 0.3025, .gamma = 0.6}), start, until,
+                              options, log);
     }
     return {};
 }
@@ -111,7 +114,8 @@ private slots:
     void naiveSwitchingHasOrderOne()
     {
         const PiecewiseOscillator jump = switchedOscillator({-1.0, 0.0, 0.0}, {2.0, 0.0, 0.0});
-        // From rest at 1: falls for sqrt 2 s, then decelerates; after t > sqrt 2: q = -sqrt2 s + s^2 with s = t - sqrt 2.
+        // From rest at 1: falls for sqrt 2 s, then decelerates; after t > sqrt 2: q = -sqrt2 s + s^2 with s = t -
+        // sqrt 2.
         const auto errorOf = [&](Method method, double step) {
             Log log;
             integrate(method, jump, {1.0, 0.0}, 2.0, step, log);
@@ -138,9 +142,11 @@ private slots:
             for (int k = 1; k < 300; ++k) log.askedTimes.push_back(0.0333 * k);
             integrate(Rk4Located, smooth, {1.0, 0.0}, 10.0, 0.1 / double(1 << i), log);
             for (std::size_t k = 0; k < log.dense.size(); ++k)
-                error[i] = std::max(error[i], std::abs(log.dense[k][0] - System::exact(smooth.upper, {1.0, 0.0}, log.askedTimes[k])[0]));
+                error[i] = std::max(error[i], std::abs(log.dense[k][0] -
+                                                       System::exact(smooth.upper, {1.0, 0.0}, log.askedTimes[k])[0]));
         }
-        QVERIFY2(std::abs(observedOrder(error[0], error[1]) - 4.0) < 0.3, qPrintable(QString::number(observedOrder(error[0], error[1]))));
+        QVERIFY2(std::abs(observedOrder(error[0], error[1]) - 4.0) < 0.3,
+                 qPrintable(QString::number(observedOrder(error[0], error[1]))));
     }
 
     void stepsEndOnTheGrid_data() { methodRows(); }
@@ -151,7 +157,8 @@ private slots:
         const auto result = integrate(Method(method), bilinear, {1.0, 0.0}, 10.0, 0.03, log);
         QCOMPARE(result.steps, 334LL);
         QCOMPARE(log.times.back(), 10.0);
-        for (int i = 1; i <= 333; ++i) QVERIFY(std::find(log.times.begin(), log.times.end(), i * 0.03) != log.times.end());
+        for (int i = 1; i <= 333; ++i)
+            QVERIFY(std::find(log.times.begin(), log.times.end(), i * 0.03) != log.times.end());
     }
 
     /// The largest step of rk4 on the imaginary axis is 2.83/omega (numerics of Hairer & Wanner II, IV.2).
@@ -184,8 +191,8 @@ private slots:
         QVERIFY(log.last().allFinite());
     }
 
-    /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q = 0:
-    /// still one switch, whichever side of the boundary the step ends on.
+    /// At 1e6 a second after a second of flight the boundary can be met to 1e-10 only, far more than the round-off of q
+    /// = 0: still one switch, whichever side of the boundary the step ends on.
     void aFastCrossingIsOneSwitch()
     {
         const PiecewiseOscillator flight = switchedOscillator({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
@@ -215,7 +222,8 @@ private slots:
     void aJumpedWallIsReported()
     {
         QFETCH(int, method);
-        // Above the switch the force is a steep repulsion that grows towards it; crossing costs 0.5 * 400 * 1^2 = 200, the slider has 0.5.
+        // Above the switch the force is a steep repulsion that grows towards it; crossing costs 0.5 * 400 * 1^2 = 200,
+        // the slider has 0.5.
         const PiecewiseOscillator hill = switchedOscillator({400.0, 400.0, 0.0}, {400.0, 400.0, 0.0}, true);
         Log log;
         const auto result = integrate(Method(method), hill, {1.5, -1.0}, 10.0, 0.4, log);

@@ -29,8 +29,10 @@ Matrix<T> randomMatrix(int n, double diagonal, std::mt19937& random)
     Matrix<T> a(n, n);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            if constexpr (std::is_same_v<T, double>) a(i, j) = normal(random);
-            else a(i, j) = T(normal(random), normal(random));
+            if constexpr (std::is_same_v<T, double>)
+                a(i, j) = normal(random);
+            else
+                a(i, j) = T(normal(random), normal(random));
         }
     a.diagonal().array() += diagonal;
     return a;
@@ -85,8 +87,8 @@ private slots:
         checkAgainstEigen<std::complex<double>>(20.0, 5);
     }
 
-    /// Asked after each iteration but the one that reaches the tolerance; once it says no, x is the least residual of the iterations so
-    /// far, as with so many of them at most.
+    /// Asked after each iteration but the one that reaches the tolerance; once it says no, x is the least residual of
+    /// the iterations so far, as with so many of them at most.
     void stops()
     {
         std::mt19937 random(5);
@@ -96,13 +98,17 @@ private slots:
         Gmres<double> gmres(n, 5);
         int calls = 0;
         Vector<double> x = Vector<double>::Zero(n);
-        const GmresResult whole = solve<double>(gmres, a, identity, b, x, {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++calls > 0; }});
+        const GmresResult whole =
+            solve<double>(gmres, a, identity, b, x,
+                          {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++calls > 0; }});
         QVERIFY(whole.converged && whole.iterations > 10);
         QCOMPARE(calls, whole.iterations - 1);
         for (const int last : {1, 4, 5, 7}) {
             Vector<double> stopped = Vector<double>::Zero(n), limited = stopped;
             int asked = 0;
-            const GmresResult result = solve<double>(gmres, a, identity, b, stopped, {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++asked < last; }});
+            const GmresResult result =
+                solve<double>(gmres, a, identity, b, stopped,
+                              {.tolerance = 1e-10, .maximumIterations = 400, .goOn = [&] { return ++asked < last; }});
             QVERIFY(!result.converged);
             QCOMPARE(asked, last);
             QCOMPARE(result.iterations, last);
@@ -111,7 +117,8 @@ private slots:
         }
     }
 
-    /// The residual after k steps is the least of b - A y, y in the k-dimensional Krylov space: found here by least squares.
+    /// The residual after k steps is the least of b - A y, y in the k-dimensional Krylov space: found here by least
+    /// squares.
     void residualIsMinimal()
     {
         std::mt19937 random(9);
@@ -177,7 +184,8 @@ private slots:
         QCOMPARE(x, b);
     }
 
-    /// A = diag(1, 2, 0), b = (1, 1, 1): no x brings the last equation down. The residual stays 1/sqrt(3); it says so, and ends.
+    /// A = diag(1, 2, 0), b = (1, 1, 1): no x brings the last equation down. The residual stays 1/sqrt(3); it says so,
+    /// and ends.
     void singular()
     {
         Matrix<double> a = Matrix<double>::Zero(3, 3);

@@ -50,8 +50,8 @@ private slots:
         }
     }
 
-    /// A density that jumps by a factor: spacings s of centres (s1 + s2)/2 apart differ by at most growth times that, so
-    /// their ratio is at most (1 + g/2)/(1 - g/2) = 1.2222 for g = 0.2. The limit acts on bins, 1/50 of a cell here.
+    /// A density that jumps by a factor: spacings s of centres (s1 + s2)/2 apart differ by at most growth times that,
+    /// so their ratio is at most (1 + g/2)/(1 - g/2) = 1.2222 for g = 0.2. The limit acts on bins, 1/50 of a cell here.
     void growthIsLimited_data()
     {
         QTest::addColumn<double>("jump");
@@ -87,8 +87,8 @@ private slots:
     {
         const std::vector<AxisMark> marks{{0.137, 1.0}, {0.512345, 2.0}, {0.9, 0.3}};
         for (const int multiple : {2, 4}) {
-            const std::vector<double> lines = gradedAxis(
-                {.density = std::vector<double>(100, 1.0), .marks = marks, .multiple = multiple}, 64);
+            const std::vector<double> lines =
+                gradedAxis({.density = std::vector<double>(100, 1.0), .marks = marks, .multiple = multiple}, 64);
             QCOMPARE(lines.size(), std::size_t{65});
             QVERIFY(std::is_sorted(lines.begin(), lines.end()));
             for (const AxisMark& mark : marks) {
@@ -120,8 +120,9 @@ private slots:
         QCOMPARE(gradedAxis(marked, 12), gradedAxis(wish, 12));
     }
 
-    /// Whatever is wished for: so many lines, ascending, from end to end, and no cell shrinks or swells without bound next
-    /// to a mark: a mark may press the cells beside it to 0.4 or 2.5 times their wish, and the limit of growth holds before it.
+    /// Whatever is wished for: so many lines, ascending, from end to end, and no cell shrinks or swells without bound
+    /// next to a mark: a mark may press the cells beside it to 0.4 or 2.5 times their wish, and the limit of growth
+    /// holds before it.
     void anyWish()
     {
         std::mt19937 random(5);

@@ -36,8 +36,8 @@ struct Flow {
     {
         LineRelaxation lines(pad);
         const std::vector<double> weight(pad.size(), 1.0);
-        lines.setOperator({MonotoneFaces{effective[0], convection[0]}, MonotoneFaces{effective[1], convection[1]}}, weight,
-                          diagonal);
+        lines.setOperator({MonotoneFaces{effective[0], convection[0]}, MonotoneFaces{effective[1], convection[1]}},
+                          weight, diagonal);
         return lines;
     }
 };
@@ -97,8 +97,7 @@ private slots:
         for (std::size_t at = 0; at < v.size(); ++at) expected[at] -= 0.3 * v[at];
         flow.relaxation(0.3).residual(b, v, found);
         for (int j = 0; j < pad.ny; ++j)
-            for (int i = 0; i < pad.nx; ++i)
-                QVERIFY(std::abs(found[pad.at(i, j)] - expected[pad.at(i, j)]) < 1e-10);
+            for (int i = 0; i < pad.nx; ++i) QVERIFY(std::abs(found[pad.at(i, j)] - expected[pad.at(i, j)]) < 1e-10);
     }
 
     /// Cells that only their lines connect, 1 from each other and from the zeros beyond the ends: -v'' = 1 has
@@ -113,7 +112,8 @@ private slots:
     {
         QFETCH(int, axis);
         Flow flow(9, 8);
-        flow.forFaces([&](std::size_t across, double& effective, double&) { effective = int(across) == axis ? 1.0 : 0.0; });
+        flow.forFaces(
+            [&](std::size_t across, double& effective, double&) { effective = int(across) == axis ? 1.0 : 0.0; });
         const PaddedGrid& pad = flow.pad;
         const std::vector<double> b(pad.size(), 1.0);
         std::vector<double> v(pad.size(), 0.0);
@@ -138,9 +138,9 @@ private slots:
         for (std::size_t at = 0; at < v.size(); ++at) QVERIFY(std::abs(v[at] - solution[at]) < 1e-9);
     }
 
-    /// E = 1, no convection, v = (-1)^(i+j), b = 0, far from the outline. Even rows get (4 + 2) v = -2 (-1)^i, so -1/3; odd ones
-    /// then -1/9. With those, even columns: 4 e - 2 o = 2/3, 4 o - 2 e = 2/9 on even and odd rows, so 7/27 and 5/27; then odd
-    /// columns, of the other sign: 4 e - 2 o = 14/27, 4 o - 2 e = 10/27, so 19/81 and 17/81.
+    /// E = 1, no convection, v = (-1)^(i+j), b = 0, far from the outline. Even rows get (4 + 2) v = -2 (-1)^i, so -1/3;
+    /// odd ones then -1/9. With those, even columns: 4 e - 2 o = 2/3, 4 o - 2 e = 2/9 on even and odd rows, so 7/27 and
+    /// 5/27; then odd columns, of the other sign: 4 e - 2 o = 14/27, 4 o - 2 e = 10/27, so 19/81 and 17/81.
     void sweepsLinesInOrder()
     {
         Flow flow(64, 64);

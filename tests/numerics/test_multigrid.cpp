@@ -43,7 +43,9 @@ struct Flow {
     Eigen::SparseMatrix<T> matrix(T shift = {}) const
     {
         std::vector<Eigen::Triplet<T>> entries;
-        const auto number = [&](int i, int j) { return i < 0 || j < 0 || i >= pad.nx || j >= pad.ny ? -1 : j * pad.nx + i; };
+        const auto number = [&](int i, int j) {
+            return i < 0 || j < 0 || i >= pad.nx || j >= pad.ny ? -1 : j * pad.nx + i;
+        };
         for (std::size_t axis = 0; axis < 2; ++axis)
             for (int j = 0; j < pad.ny + (axis == 1); ++j)
                 for (int i = 0; i < pad.nx + (axis == 0); ++i) {
@@ -66,8 +68,8 @@ struct Flow {
     }
 };
 
-/// A film's conductances, by gap h and cell sides dx, dy: K = h^3 dy/dx and c = h U dy across x, likewise across y; K of the
-/// two half cells in series, and so h. Faces on the outline are half a cell from the held value.
+/// A film's conductances, by gap h and cell sides dx, dy: K = h^3 dy/dx and c = h U dy across x, likewise across y; K
+/// of the two half cells in series, and so h. Faces on the outline are half a cell from the held value.
 Flow film(int nx, int ny, double dx, double dy, double speedX, double speedY, const std::vector<double>& gap)
 {
     Flow flow(nx, ny);
@@ -136,8 +138,10 @@ Solved<T> solve(const Flow& flow, T shift, double tolerance)
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     Column exact(a.rows());
     for (Eigen::Index k = 0; k < exact.size(); ++k) {
-        if constexpr (std::is_same_v<T, double>) exact(k) = uniform(random);
-        else exact(k) = T(uniform(random), uniform(random));
+        if constexpr (std::is_same_v<T, double>)
+            exact(k) = uniform(random);
+        else
+            exact(k) = T(uniform(random), uniform(random));
     }
     const Column right = a * exact;
 
@@ -183,7 +187,8 @@ double factorError()
 
     Eigen::SparseMatrix<T> alongX = a, alongY = a;
     alongX.prune([](Eigen::Index row, Eigen::Index column, T) { return std::abs(row - column) <= 1; });
-    alongY.prune([&](Eigen::Index row, Eigen::Index column, T) { return row == column || std::abs(row - column) == nx; });
+    alongY.prune(
+        [&](Eigen::Index row, Eigen::Index column, T) { return row == column || std::abs(row - column) == nx; });
     const std::vector<T> cells = pad.unpad<T>(v), right = pad.unpad<T>(b);
     const Column inner = alongY * Eigen::Map<const Column>(cells.data(), a.rows());
     const Column product = alongX * Column(inner.array() / Column(a.diagonal()).array());
@@ -226,8 +231,8 @@ class TestMultigrid : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Preconditioned iterations until the residual has fallen to 1e-8: at most so many (a third more than measured). The
-    /// solution is the direct one, to what the condition of the matrix lets through.
+    /// Preconditioned iterations until the residual has fallen to 1e-8: at most so many (a third more than measured).
+    /// The solution is the direct one, to what the condition of the matrix lets through.
     void iterations_data()
     {
         QTest::addColumn<Flow>("flow");
@@ -243,7 +248,8 @@ private slots:
         row("Peclet 1000, oblique, backwards", film(64, 48, 1.0, 1.0, -1000.0, 300.0, evenGap(64, 48)), 12);
         row("rails, K jumps 1e6", film(64, 64, 1.0, 1.0, 0.0, 0.0, railGap(64, 64, 100.0)), 16);
         row("rails, K jumps 1e6, Peclet 100 on them", film(64, 64, 1.0, 1.0, 100.0, 10.0, railGap(64, 64, 100.0)), 16);
-        row("rails, odd 57 x 43, Peclet 1000 on them", film(57, 43, 1.0, 1.3, 1000.0, -100.0, railGap(57, 43, 30.0)), 13);
+        row("rails, odd 57 x 43, Peclet 1000 on them", film(57, 43, 1.0, 1.3, 1000.0, -100.0, railGap(57, 43, 30.0)),
+            13);
         row("random gaps", film(64, 64, 1.0, 1.0, 0.0, 0.0, randomGap(64, 64)), 23);
         row("random gaps, Peclet 10", film(64, 64, 1.0, 1.0, 10.0, 3.0, randomGap(64, 64)), 12);
         row("three rows", film(200, 3, 1.0, 1e6, 20.0, 0.0, evenGap(200, 3)), 3);
@@ -270,8 +276,8 @@ private slots:
         QVERIFY(count(128) <= count(32) + 1);
     }
 
-    /// V cycles alone, each with line sweeps both ways before and after: the residual of Laplace's equation falls at least
-    /// five times a cycle.
+    /// V cycles alone, each with line sweeps both ways before and after: the residual of Laplace's equation falls at
+    /// least five times a cycle.
     void oneCycle()
     {
         const Flow flow = film(64, 64, 1.0, 1.0, 0.0, 0.0, evenGap(64, 64));
@@ -296,15 +302,17 @@ private slots:
         }
     }
 
-    /// (D + X) D^-1 (D + Y) v = b, with the parts of the matrix: entries one cell away are along x, nx cells away along y. Complex
-    /// numbers are double; real ones are single, 2^-24 from the exact ones, and each row of the product sums some ten of them.
+    /// (D + X) D^-1 (D + Y) v = b, with the parts of the matrix: entries one cell away are along x, nx cells away along
+    /// y. Complex numbers are double; real ones are single, 2^-24 from the exact ones, and each row of the product sums
+    /// some ten of them.
     void factorsAreSolved()
     {
         QVERIFY(factorError<Complex>() < 1e-14);
         QVERIFY(factorError<double>() < 10 * 0x1p-24);
     }
 
-    /// The power of two that keeps single precision within its range changes nothing: neither do the film's small units.
+    /// The power of two that keeps single precision within its range changes nothing: neither do the film's small
+    /// units.
     void unitsDoNotMatter()
     {
         Flow flow = film(23, 18, 1.0, 0.7, 5.0, 1.0, randomGap(23, 18));
@@ -423,8 +431,7 @@ private slots:
             std::span<const double>(b), std::span<double>(x), {.tolerance = 1e-11, .maximumIterations = 60});
         QVERIFY(result.converged);
         for (int j = 0; j < pad.ny; ++j)
-            for (int i = 0; i < pad.nx; ++i)
-                QVERIFY(std::abs(x[pad.at(i, j)] - exact(j * pad.nx + i)) < 1e-8);
+            for (int i = 0; i < pad.nx; ++i) QVERIFY(std::abs(x[pad.at(i, j)] - exact(j * pad.nx + i)) < 1e-8);
     }
 };
 

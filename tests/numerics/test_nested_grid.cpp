@@ -94,8 +94,9 @@ private slots:
             }
     }
 
-    /// Of 1 everywhere: beside the outline the centre of the first cell, x = 0.5, lies at 0.5/0.75 of the way from the outline to
-    /// that of the coarse one, 0.75; and y = 0.25 at 0.25 of the way to 1. The last cell along x is a coarse cell itself.
+    /// Of 1 everywhere: beside the outline the centre of the first cell, x = 0.5, lies at 0.5/0.75 of the way from the
+    /// outline to that of the coarse one, 0.75; and y = 0.25 at 0.25 of the way to 1. The last cell along x is a coarse
+    /// cell itself.
     void fallsToZeroOnTheOutline()
     {
         const std::vector<double> coarse = sampled(everySecondLine(uneven), [](double, double) { return 1.0; });

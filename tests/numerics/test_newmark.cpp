@@ -24,7 +24,8 @@ class TestNewmark : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The exact discrete answer for q" = -q: with x = h^2/4, q1 = [(1 - x) q0 + h v0]/(1 + x), v1 = [(1 - x) v0 - h q0]/(1 + x).
+    /// The exact discrete answer for q" = -q: with x = h^2/4, q1 = [(1 - x) q0 + h v0]/(1 + x), v1 = [(1 - x) v0 - h
+    /// q0]/(1 + x).
     void oneLinearStep()
     {
         const PiecewiseOscillator oscillator = smoothOscillator({0.0, 1.0, 0.0});
@@ -35,7 +36,8 @@ private slots:
         QVERIFY(std::abs(y1[0] - ((1.0 - x) * 0.7 - 0.8 * 0.2) / (1.0 + x)) < 1e-15);
         QVERIFY(std::abs(y1[1] - ((1.0 - x) * -0.2 - 0.8 * 0.7) / (1.0 + x)) < 1e-15);
     }
-    /// Newton's iteration with the right derivatives solves a linear step at once: a0, the residual, and the look that it is zero.
+    /// Newton's iteration with the right derivatives solves a linear step at once: a0, the residual, and the look that
+    /// it is zero.
     void aLinearStepTakesOneIteration()
     {
         const PiecewiseOscillator oscillator = smoothOscillator({0.3, 1.0, 2.0});

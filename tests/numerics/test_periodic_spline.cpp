@@ -88,8 +88,8 @@ private slots:
                         1e-12);
     }
 
-    // Halfway between points, 1/2 and 3/2 from the nearest ones, the B-spline is 23/48 and 1/48; at points 2/3 and 1/6. Of a wave
-    // cos(theta i) the spline keeps there (23 cos(theta/2) + cos(3 theta/2))/24 over (2 + cos theta)/3.
+    // Halfway between points, 1/2 and 3/2 from the nearest ones, the B-spline is 23/48 and 1/48; at points 2/3 and 1/6.
+    // Of a wave cos(theta i) the spline keeps there (23 cos(theta/2) + cos(3 theta/2))/24 over (2 + cos theta)/3.
     void wavesLoseAsMuchAsASplineMust_data()
     {
         QTest::addColumn<int>("cells");
@@ -133,8 +133,8 @@ private slots:
     void valueSlopeAndCurvatureGoOnWhereItRepeats()
     {
         const PeriodicSpline s(12, 9, 1.0, 1.0, noise(12, 9));
-        // A cubic with f''' about 10: one-sided second differences over h are apart by less than 2 h f''', and first ones by
-        // h f''.
+        // A cubic with f''' about 10: one-sided second differences over h are apart by less than 2 h f''', and first
+        // ones by h f''.
         const double h = 1e-3;
         for (const double seam : {0.0, 12.0, -12.0, 5.0})
             for (const double y : {0.3, 4.0, 8.7}) {
@@ -195,7 +195,8 @@ private slots:
             const UniformGrid grid{300, 40, pitch, 0.41e-6, -7e-6, 3e-6};
             const auto still = valuesOf(s, grid);
             for (const double turns : {1.0, -17.0, 1e3, 1e6, 9e7}) {
-                QVERIFY2(valuesOf(s, grid, turns * nx * dx, -turns * ny * dx) == still, qPrintable(QString::number(turns)));
+                QVERIFY2(valuesOf(s, grid, turns * nx * dx, -turns * ny * dx) == still,
+                         qPrintable(QString::number(turns)));
                 std::vector<double> later(cells.cells(), 0.0);
                 s.addMeans(cells, turns * nx * dx, -turns * ny * dx, later);
                 QVERIFY2(later == first, qPrintable(QString::number(turns)));
@@ -259,8 +260,8 @@ private slots:
 
     void whatIsShorterThanACellIsAveragedOut()
     {
-        // A wave of 4 points seen by cells of 4 and of 6: nothing, and sin(u)/u with u = pi 6/4, times what the spline keeps
-        // of the wave's mean: the fourth power of sinc(pi/4) over its own (2 + cos theta)/3.
+        // A wave of 4 points seen by cells of 4 and of 6: nothing, and sin(u)/u with u = pi 6/4, times what the spline
+        // keeps of the wave's mean: the fourth power of sinc(pi/4) over its own (2 + cos theta)/3.
         const PeriodicSpline s = cosine(4);
         CellGrid four{{}, {0.0, 1.0}}, six{{-3.0, 3.0}, {0.0, 1.0}};
         for (int i = 0; i <= 10; ++i) four.x.push_back(0.37 + 4.0 * i);
@@ -268,8 +269,8 @@ private slots:
         s.addMeans(four, 0.0, 0.0, means);
         s.addMeans(six, 0.0, 0.0, mean);
         for (const double m : means) QVERIFY(std::abs(m) < 1e-9);
-        // Points of the spline are not a pure wave: its value is the sum of cos over images 1 +- 4 k of the wave number. All
-        // have the same integral over six cells but for their B-spline factor and 1/u.
+        // Points of the spline are not a pure wave: its value is the sum of cos over images 1 +- 4 k of the wave
+        // number. All have the same integral over six cells but for their B-spline factor and 1/u.
         double expected = 0.0;
         for (int k = -200; k <= 200; ++k) {
             const double q = 2.0 * pi * (0.25 + k);

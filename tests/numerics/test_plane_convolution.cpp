@@ -71,7 +71,9 @@ void TestPlaneConvolution::isTheSumOverAllPairs()
     for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
             for (int l = 0; l < ny; ++l)
-                for (int k = 0; k < nx; ++k) expected[product(j, nx) + std::size_t(i)] += kernel(i - k, j - l) * values[product(l, nx) + std::size_t(k)];
+                for (int k = 0; k < nx; ++k)
+                    expected[product(j, nx) + std::size_t(i)] +=
+                        kernel(i - k, j - l) * values[product(l, nx) + std::size_t(k)];
     PlaneConvolution convolution = padded(nx, ny);
     std::vector<double> out(values.size());
     convolution.apply(values, out);
@@ -106,7 +108,8 @@ void TestPlaneConvolution::multipliesWaves()
     convolution.setTransform(transform);
     std::vector<double> wave;
     for (int j = 0; j < ny; ++j)
-        for (int i = 0; i < nx; ++i) wave.push_back(std::cos(2.0 * std::numbers::pi * (waveX * i / double(nx) + waveY * j / double(ny)) + 0.3));
+        for (int i = 0; i < nx; ++i)
+            wave.push_back(std::cos(2.0 * std::numbers::pi * (waveX * i / double(nx) + waveY * j / double(ny)) + 0.3));
     std::vector<double> out(wave.size());
     convolution.apply(wave, out);
     const double factor = 1.0 + 10.0 * waveX + std::abs(waveY);
@@ -115,9 +118,9 @@ void TestPlaneConvolution::multipliesWaves()
 
 void TestPlaneConvolution::paddedSizesSuitFftw()
 {
-    QCOMPARE(paddedSize(1), 2);     // 1 is odd
-    QCOMPARE(paddedSize(4), 8);     // 7 is odd
-    QCOMPARE(paddedSize(11), 24);   // 22 = 2 x 11
+    QCOMPARE(paddedSize(1), 2);   // 1 is odd
+    QCOMPARE(paddedSize(4), 8);   // 7 is odd
+    QCOMPARE(paddedSize(11), 24); // 22 = 2 x 11
     QCOMPARE(paddedSize(128), 256);
     QCOMPARE(paddedSize(600), 1200);
 }

@@ -21,18 +21,21 @@ double limit(const Growth& growth, Complex direction, double to = 100.0)
 }
 double coupledLimit(const CoupledRule& rule, double dampingRatio, double leak)
 {
-    return largestStable([&](double w) { return coupledGrowth(rule, w, dampingRatio, leak) <= stableGrowth; }, 1e-4, 20.0);
+    return largestStable([&](double w) { return coupledGrowth(rule, w, dampingRatio, leak) <= stableGrowth; }, 1e-4,
+                         20.0);
 }
 
 } // namespace
 
-#define NEAR(value, expected, tolerance) QVERIFY2(std::abs((value) - (expected)) <= (tolerance), qPrintable(QString::number((value), 'g', 12)))
+#define NEAR(value, expected, tolerance)                                                                               \
+    QVERIFY2(std::abs((value) - (expected)) <= (tolerance), qPrintable(QString::number((value), 'g', 12)))
 
 class TestStabilityRegion : public QObject {
     Q_OBJECT
 
 private slots:
-    /// 1 + z + z^2/2 + z^3/6 + z^4/24; on the imaginary axis |R|^2 = 1 - y^6/72 + y^8/576, so that y = sqrt 8 is the end.
+    /// 1 + z + z^2/2 + z^3/6 + z^4/24; on the imaginary axis |R|^2 = 1 - y^6/72 + y^8/576, so that y = sqrt 8 is the
+    /// end.
     void classicalRungeKutta()
     {
         for (const Complex z : {Complex(-1.0, 0.5), Complex(0.3, 2.0), Complex(-3.0, -1.0)})
@@ -55,8 +58,8 @@ private slots:
         const double x = std::pow(limit(dopri5Growth, {0.0, 1.0}), 2), left = stableGrowth * stableGrowth - 1.0;
         NEAR(-8.0 + 9.0 * x - x * x + x * x * x / 25.0, left * 14400.0 / (x * x * x), 1e-9);
     }
-    /// Newmark with gamma 1/2 is stable up to omega h = 2/sqrt(1 - 4 beta) without damping: explicit 2, Fox and Goodwin sqrt 6, the
-    /// trapezoidal rule always. Its eigenvalues: cos phi = 1 - w^2/2/(1 + beta w^2).
+    /// Newmark with gamma 1/2 is stable up to omega h = 2/sqrt(1 - 4 beta) without damping: explicit 2, Fox and Goodwin
+    /// sqrt 6, the trapezoidal rule always. Its eigenvalues: cos phi = 1 - w^2/2/(1 + beta w^2).
     void newmark_data()
     {
         QTest::addColumn<double>("beta");
@@ -96,9 +99,9 @@ private slots:
         const double x = backwardGrowth(BackwardRule::Bdf2Opt, -0.2);
         NEAR((1.5 + 0.2) * x * x * x - 2.0 * x * x + 0.5 * x + 0.16 * std::pow(x - 1.0, 3), 0.0, 1e-14);
     }
-    /// All three damp the whole left half of the plane, and all the more the farther out (L-stable). Slow oscillations: with
-    /// D = 1 - exp(-iy), BDF2 misses D^3/3 + D^4/4 + ..., whose real part is -y^4/2 + y^4/4: it damps by y^4/4 a step; with a share t of
-    /// D^3/3, BDF2OPT damps by (1 - t)/2 - 1/4, 0.04 of that. Euler by y^2/2.
+    /// All three damp the whole left half of the plane, and all the more the farther out (L-stable). Slow oscillations:
+    /// with D = 1 - exp(-iy), BDF2 misses D^3/3 + D^4/4 + ..., whose real part is -y^4/2 + y^4/4: it damps by y^4/4 a
+    /// step; with a share t of D^3/3, BDF2OPT damps by (1 - t)/2 - 1/4, 0.04 of that. Euler by y^2/2.
     void backwardDifferencesAreLStable()
     {
         using enum BackwardRule;
@@ -122,17 +125,20 @@ private slots:
         NEAR(coupledLimit(fox, 0.0, 0.0), std::sqrt(6.0), 1e-5);
         for (const double leak : {0.0, 0.001, 0.02, 1.0, 30.0}) QCOMPARE(coupledLimit(trapezoidal, 0.0, leak), 20.0);
     }
-    /// In turns until they agree: to beta w^2 = 1 + zeta w at most, w = 2 zeta + 2 sqrt(1 + zeta^2) for the trapezoidal rule without leak; as
-    /// coupledGrowth says by being infinite. A leak of the size of the film's own rate moves it further.
+    /// In turns until they agree: to beta w^2 = 1 + zeta w at most, w = 2 zeta + 2 sqrt(1 + zeta^2) for the trapezoidal
+    /// rule without leak; as coupledGrowth says by being infinite. A leak of the size of the film's own rate moves it
+    /// further.
     void iteratedCoupling()
     {
         const CoupledRule iterated{.coupling = CouplingKind::Iterated};
-        for (const double zeta : {0.0, 0.01, 0.05}) NEAR(coupledLimit(iterated, zeta, 0.0), 2.0 * zeta + 2.0 * std::sqrt(1.0 + zeta * zeta), 1e-6);
+        for (const double zeta : {0.0, 0.01, 0.05})
+            NEAR(coupledLimit(iterated, zeta, 0.0), 2.0 * zeta + 2.0 * std::sqrt(1.0 + zeta * zeta), 1e-6);
         QVERIFY(std::isinf(coupledGrowth(iterated, 2.1, 0.0, 0.0)));
         QVERIFY(coupledLimit(iterated, 0.0, 1.0) > 2.2);
     }
-    /// One-way: the force of the last time, h old, works like a negative dashpot of k h, so that 2 zeta omega M < k h blows up: w = 2 zeta
-    /// while that is small. One turn more and the limit is about that of the iteration, two more and it is lower again.
+    /// One-way: the force of the last time, h old, works like a negative dashpot of k h, so that 2 zeta omega M < k h
+    /// blows up: w = 2 zeta while that is small. One turn more and the limit is about that of the iteration, two more
+    /// and it is lower again.
     void oneWayCoupling()
     {
         const double leak = 1e-3;
@@ -166,7 +172,8 @@ private slots:
         NEAR(left, -2.785293563405282, 1e-6);
         QVERIFY(highest > 2.9 && std::abs(highest + lowest) < 1e-12);
         // The trapezoidal rule: the imaginary axis, from one end of the window to the other.
-        const auto axis = stabilityBoundary([](Complex z) { return newmarkGrowth(0.25, 0.5, z); }, {.left = -3.9, .right = 1.0, .height = 4.0, .columns = 60});
+        const auto axis = stabilityBoundary([](Complex z) { return newmarkGrowth(0.25, 0.5, z); },
+                                            {.left = -3.9, .right = 1.0, .height = 4.0, .columns = 60});
         QCOMPARE(axis.size(), std::size_t{1});
         for (const Complex z : axis[0]) QVERIFY(std::abs(z.real()) < 1e-6);
         QVERIFY(std::abs(axis[0].front() - std::conj(axis[0].back())) < 1e-6 && std::abs(axis[0].front().imag()) > 3.9);

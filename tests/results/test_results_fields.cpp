@@ -23,7 +23,9 @@ RecordedFields someFields()
 /// A film over 3 x 2 cells, a contact over 1 x 4.
 std::vector<RecordedFields> twoSets()
 {
-    return {someFields(), {"contact_fields", {{1e-6, 2e-6}, {0.0, 1e-6, 2e-6, 3e-6, 4e-6}}, {{"gap", "m", "nm", "Gap of the contact"}}}};
+    return {
+        someFields(),
+        {"contact_fields", {{1e-6, 2e-6}, {0.0, 1e-6, 2e-6, 3e-6, 4e-6}}, {{"gap", "m", "nm", "Gap of the contact"}}}};
 }
 
 /// Value of cell i of field f in snapshot k of set s.
@@ -54,7 +56,8 @@ std::vector<FieldSnapshot> snapshots(std::size_t first, std::size_t count, const
 }
 
 /// "" if both are the same, each number exact.
-QString difference(const StoredRun& run, const std::vector<RecordedFields>& sets, const std::vector<FieldSnapshot>& expected)
+QString difference(const StoredRun& run, const std::vector<RecordedFields>& sets,
+                   const std::vector<FieldSnapshot>& expected)
 {
     if (!run.problem.empty()) return QString::fromStdString(run.problem);
     if (run.recorded.size() != sets.size()) return QStringLiteral("number of sets");
@@ -117,7 +120,8 @@ private slots:
         QCOMPARE(difference(readResults(path()), fields, expected), QString());
         // What a run that is killed now leaves behind, on another path.
         fs::copy_file(path(), fs::path(folder_->path().toStdString()) / "copy.h5");
-        QCOMPARE(difference(readResults(fs::path(folder_->path().toStdString()) / "copy.h5"), fields, expected), QString());
+        QCOMPARE(difference(readResults(fs::path(folder_->path().toStdString()) / "copy.h5"), fields, expected),
+                 QString());
     }
 
     /// A run that is never finished keeps what came to it, in both sets, and so does a new one over its file.

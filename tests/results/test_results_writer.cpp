@@ -19,8 +19,9 @@ namespace {
 constexpr std::size_t batchSize = 700;
 constexpr std::size_t batchesPerSnapshot = 10;
 
-const std::vector<RecordedFields> twoSets{{"fields", {{0.0, 1.0, 2.0}, {0.0, 1.0}}, {{"gap", "m", "nm", "Gap"}}},
-                                          {"contact_fields", {{0.0, 1.0}, {0.0, 1.0}}, {{"contact_pressure", "Pa", "MPa", "Pressure"}}}};
+const std::vector<RecordedFields> twoSets{
+    {"fields", {{0.0, 1.0, 2.0}, {0.0, 1.0}}, {{"gap", "m", "nm", "Gap"}}},
+    {"contact_fields", {{0.0, 1.0}, {0.0, 1.0}}, {{"contact_pressure", "Pa", "MPa", "Pressure"}}}};
 
 /// One snapshot of each set with every tenth batch.
 std::vector<FieldSnapshot> sampleSnapshots(std::size_t batch)
@@ -115,7 +116,9 @@ void TestResultsWriter::killedWritersLeaveWholeFiles()
     QVERIFY(!fs::exists(path("run.h5.part")));
 }
 
-static const touchdown::test::Program untilKilled("write_until_killed", [](int, char** argv) { return writeUntilKilled(argv[1]); });
-static const touchdown::test::Program toTheEnd("write_to_the_end", [](int, char** argv) { return writeToTheEnd(argv[1]); });
+static const touchdown::test::Program untilKilled("write_until_killed",
+                                                  [](int, char** argv) { return writeUntilKilled(argv[1]); });
+static const touchdown::test::Program toTheEnd("write_to_the_end",
+                                               [](int, char** argv) { return writeToTheEnd(argv[1]); });
 TOUCHDOWN_TEST(TestResultsWriter)
 #include "test_results_writer.moc"

@@ -112,7 +112,8 @@ private slots:
         QCOMPARE(file.numbers("/states/1/minimum_spacing_at"), (std::vector<double>{1.24e-3, 0.9e-3}));
         QCOMPARE(file.numbers("/states/1/centre_of_negative_pressure"), (std::vector<double>{0.6e-3, 0.52e-3}));
         QCOMPARE(file.shape("/states/1/stiffness"), (std::vector<hsize_t>{3, 3}));
-        QCOMPARE(file.numbers("/states/1/stiffness"), (std::vector<double>{1e5, 2.0, 3.0, 4.0, 5e-3, 6e-4, 7.0, 8e-4, 9e-3}));
+        QCOMPARE(file.numbers("/states/1/stiffness"),
+                 (std::vector<double>{1e5, 2.0, 3.0, 4.0, 5e-3, 6e-4, 7.0, 8e-4, 9e-3}));
         QCOMPARE(file.numbers("/states/1/points_of_interest"),
                  (std::vector<double>{1.2e-3, 0.5e-3, 11e-9, 0.1e-3, 0.2e-3, 180e-9}));
         QCOMPARE(file.numbers("/states/1/sensitivities/abs.crown"), (std::vector<double>{0.1, 2e3, 3.0, 0.4}));
@@ -196,7 +197,8 @@ private slots:
     {
         SteadyWriter writer;
         const std::string nowhere = path().parent_path() / "no folder" / "a.h5";
-        QVERIFY(QString::fromStdString(writer.open(nowhere, sampleFilmCase(), caseText)).contains("there is no directory"));
+        QVERIFY(
+            QString::fromStdString(writer.open(nowhere, sampleFilmCase(), caseText)).contains("there is no directory"));
         QCOMPARE(writer.add(onePoint, sampleSteady()), std::string("no results file is open"));
         QCOMPARE(writer.finish(SteadyStatus::Converged, ""), std::string("no results file is open"));
     }

@@ -7,8 +7,8 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/numerics/cvode.h"
 #include "core/case_files/case_file.h"
+#include "core/numerics/cvode.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -171,20 +171,57 @@ private slots:
         Case c;
         if (name == "light") {
             c.slider = {.mass = 0.9e-6, .pitchInertia = 0.8e-13, .thickness = 0.23e-3};
-            c.springs = {.frontStiffness = 4.1e5, .rearStiffness = 0.9e6, .frontDistance = 0.31e-3, .rearDistance = 0.37e-3, .frontDampingRatio = 0.03,
-                         .rearDampingRatio = 0.04, .cutoff = 2.6e-9, .flyingHeight = 6e-9, .pitch = 130e-6, .potential = PotentialBelowCutoff::Held};
-            c.suspension = {.stiffness = 11.0, .pitchStiffness = 0.9e-4, .dampingRatio = 0.02, .pitchDampingRatio = 0.03};
-            c.onoYamane = {.meniscusForce = 14e-3, .contactStiffness = 3.3e6, .initialContactForce = 4e-3, .touchDown = 2.8e-9, .takeOff = 5.7e-9,
-                           .friction = 0.45, .padDistance = 0.41e-3, .takeOffShape = TakeOffShape::Constant};
-            c.initial = {.flyingHeight = 60e-9, .pitch = 40e-6, .verticalVelocity = -0.02, .pitchVelocity = 60.0, .branch = ContactBranch::TouchDown};
+            c.springs = {.frontStiffness = 4.1e5,
+                         .rearStiffness = 0.9e6,
+                         .frontDistance = 0.31e-3,
+                         .rearDistance = 0.37e-3,
+                         .frontDampingRatio = 0.03,
+                         .rearDampingRatio = 0.04,
+                         .cutoff = 2.6e-9,
+                         .flyingHeight = 6e-9,
+                         .pitch = 130e-6,
+                         .potential = PotentialBelowCutoff::Held};
+            c.suspension = {
+                .stiffness = 11.0, .pitchStiffness = 0.9e-4, .dampingRatio = 0.02, .pitchDampingRatio = 0.03};
+            c.onoYamane = {.meniscusForce = 14e-3,
+                           .contactStiffness = 3.3e6,
+                           .initialContactForce = 4e-3,
+                           .touchDown = 2.8e-9,
+                           .takeOff = 5.7e-9,
+                           .friction = 0.45,
+                           .padDistance = 0.41e-3,
+                           .takeOffShape = TakeOffShape::Constant};
+            c.initial = {.flyingHeight = 60e-9,
+                         .pitch = 40e-6,
+                         .verticalVelocity = -0.02,
+                         .pitchVelocity = 60.0,
+                         .branch = ContactBranch::TouchDown};
             c.run.duration = 300e-6;
         } else {
             c.slider = {.mass = 1.5e-6, .pitchInertia = 2.0e-13, .thickness = 0.3e-3};
-            c.springs = {.frontStiffness = 6e5, .rearStiffness = 1.2e6, .frontDistance = 0.45e-3, .rearDistance = 0.52e-3, .frontDampingRatio = 0.02,
-                         .rearDampingRatio = 0.03, .cutoff = 0.5e-9, .flyingHeight = 8e-9, .pitch = 100e-6, .potential = PotentialBelowCutoff::Held};
-            c.onoYamane = {.meniscusForce = 6e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3, .touchDown = 3e-9, .takeOff = 5e-9,
-                           .friction = 0.3, .padDistance = 0.58e-3, .takeOffShape = TakeOffShape::Linear};
-            c.initial = {.flyingHeight = 2e-9, .pitch = 100e-6, .verticalVelocity = 0.0, .pitchVelocity = 0.0, .branch = ContactBranch::TouchDown};
+            c.springs = {.frontStiffness = 6e5,
+                         .rearStiffness = 1.2e6,
+                         .frontDistance = 0.45e-3,
+                         .rearDistance = 0.52e-3,
+                         .frontDampingRatio = 0.02,
+                         .rearDampingRatio = 0.03,
+                         .cutoff = 0.5e-9,
+                         .flyingHeight = 8e-9,
+                         .pitch = 100e-6,
+                         .potential = PotentialBelowCutoff::Held};
+            c.onoYamane = {.meniscusForce = 6e-3,
+                           .contactStiffness = 5e6,
+                           .initialContactForce = 5e-3,
+                           .touchDown = 3e-9,
+                           .takeOff = 5e-9,
+                           .friction = 0.3,
+                           .padDistance = 0.58e-3,
+                           .takeOffShape = TakeOffShape::Linear};
+            c.initial = {.flyingHeight = 2e-9,
+                         .pitch = 100e-6,
+                         .verticalVelocity = 0.0,
+                         .pitchVelocity = 0.0,
+                         .branch = ContactBranch::TouchDown};
             c.run.duration = 200e-6;
         }
         c.run.sampleInterval = 1e-6;
@@ -195,8 +232,11 @@ private slots:
         std::vector<double> switches;
         for (const QByteArray& line : file.readAll().split('\n')) {
             const QList<QByteArray> words = line.split(',');
-            if (line.startsWith("# switch at ")) switches.push_back(line.split(' ')[3].toDouble() * 1e-6);
-            else if (words.size() == 3 && words[0] != "time [us]") reference.push_back({words[0].toDouble() * 1e-6, words[1].toDouble() * 1e-9, words[2].toDouble() * 1e-6});
+            if (line.startsWith("# switch at "))
+                switches.push_back(line.split(' ')[3].toDouble() * 1e-6);
+            else if (words.size() == 3 && words[0] != "time [us]")
+                reference.push_back(
+                    {words[0].toDouble() * 1e-6, words[1].toDouble() * 1e-9, words[2].toDouble() * 1e-6});
         }
         Trace trace;
         const Summary summary = run(c, trace.recorder(c));
@@ -204,11 +244,13 @@ private slots:
         QCOMPARE(trace.time.size(), reference.size());
         for (std::size_t i = 0; i < reference.size(); ++i) {
             QVERIFY(std::abs(trace.time[i] - reference[i][0]) < 1e-15);
-            QVERIFY2(std::abs(trace.flyingHeight[i] - reference[i][1]) < 1e-4 * 1e-9, qPrintable(QString::number(trace.time[i])));
+            QVERIFY2(std::abs(trace.flyingHeight[i] - reference[i][1]) < 1e-4 * 1e-9,
+                     qPrintable(QString::number(trace.time[i])));
             QVERIFY(std::abs(trace.pitch[i] - reference[i][2]) < 1e-3 * 1e-6);
         }
         QCOMPARE(summary.events.size(), switches.size());
-        for (std::size_t i = 0; i < switches.size(); ++i) QVERIFY(std::abs(summary.events[i].time - switches[i]) < 2e-12);
+        for (std::size_t i = 0; i < switches.size(); ++i)
+            QVERIFY(std::abs(summary.events[i].time - switches[i]) < 2e-12);
     }
 
     /// The textbook oscillator against its formula, by every integrator.
@@ -238,7 +280,8 @@ private slots:
         double worst = 0.0;
         for (std::size_t i = 0; i < trace.time.size(); ++i) {
             const double t = trace.time[i];
-            const double exact = amplitude * std::exp(-zeta * omega * t) * (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
+            const double exact = amplitude * std::exp(-zeta * omega * t) *
+                                 (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
             worst = std::max(worst, std::abs(trace.flyingHeight[i] - c.springs.flyingHeight - exact));
         }
         QVERIFY2(worst < allowed * std::abs(amplitude), qPrintable(QString::number(worst / std::abs(amplitude))));
@@ -258,13 +301,14 @@ private slots:
         for (const RunEvent& event : summary.events)
             if (event.name == "touch-down") touchDowns.push_back(event.time);
         QVERIFY(touchDowns.size() > 3);
-        for (std::size_t i = 1; i < touchDowns.size(); ++i) QVERIFY(std::abs((touchDowns[i] - touchDowns[i - 1]) * frequency - 1.0) < 1e-6);
+        for (std::size_t i = 1; i < touchDowns.size(); ++i)
+            QVERIFY(std::abs((touchDowns[i] - touchDowns[i - 1]) * frequency - 1.0) < 1e-6);
         QVERIFY(!summary.peaks.empty());
         QVERIFY(std::abs(summary.peaks.front().frequency / frequency - 1.0) < 0.05);
     }
 
-    /// The paper's own trouble: switching by looking between steps, 10 ns and 1 ns end in different states, the located methods
-    /// agree with the finer one, and the program says that halving the step changes the end.
+    /// The paper's own trouble: switching by looking between steps, 10 ns and 1 ns end in different states, the located
+    /// methods agree with the finer one, and the program says that halving the step changes the end.
     void naiveSwitchingCanEndInTheWrongState()
     {
         Case c;
@@ -287,7 +331,8 @@ private slots:
         c.run.integrator = IntegratorKind::Dopri5;
         const Summary adaptive = run(c);
         QVERIFY(std::abs(finalValue(coarse, "flying_height") - 3.837e-9) < 0.01e-9);
-        for (const Summary* good : {&fine, &located, &adaptive}) QVERIFY(std::abs(finalValue(*good, "flying_height") - 7e-9) < 0.01e-9);
+        for (const Summary* good : {&fine, &located, &adaptive})
+            QVERIFY(std::abs(finalValue(*good, "flying_height") - 7e-9) < 0.01e-9);
     }
     void aGoodStepSaysSo()
     {
@@ -308,7 +353,8 @@ private slots:
             QTest::addRow("rk4-events, %g us", step * 1e6) << int(IntegratorKind::Rk4Events) << step;
         }
     }
-    /// Beyond 2.83/omega rk4 cannot follow the rear spring: a wall jumped, a spring lost or a divergence, in words, and only numbers.
+    /// Beyond 2.83/omega rk4 cannot follow the rear spring: a wall jumped, a spring lost or a divergence, in words, and
+    /// only numbers.
     void tooLongAStepFailsClearly()
     {
         QFETCH(int, integrator);
@@ -383,7 +429,8 @@ private slots:
             Trace trace;
             QCOMPARE(run(c, trace.recorder(c)).status, RunStatus::Completed);
             for (std::size_t i = 0; i < trace.time.size(); ++i)
-                QVERIFY2(std::abs(trace.flyingHeight[i] - reference.flyingHeight[i]) < 0.01e-9, qPrintable(QStringLiteral("%1 at %2").arg(int(kind)).arg(trace.time[i])));
+                QVERIFY2(std::abs(trace.flyingHeight[i] - reference.flyingHeight[i]) < 0.01e-9,
+                         qPrintable(QStringLiteral("%1 at %2").arg(int(kind)).arg(trace.time[i])));
         }
     }
 
@@ -402,7 +449,8 @@ private slots:
         QVERIFY(summary.events.empty());
         // From -10 nm about the static state: a cosine.
         const double omega = std::sqrt(c.suspension.stiffness / c.slider.mass);
-        QVERIFY(std::abs(finalValue(summary, "flying_height") - (10e-9 - 10e-9 * std::cos(omega * c.run.duration))) < 1e-4 * 10e-9);
+        QVERIFY(std::abs(finalValue(summary, "flying_height") - (10e-9 - 10e-9 * std::cos(omega * c.run.duration))) <
+                1e-4 * 10e-9);
     }
 
     void freeFlight_data() { integratorRows(); }
@@ -442,8 +490,8 @@ private slots:
         QVERIFY2(summary.status == RunStatus::Completed, summary.message.c_str());
         QVERIFY(std::abs(finalValue(summary, "vertical_velocity") / 10.0 - 1.0) < 1e-3);
     }
-    /// Pressed against the wall by a large meniscus force, the pad swings about d_s more than a thousand times as fast as at
-    /// rest. Many switches, but two in a swing.
+    /// Pressed against the wall by a large meniscus force, the pad swings about d_s more than a thousand times as fast
+    /// as at rest. Many switches, but two in a swing.
     void fastSwitchingAtTheWallIsNotChattering()
     {
         Case c = massOnASpring();
@@ -482,7 +530,8 @@ private slots:
         QVERIFY(QByteArray(summary.message.c_str()).contains("is lost for good"));
         QVERIFY(!QByteArray(summary.message.c_str()).contains("contact"));
     }
-    /// The last values are of a state that was looked at, also when the motion outgrows all numbers between two samples.
+    /// The last values are of a state that was looked at, also when the motion outgrows all numbers between two
+    /// samples.
     void theEndOfADivergedRunIsSane()
     {
         for (const IntegratorKind kind : {IntegratorKind::Rk4, IntegratorKind::Rk4Events}) {
@@ -528,7 +577,8 @@ private slots:
         QCOMPARE(summary.status, RunStatus::Cancelled);
         QCOMPARE(updates, 4); // the last one hands on what was left
         QVERIFY(samples < 4 * 1024);
-        QVERIFY(summary.endTime >= double(samples - 1) * c.run.sampleInterval && summary.endTime < 0.01 * c.run.duration);
+        QVERIFY(summary.endTime >= double(samples - 1) * c.run.sampleInterval &&
+                summary.endTime < 0.01 * c.run.duration);
     }
     void cancelling()
     {

@@ -29,7 +29,8 @@ private slots:
     void everyKind_data()
     {
         QTest::addColumn<QString>("kind");
-        for (const StudyKind& each : studyKinds()) QTest::newRow(each.name.c_str()) << QString::fromStdString(each.name);
+        for (const StudyKind& each : studyKinds())
+            QTest::newRow(each.name.c_str()) << QString::fromStdString(each.name);
     }
     /// The keys of the head, and some of its own, each with what it takes.
     void everyKind()
@@ -37,9 +38,11 @@ private slots:
         QFETCH(QString, kind);
         const std::vector<StudyKey> keys = studyKeys(kind.toStdString());
         QVERIFY(keys.size() > 6);
-        for (const char* head : {"title", "kind", "case", "set"}) QVERIFY2(std::ranges::count(keys, head, &StudyKey::key) == 1, head);
+        for (const char* head : {"title", "kind", "case", "set"})
+            QVERIFY2(std::ranges::count(keys, head, &StudyKey::key) == 1, head);
         for (const StudyKey& key : keys) QVERIFY2(!key.allowed.empty(), key.key.c_str());
-        QVERIFY(std::ranges::any_of(keys, [](const StudyKey& key) { return !key.help.empty() && !key.standards.empty(); }));
+        QVERIFY(
+            std::ranges::any_of(keys, [](const StudyKey& key) { return !key.help.empty() && !key.standards.empty(); }));
     }
     void aNumber()
     {

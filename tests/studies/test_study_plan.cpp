@@ -74,7 +74,8 @@ private slots:
 
     void aStudysFile()
     {
-        const StudyPlan plan = parse("title = \"Mine\"\ncase = \"fig10a\"\nset = { \"run.duration\" = \"1 ms\" }\nsteps = 5\n");
+        const StudyPlan plan =
+            parse("title = \"Mine\"\ncase = \"fig10a\"\nset = { \"run.duration\" = \"1 ms\" }\nsteps = 5\n");
         QVERIFY2(plan.valid(), qPrintable(said(plan)));
         QCOMPARE(plan.title, std::string("Mine"));
         QCOMPARE(plan.kind, kind);
@@ -124,7 +125,9 @@ private slots:
     {
         QVERIFY(parse("case = \"fig10a\"\n", nullptr, {}, {"steps=3", " hold = 1 ms", "equilibria=false"}).valid());
         QVERIFY(parse("case = \"fig10a\"\nsteps = 0\n", nullptr, {}, {"steps=0", "steps=4"}).valid());
-        QVERIFY(openStudy(kind, "fig10a", {}, {"steps=3", "parameter=springs.flying_height", "from=10 nm", "to = \"2 nm\""}).valid());
+        QVERIFY(
+            openStudy(kind, "fig10a", {}, {"steps=3", "parameter=springs.flying_height", "from=10 nm", "to = \"2 nm\""})
+                .valid());
     }
 
     /// A key of a table is named with it, whether the file has the table or not.
@@ -140,7 +143,8 @@ private slots:
                  QString("a.toml:2: ensemble: is a table, not a value; write [ensemble]\n"));
         const std::string list = none + "[[method]]\nname = \"a\"\n";
         for (const char* option : {"method=3", "method.name=b"})
-            QVERIFY(said(parseStudy("work-precision", list, "a.toml", {}, nullptr, {}, {option})).contains("is of a list of tables; it stands in the study's file"));
+            QVERIFY(said(parseStudy("work-precision", list, "a.toml", {}, nullptr, {}, {option}))
+                        .contains("is of a list of tables; it stands in the study's file"));
     }
     /// What a study cannot do is told once.
     void onlyTheCase()
@@ -170,26 +174,33 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("says");
-        QTest::newRow("no TOML") << "case = " << "a.toml:1: is not TOML";
-        QTest::newRow("no case")
-            << "steps = 3"
-            << "a.toml: case: is missing; the file of a case, or the name of a sample case, in quotation marks is needed\n";
+        QTest::newRow("no TOML") << "case = "
+                                 << "a.toml:1: is not TOML";
+        QTest::newRow("no case") << "steps = 3"
+                                 << "a.toml: case: is missing; the file of a case, or the name of a sample case, in "
+                                    "quotation marks is needed\n";
         QTest::newRow("no such case") << "case = \"fig10q\""
                                       << "fig10q: is neither a file nor a sample case; did you mean fig10a?\n";
         QTest::newRow("another kind") << "kind = \"stability\"\ncase = \"fig10a\""
                                       << "a.toml:1: kind: is \"stability\", not \"hysteresis\"\n";
         QTest::newRow("no kind at all") << "kind = 3\ncase = \"fig10a\""
                                         << "a.toml:1: kind: has the wrong type; text in quotation marks is needed\n";
-        QTest::newRow("a kind in a table") << "kind = {}\ncase = \"fig10a\"" << "a.toml:1: kind: is a table, not a value\n";
-        QTest::newRow("a case in a table") << "[case]\nname = 1" << "a.toml:1: case: is a table, not a value\n";
-        QTest::newRow("an unknown key") << "case = \"fig10a\"\nstep = 3" << "a.toml:2: step: unknown key; did you mean steps?\n";
+        QTest::newRow("a kind in a table") << "kind = {}\ncase = \"fig10a\""
+                                           << "a.toml:1: kind: is a table, not a value\n";
+        QTest::newRow("a case in a table") << "[case]\nname = 1"
+                                           << "a.toml:1: case: is a table, not a value\n";
+        QTest::newRow("an unknown key") << "case = \"fig10a\"\nstep = 3"
+                                        << "a.toml:2: step: unknown key; did you mean steps?\n";
         QTest::newRow("a value out of range") << "case = \"fig10a\"\nsteps = 0"
                                               << "a.toml:2: steps: must be a whole number from 1 to ";
-        QTest::newRow("an unknown key of the case") << "case = \"fig10a\"\nset = { \"run.duratio\" = \"1 ms\" }"
-                                                    << "a.toml:2: set.run.duratio: unknown key; did you mean run.duration?\n";
-        QTest::newRow("a bad value of the case") << "case = \"fig10a\"\n[set]\nrun.step = \"1 ns\"\nrun.duration = \"1 nm\""
-                                                 << "a.toml:4: set.run.duration: ";
-        QTest::newRow("a directory as case") << "case = \"..\"" << "./..: ";
+        QTest::newRow("an unknown key of the case")
+            << "case = \"fig10a\"\nset = { \"run.duratio\" = \"1 ms\" }"
+            << "a.toml:2: set.run.duratio: unknown key; did you mean run.duration?\n";
+        QTest::newRow("a bad value of the case")
+            << "case = \"fig10a\"\n[set]\nrun.step = \"1 ns\"\nrun.duration = \"1 nm\""
+            << "a.toml:4: set.run.duration: ";
+        QTest::newRow("a directory as case") << "case = \"..\""
+                                             << "./..: ";
     }
     void problems()
     {
@@ -203,25 +214,36 @@ private slots:
     }
     void allProblemsAtOnce()
     {
-        const StudyPlan plan = parse("case = \"fig10a\"\nsteps = 0\nother = 1\n", nullptr, {}, {"hold=never", "fast=1", "case=x"});
+        const StudyPlan plan =
+            parse("case = \"fig10a\"\nsteps = 0\nother = 1\n", nullptr, {}, {"hold=never", "fast=1", "case=x"});
         QCOMPARE(plan.problems.size(), std::size_t{5});
-        for (const char* part : {"--option: case: is no option; it stands in the study's file", "--option: fast: unknown key",
-                                 "--option: hold: ", "a.toml:2: steps: ", "a.toml:3: other: unknown key"})
+        for (const char* part :
+             {"--option: case: is no option; it stands in the study's file", "--option: fast: unknown key",
+              "--option: hold: ", "a.toml:2: steps: ", "a.toml:3: other: unknown key"})
             QVERIFY2(said(plan).contains(part), qPrintable(said(plan)));
     }
     void wrongOptions_data()
     {
         QTest::addColumn<QString>("option");
         QTest::addColumn<QString>("says");
-        QTest::newRow("no value") << "steps" << "--option: \"steps\" is not key=value\n";
-        QTest::newRow("no key") << "=3" << "--option: \"=3\" is not key=value\n";
-        QTest::newRow("an empty part of a key") << "a..b=3" << "--option: \"a..b=3\" is not key=value\n";
-        QTest::newRow("a setting") << "set.run.step=3" << "--option: set.run.step: is no option; --set KEY=VALUE changes the case\n";
-        QTest::newRow("a bad key") << "steps]=3" << "--option: \"steps]=3\" is not key=value\n";
-        QTest::newRow("settings") << "set={}" << "--option: set: is no option; --set KEY=VALUE changes the case\n";
-        QTest::newRow("a text for a number") << "steps=many" << "--option: steps: must be a whole number from 1 to ";
-        QTest::newRow("two lines") << "steps=3\nhold=1" << "--option: steps: must be a whole number from 1 to ";
-        QTest::newRow("near") << "stesp=3" << "--option: stesp: unknown key; did you mean steps?\n";
+        QTest::newRow("no value") << "steps"
+                                  << "--option: \"steps\" is not key=value\n";
+        QTest::newRow("no key") << "=3"
+                                << "--option: \"=3\" is not key=value\n";
+        QTest::newRow("an empty part of a key") << "a..b=3"
+                                                << "--option: \"a..b=3\" is not key=value\n";
+        QTest::newRow("a setting") << "set.run.step=3"
+                                   << "--option: set.run.step: is no option; --set KEY=VALUE changes the case\n";
+        QTest::newRow("a bad key") << "steps]=3"
+                                   << "--option: \"steps]=3\" is not key=value\n";
+        QTest::newRow("settings") << "set={}"
+                                  << "--option: set: is no option; --set KEY=VALUE changes the case\n";
+        QTest::newRow("a text for a number") << "steps=many"
+                                             << "--option: steps: must be a whole number from 1 to ";
+        QTest::newRow("two lines") << "steps=3\nhold=1"
+                                   << "--option: steps: must be a whole number from 1 to ";
+        QTest::newRow("near") << "stesp=3"
+                              << "--option: stesp: unknown key; did you mean steps?\n";
     }
     void wrongOptions()
     {
@@ -238,13 +260,19 @@ private slots:
         QTest::addColumn<QString>("says");
         const QString own = QString::fromStdString(kind);
         QTest::newRow("no such name")
-            << own << "fig10q" << "fig10q: is neither a file, a sample case nor a sample study of this kind; did you mean fig10a?\n";
-        QTest::newRow("no such file") << own << "no/such.toml" << "no/such.toml: does not exist\n";
-        QTest::newRow("nothing") << own << "" << "a file name is needed\n";
+            << own << "fig10q"
+            << "fig10q: is neither a file, a sample case nor a sample study of this kind; did you mean fig10a?\n";
+        QTest::newRow("no such file") << own << "no/such.toml"
+                                      << "no/such.toml: does not exist\n";
+        QTest::newRow("nothing") << own << ""
+                                 << "a file name is needed\n";
         QTest::newRow("a directory") << own << TOUCHDOWN_SOURCE_DIR "/tests" << TOUCHDOWN_SOURCE_DIR "/tests: ";
-        QTest::newRow("no such kind") << "hysterese" << "fig10a" << "fig10a: \"hysterese\" is no kind of study; did you mean hysteresis?\n";
+        QTest::newRow("no such kind") << "hysterese"
+                                      << "fig10a"
+                                      << "fig10a: \"hysterese\" is no kind of study; did you mean hysteresis?\n";
         QTest::newRow("a design") << own << TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/film_fig4_pico.toml"
-                                  << TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/film_fig4_pico.toml:8: kind: is \"design\", not \"hysteresis\"\n";
+                                  << TOUCHDOWN_SOURCE_DIR
+            "/sample_cases/studies/film_fig4_pico.toml:8: kind: is \"design\", not \"hysteresis\"\n";
     }
     void wrongNames()
     {
@@ -258,7 +286,8 @@ private slots:
     /// A study that is performed says what it is.
     void performed()
     {
-        const StudyPlan plan = openStudy(kind, "fig10a", {"run.duration=20 us"}, {"steps=1", "hold=20 us", "equilibria=false"});
+        const StudyPlan plan =
+            openStudy(kind, "fig10a", {"run.duration=20 us"}, {"steps=1", "hold=20 us", "equilibria=false"});
         QVERIFY2(plan.valid(), qPrintable(said(plan)));
         const StudyReport report = plan.perform(1, {});
         QCOMPARE(report.kind, kind);

@@ -23,7 +23,8 @@ struct AsperityPad {
     }
 };
 
-/// A pad so small against its summits' stiffness that the bulk does not give way: k_b grows with sqrt(A), the forces with A.
+/// A pad so small against its summits' stiffness that the bulk does not give way: k_b grows with sqrt(A), the forces
+/// with A.
 inline AsperityPad stiffBulk()
 {
     AsperityPad s;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files of a slider that exists nowhere but here, as the established program writes its own: a step with walls at the leading
-// edge, a ramp in the middle, a pad with walls at the trailing edge.
+// Files of a slider that exists nowhere but here, as the established program writes its own: a step with walls at the
+// leading edge, a ramp in the middle, a pad with walls at the trailing edge.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 #include <QByteArrayList>
 
-#include "core/physics/slider/air_bearing_surface.h"
 #include "core/case_files/case_file.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown::test {
 

@@ -73,7 +73,10 @@ inline Case fromRest(const std::string& name, double duration)
     return c;
 }
 
-inline std::string statusText(const Flight& flight) { return std::string(name(flight.summary.status)) + ": " + flight.summary.message; }
+inline std::string statusText(const Flight& flight)
+{
+    return std::string(name(flight.summary.status)) + ": " + flight.summary.message;
+}
 
 } // namespace touchdown::test
 

@@ -19,8 +19,8 @@ struct FilmProblem {
     GasFilm film;
     std::vector<double> p; // padded [Pa]
 
-    FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid, const FilmSetting& setting,
-                const Attitude& attitude)
+    FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid,
+                const FilmSetting& setting, const Attitude& attitude)
         : gaps(Recess(surface, length, width), std::move(grid)), film(gaps, setting), p(gaps.pad.size(), film.ambient())
     {
         film.setAttitude(attitude);

@@ -34,8 +34,11 @@ struct FlyingSlider {
 
     FlyingSlider(const Case& c, const SteadyResult& rest, const CoupledStepOptions& options, const Vector3& offset,
                  SliderContact* contact = nullptr)
-        : recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess), level(c, recess, spacing, rest.grid),
-          body(c, rest.attitude), stepper(level.film, body, contact, nullptr, options)
+        : recess(c.surface, c.slider.length, c.slider.width),
+          spacing(c.surface, recess),
+          level(c, recess, spacing, rest.grid),
+          body(c, rest.attitude),
+          stepper(level.film, body, contact, nullptr, options)
     {
         level.gaps.pad.pad<double>(rest.pressure, level.pressure);
         SliderMotion motion{body.coordinates(rest.attitude), {}, {}};

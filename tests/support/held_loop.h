@@ -27,8 +27,8 @@ inline HeldStep step(double value, bool back, EndKind kind, double spacing)
 inline std::vector<HeldStep> loop()
 {
     using enum EndKind;
-    return {step(0.0, false, Flying, 7e-9),   step(1e-3, false, Flying, 7e-9),  step(2e-3, false, Contact, 3e-9),
-            step(3e-3, false, Contact, 2e-9), step(3e-3, true, Contact, 2e-9),  step(2e-3, true, Contact, 3e-9),
+    return {step(0.0, false, Flying, 7e-9),   step(1e-3, false, Flying, 7e-9), step(2e-3, false, Contact, 3e-9),
+            step(3e-3, false, Contact, 2e-9), step(3e-3, true, Contact, 2e-9), step(2e-3, true, Contact, 3e-9),
             step(1e-3, true, Contact, 4e-9),  step(0.0, true, Flying, 7e-9)};
 }
 
@@ -42,7 +42,8 @@ inline HeldSteps task()
 
 inline StudiedEquilibrium at(double value, double spacing, Stability stability, double growth)
 {
-    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}}, 0, false};
+    return {value, spacing, 90e-6, stability, {{growth, 6.283185307179586e5}, {growth, -6.283185307179586e5}},
+            0,     false};
 }
 
 inline bool says(const std::vector<std::string>& findings, const std::string& part)

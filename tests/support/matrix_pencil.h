@@ -10,10 +10,11 @@
 
 namespace touchdown::test {
 
-/// Samples that are sums of c z^n: the z that oscillates and has the largest part in them. Each sample with the `delays` that
-/// follow is a vector, and one matrix leads from each to the next (Hua & Sarkar 1990, matrix pencil). What is smaller than `noise`
-/// against the largest is rounding.
-inline std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, Eigen::Index delays, double noise = 1e-7)
+/// Samples that are sums of c z^n: the z that oscillates and has the largest part in them. Each sample with the
+/// `delays` that follow is a vector, and one matrix leads from each to the next (Hua & Sarkar 1990, matrix pencil).
+/// What is smaller than `noise` against the largest is rounding.
+inline std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, Eigen::Index delays,
+                                          double noise = 1e-7)
 {
     const Eigen::Index columns = static_cast<Eigen::Index>(samples.size()) - delays;
     Eigen::MatrixXd before(3 * delays, columns), after(3 * delays, columns);
@@ -26,7 +27,8 @@ inline std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& sa
     const Eigen::VectorXd size = svd.singularValues();
     const Eigen::Index rank = (size.array() > noise * size[0]).count();
     const Eigen::MatrixXd U = svd.matrixU().leftCols(rank), V = svd.matrixV().leftCols(rank);
-    const Eigen::EigenSolver<Eigen::MatrixXd> steps(U.transpose() * after * V * size.head(rank).cwiseInverse().asDiagonal());
+    const Eigen::EigenSolver<Eigen::MatrixXd> steps(U.transpose() * after * V *
+                                                    size.head(rank).cwiseInverse().asDiagonal());
     const Eigen::VectorXcd parts =
         steps.eigenvectors().partialPivLu().solve((U.transpose() * before.col(0)).cast<std::complex<double>>());
     std::complex<double> leading = 0.0;

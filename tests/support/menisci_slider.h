@@ -36,8 +36,13 @@ inline const MarkedFilmEquilibrium* markOf(const FilmBranches& all, EquilibriumM
 inline Case withMenisci(double spacing, TakeOffShape shape)
 {
     Case c = smallCase();
-    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 0.0, .initialContactForce = 0.0, .touchDown = spacing - 6e-9,
-                   .takeOff = spacing - 1e-9, .friction = 0.0, .takeOffShape = shape};
+    c.onoYamane = {.meniscusForce = 1e-3,
+                   .contactStiffness = 0.0,
+                   .initialContactForce = 0.0,
+                   .touchDown = spacing - 6e-9,
+                   .takeOff = spacing - 1e-9,
+                   .friction = 0.0,
+                   .takeOffShape = shape};
     return c;
 }
 

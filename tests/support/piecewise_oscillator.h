@@ -37,7 +37,10 @@ struct PiecewiseOscillator {
     }
     Mode naiveMode(const State& y, Mode) const { return switches && y[0] < 0.0 ? Mode::Lower : Mode::Upper; }
     State naiveDerivative(const State& y, Mode mode) const { return derivative(y, naiveMode(y, mode)); }
-    Eigen::Matrix<double, 1, 2> jacobian(const State&, Mode mode) const { return {-law(mode).stiffness, -law(mode).damping}; }
+    Eigen::Matrix<double, 1, 2> jacobian(const State&, Mode mode) const
+    {
+        return {-law(mode).stiffness, -law(mode).damping};
+    }
     Eigen::Matrix<double, 1, 1> guards(const Eigen::Matrix<double, 1, 1>& q) const { return q; }
     Eigen::Matrix<double, 1, 1> guardSizes(int) const { return Eigen::Matrix<double, 1, 1>(1.0); }
     Interval interval(int, Mode mode) const
@@ -59,9 +62,11 @@ struct PiecewiseOscillator {
     /// The exact state a time t after y under one law (stiffness > 0).
     static State exact(const Law& law, const State& y, double t)
     {
-        // q = q_e + Re[...] by the two roots s of s^2 + damping s + stiffness = 0; complex arithmetic covers all cases but the double root.
+        // q = q_e + Re[...] by the two roots s of s^2 + damping s + stiffness = 0; complex arithmetic covers all cases
+        // but the double root.
         const double rest = law.force / law.stiffness;
-        const std::complex<double> root = std::sqrt(std::complex<double>(0.25 * law.damping * law.damping - law.stiffness));
+        const std::complex<double> root =
+            std::sqrt(std::complex<double>(0.25 * law.damping * law.damping - law.stiffness));
         const std::complex<double> s1 = -0.5 * law.damping + root;
         const std::complex<double> s2 = -0.5 * law.damping - root;
         const std::complex<double> c1 = (y[1] - s2 * (y[0] - rest)) / (s1 - s2);
@@ -78,7 +83,8 @@ inline PiecewiseOscillator smoothOscillator(const PiecewiseOscillator::Law& law)
     return {.upper = law, .lower = law, .switches = false, .wall = false};
 }
 /// A law above and one below zero.
-inline PiecewiseOscillator switchedOscillator(const PiecewiseOscillator::Law& upper, const PiecewiseOscillator::Law& lower, bool wall = false)
+inline PiecewiseOscillator switchedOscillator(const PiecewiseOscillator::Law& upper,
+                                              const PiecewiseOscillator::Law& lower, bool wall = false)
 {
     return {.upper = upper, .lower = lower, .switches = true, .wall = wall};
 }
@@ -86,9 +92,15 @@ inline PiecewiseOscillator switchedOscillator(const PiecewiseOscillator::Law& up
 /// Keeps nothing, so that what allocates is the integrator.
 struct EventCount {
     template <class Mode, class At>
-    bool step(double, const PiecewiseOscillator::State&, Mode, At&&) { return true; }
+    bool step(double, const PiecewiseOscillator::State&, Mode, At&&)
+    {
+        return true;
+    }
     template <class Mode>
-    void event(double, int, bool, Mode, Mode) { ++events; }
+    void event(double, int, bool, Mode, Mode)
+    {
+        ++events;
+    }
     int events = 0;
 };
 
@@ -108,13 +120,17 @@ struct Log {
     template <class Mode, class At>
     bool step(double t, const PiecewiseOscillator::State& y, Mode, At&& at)
     {
-        while (dense.size() < askedTimes.size() && askedTimes[dense.size()] <= t) dense.push_back(at(askedTimes[dense.size()]));
+        while (dense.size() < askedTimes.size() && askedTimes[dense.size()] <= t)
+            dense.push_back(at(askedTimes[dense.size()]));
         times.push_back(t);
         states.push_back(y);
         return times.size() < stopAfter;
     }
     template <class Mode>
-    void event(double t, int guard, bool upper, Mode, Mode) { events.push_back({t, guard, upper}); }
+    void event(double t, int guard, bool upper, Mode, Mode)
+    {
+        events.push_back({t, guard, upper});
+    }
     const PiecewiseOscillator::State& last() const { return states.back(); }
     std::size_t stopAfter = static_cast<std::size_t>(-1);
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess by the letter of its rules: every rail and every wall is looked at for every point, offset lines are met by
-// Cramer's rule. Without form and taper. For points that lie on no line of the surface.
+// The recess by the letter of its rules: every rail and every wall is looked at for every point, offset lines are met
+// by Cramer's rule. Without form and taper. For points that lie on no line of the surface.
 #pragma once
 
 #include <algorithm>

@@ -37,8 +37,8 @@ private:
         case FieldKind::Boolean: return whole(0, 1) == 1;
         case FieldKind::Text: return text();
         case FieldKind::List: {
-            std::vector<double> values(static_cast<std::size_t>(
-                whole(static_cast<int>(field.minimumCount), static_cast<int>(std::min<std::size_t>(field.maximumCount, 7)))));
+            std::vector<double> values(static_cast<std::size_t>(whole(
+                static_cast<int>(field.minimumCount), static_cast<int>(std::min<std::size_t>(field.maximumCount, 7)))));
             for (double& each : values) each = number(field);
             return values;
         }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Air bearing surfaces drawn at random: rectangles, stars and ramps that overlap and reach over the slider's outline, with
-// walls inside and outside their edges. Jumps are large and slopes small, so that a test can tell one from the other.
+// Air bearing surfaces drawn at random: rectangles, stars and ramps that overlap and reach over the slider's outline,
+// with walls inside and outside their edges. Jumps are large and slopes small, so that a test can tell one from the
+// other.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A random self-affine surface that repeats: Gaussian, power spectrum flat up to the roll-off, falling as k^-(2 + 2 H) up to
-// the cut-off, zero beyond; isotropic.
+// A random self-affine surface that repeats: Gaussian, power spectrum flat up to the roll-off, falling as k^-(2 + 2 H)
+// up to the cut-off, zero beyond; isotropic.
 #pragma once
 
 #include <fftw3.h>
@@ -17,11 +17,11 @@
 namespace touchdown::test {
 
 struct SelfAffine {
-    int n = 0;             // n x n values on a square of side 1
-    double rollOff = 4.0;  // cycles on the side
-    double cutOff = 0.0;   // cycles on the side
+    int n = 0;            // n x n values on a square of side 1
+    double rollOff = 4.0; // cycles on the side
+    double cutOff = 0.0;  // cycles on the side
     double hurst = 0.8;
-    double slope = 1.0;    // RMS of |grad|
+    double slope = 1.0; // RMS of |grad|
     unsigned seed = 1;
 };
 
@@ -41,7 +41,8 @@ inline std::vector<double> selfAffineHeights(const SelfAffine& surface)
             const double phase = 2.0 * std::numbers::pi * uniform();
             // Column 0 holds both a mode and its conjugate: half of it is left out.
             const bool held = cycles > 0.0 && cycles <= surface.cutOff && 2 * i < n && (i > 0 || 2 * j < n);
-            const double amplitude = held ? size * std::pow(std::max(cycles, surface.rollOff), -1.0 - surface.hurst) : 0.0;
+            const double amplitude =
+                held ? size * std::pow(std::max(cycles, surface.rollOff), -1.0 - surface.hurst) : 0.0;
             fftw_complex& mode = modes[j * half + i];
             mode[0] = amplitude * std::cos(phase);
             mode[1] = amplitude * std::sin(phase);

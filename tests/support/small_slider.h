@@ -9,7 +9,9 @@ namespace touchdown::test {
 
 inline Rail rectangle(double x0, double y0, double x1, double y1, double recess)
 {
-    return {.kind = RailKind::Step, .points = {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, .recess = {recess, 0, 0}};
+    return {.kind = RailKind::Step,
+            .points = {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}},
+            .recess = {recess, 0, 0}};
 }
 
 inline Case smallSlider(int nodes = 65)
@@ -18,7 +20,11 @@ inline Case smallSlider(int nodes = 65)
     c.model = ModelKind::Film;
     c.contact = ContactKind::None;
     c.degreesOfFreedom = 3;
-    c.slider = {.mass = 0.9e-6, .pitchInertia = 8e-14, .rollInertia = 5e-14, .length = 1.0e-3, .width = 0.8e-3,
+    c.slider = {.mass = 0.9e-6,
+                .pitchInertia = 8e-14,
+                .rollInertia = 5e-14,
+                .length = 1.0e-3,
+                .width = 0.8e-3,
                 .thickness = 0.23e-3};
     c.surface.baseRecess = 1.5e-6;
     c.surface.crown = 10e-9;

@@ -10,7 +10,12 @@ namespace touchdown::test {
 inline Case taperFlat(int degreesOfFreedom = 2)
 {
     Case c = smallSlider(33);
-    c.slider = {.mass = 1.6e-6, .pitchInertia = 2.2e-13, .rollInertia = 1.45e-13, .length = 1.25e-3, .width = 1e-3, .thickness = 0.3e-3};
+    c.slider = {.mass = 1.6e-6,
+                .pitchInertia = 2.2e-13,
+                .rollInertia = 1.45e-13,
+                .length = 1.25e-3,
+                .width = 1e-3,
+                .thickness = 0.3e-3};
     c.surface.baseRecess = 3e-6;
     c.surface.taperLength = 0.15e-3;
     c.surface.taperAngle = 10e-3;

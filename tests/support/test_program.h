@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A test program holds the tests of one folder. Its first argument is the name of a file of tests, "test_recess"; the rest
-// are options of Qt Test. Without arguments it lists the names.
+// A test program holds the tests of one folder. Its first argument is the name of a file of tests, "test_recess"; the
+// rest are options of Qt Test. Without arguments it lists the names.
 #pragma once
 
 #include <QTest>

@@ -2,13 +2,14 @@
 //
 // The infinitely wide plane slider, solved without any code of the film's: a reference for its models and schemes.
 //
-// In units of the outlet's gap h0, the ambient pressure p0 and the length L, with X = 0 at the inlet, H = 2 - X (inlet gap
-// twice the outlet's) or any other, and Lambda = 6 mu U L/(p0 h0^2), the mass flow through each section is the same:
+// In units of the outlet's gap h0, the ambient pressure p0 and the length L, with X = 0 at the inlet, H = 2 - X (inlet
+// gap twice the outlet's) or any other, and Lambda = 6 mu U L/(p0 h0^2), the mass flow through each section is the
+// same:
 //
 //   H^2 G(P H) dP/dX - Lambda P H = C,   P(0) = P(1) = 1,   G(w) = w Q(Kn0/w).
 //
-// Shooting for C from the outlet to the inlet, in which direction all solutions of the equation come together; classical
-// Runge-Kutta method, secant method for C. The error falls with the fourth power of the steps.
+// Shooting for C from the outlet to the inlet, in which direction all solutions of the equation come together;
+// classical Runge-Kutta method, secant method for C. The error falls with the fourth power of the steps.
 #pragma once
 
 #include <cmath>

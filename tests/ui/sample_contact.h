@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A contact run of our own for the tests of the window: a parabola of forces against the separation, and fields that are
-// formulas.
+// A contact run of our own for the tests of the window: a parabola of forces against the separation, and fields that
+// are formulas.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,8 @@ inline Case sampleContactCase()
 
 inline std::vector<Quantity> sampleContactQuantities(bool adhesion = true)
 {
-    std::vector<Quantity> list{{"minimum_spacing", "m", "nm", "Separation"}, {"contact_force", "N", "mN", "Real contact force"}};
+    std::vector<Quantity> list{{"minimum_spacing", "m", "nm", "Separation"},
+                               {"contact_force", "N", "mN", "Real contact force"}};
     if (adhesion) list.push_back({"adhesion_force", "N", "mN", "Adhesion force"});
     list.push_back({"net_contact_force", "N", "mN", "Net contact force"});
     return list;
@@ -40,7 +41,8 @@ inline RecordedFields sampleContactFields()
     RecordedFields fields;
     for (int i = 0; i <= 8; ++i) fields.grid.x.push_back(i * 1e-6);
     for (int j = 0; j <= 4; ++j) fields.grid.y.push_back(j * 1e-6);
-    fields.quantities = {{"gap", "m", "nm", "Gap of the deformed surfaces"}, {"contact_pressure", "Pa", "MPa", "Contact pressure"}};
+    fields.quantities = {{"gap", "m", "nm", "Gap of the deformed surfaces"},
+                         {"contact_pressure", "Pa", "MPa", "Contact pressure"}};
     return fields;
 }
 
@@ -78,7 +80,8 @@ inline SampleBatch sampleContactBatch(double from, double to, bool adhesion = tr
 /// The first `snapshots` of the times, the samples up to there, and the events.
 inline std::unique_ptr<RunRecord> sampleContactRun(int number, int snapshots = contactSnapshots, bool adhesion = true)
 {
-    auto run = std::make_unique<RunRecord>(number, sampleContactCase(), "", sampleContactQuantities(adhesion), std::vector{sampleContactFields()});
+    auto run = std::make_unique<RunRecord>(number, sampleContactCase(), "", sampleContactQuantities(adhesion),
+                                           std::vector{sampleContactFields()});
     const double until = 1e-3 * (snapshots - 1) / (contactSnapshots - 1);
     std::vector<FieldSnapshot> fields;
     for (int i = 0; i < snapshots; ++i) fields.push_back(sampleSnapshot(1e-3 * i / (contactSnapshots - 1)));

@@ -13,14 +13,21 @@ namespace touchdown {
 inline AirBearingSurface sampleSurface()
 {
     const auto box = [](double x0, double x1, double y0, double y1, double recess, int wall) {
-        return Rail{RailKind::Step, {{x0, y0, wall}, {x1, y0, wall}, {x1, y1, wall}, {x0, y1, wall}}, {recess, 0.0, 0.0}};
+        return Rail{
+            RailKind::Step, {{x0, y0, wall}, {x1, y0, wall}, {x1, y1, wall}, {x0, y1, wall}}, {recess, 0.0, 0.0}};
     };
     AirBearingSurface surface;
     surface.rails = {
         box(0.05e-3, 0.45e-3, 0.06e-3, 0.64e-3, 150e-9, 1), // a shelf across the front
         box(0.15e-3, 0.40e-3, 0.10e-3, 0.60e-3, 0.0, 2),    // the front pad on it
         box(0.55e-3, 0.84e-3, 0.22e-3, 0.48e-3, 150e-9, 1), // a shelf at the rear
-        {RailKind::Step, {{0.74e-3, 0.28e-3, 2}, {0.84e-3, 0.30e-3, 2}, {0.84e-3, 0.40e-3, 2}, {0.74e-3, 0.42e-3, 2}, {0.70e-3, 0.35e-3, 2}}, {}},
+        {RailKind::Step,
+         {{0.74e-3, 0.28e-3, 2},
+          {0.84e-3, 0.30e-3, 2},
+          {0.84e-3, 0.40e-3, 2},
+          {0.74e-3, 0.42e-3, 2},
+          {0.70e-3, 0.35e-3, 2}},
+         {}},
     };
     surface.walls = {{{-5e-6, 0.0, 20e-6}, {150e-9, 300e-9, 1.5e-6}}, {{-2e-6, 0.0, 10e-6}, {0.0, 20e-9, 150e-9}}};
     surface.baseRecess = 1.5e-6;
@@ -72,14 +79,16 @@ inline SteadyResult sampleResult(const Case& c, int nx = 48, int ny = 40)
         for (int i = 0; i < nx; ++i) {
             const double x = result.grid.centreX(i);
             const double y = result.grid.centreY(j);
-            const double recess = x > 0.55e-3 && std::abs(y - 0.35e-3) < 0.13e-3 ? (x > 0.72e-3 ? 0.0 : 150e-9) : 1.5e-6;
+            const double recess =
+                x > 0.55e-3 && std::abs(y - 0.35e-3) < 0.13e-3 ? (x > 0.72e-3 ? 0.0 : 150e-9) : 1.5e-6;
             const double gap = result.attitude.height + result.attitude.pitch * (c.slider.length - x) + recess;
             const auto hill = [&](double x0, double width) {
                 return std::exp(-(std::pow((x - x0) / width, 2) + std::pow((y - 0.35e-3) / 0.12e-3, 2)));
             };
             result.recess.push_back(recess);
             result.gap.push_back(gap);
-            result.pressure.push_back(p0 + 9e5 * hill(0.80e-3, 0.05e-3) + 3e5 * hill(0.30e-3, 0.10e-3) - 8e4 * hill(0.5e-3, 0.08e-3));
+            result.pressure.push_back(p0 + 9e5 * hill(0.80e-3, 0.05e-3) + 3e5 * hill(0.30e-3, 0.10e-3) -
+                                      8e4 * hill(0.5e-3, 0.08e-3));
             if (gap < result.minimumSpacing) {
                 result.minimumSpacing = gap;
                 result.minimumAt = {x, y};

@@ -2,8 +2,8 @@
 //
 // One calculation at a time, on a thread beside the window: what is common to static solutions and studies.
 //
-// The worker's news cross the thread border by value: the latest of each kind under a mutex, taken by the window at most 60 times a
-// second, and at the end the whole result. A calculation that is stopped ends at its next callback.
+// The worker's news cross the thread border by value: the latest of each kind under a mutex, taken by the window at
+// most 60 times a second, and at the end the whole result. A calculation that is stopped ends at its next callback.
 #pragma once
 
 #include <atomic>
@@ -68,8 +68,8 @@ protected:
     /// What is under way must have been given up: its thread uses members of a class that is gone by now.
     ~CalculationController() override;
 
-    /// Starts on a thread of its own and returns the number of the calculation. One that is under way is stopped first, and ends with
-    /// its `finished`.
+    /// Starts on a thread of its own and returns the number of the calculation. One that is under way is stopped first,
+    /// and ends with its `finished`.
     int begin(Work work);
     /// Called on the worker's thread: there is mail.
     void ring();

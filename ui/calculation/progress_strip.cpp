@@ -36,9 +36,12 @@ ProgressStrip::ProgressStrip(const QString& what, const QString& told, QWidget* 
 
 void ProgressStrip::follow(CalculationController::State state, const QString& running)
 {
-    if (state == CalculationController::State::Running) begin(running);
-    else if (state == CalculationController::State::Stopping) state_->setText(tr("Stopping"));
-    else bar_->hide();
+    if (state == CalculationController::State::Running)
+        begin(running);
+    else if (state == CalculationController::State::Stopping)
+        state_->setText(tr("Stopping"));
+    else
+        bar_->hide();
 }
 
 void ProgressStrip::begin(const QString& state)

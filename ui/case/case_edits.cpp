@@ -16,8 +16,7 @@ class CaseEdits::Edit : public QUndoCommand {
 public:
     Edit(CaseEdits& edits, const QString& text, State after)
         : QUndoCommand(text), edits_(edits), before_(edits.state_), after_(std::move(after))
-    {
-    }
+    {}
     void undo() override { edits_.apply(before_); }
     void redo() override { edits_.apply(after_); }
 
@@ -27,10 +26,7 @@ private:
     State after_;
 };
 
-CaseEdits::CaseEdits(QObject* parent) : QObject(parent)
-{
-    problems_ = checkCombinations(state_.value);
-}
+CaseEdits::CaseEdits(QObject* parent) : QObject(parent) { problems_ = checkCombinations(state_.value); }
 
 void CaseEdits::open(const Case& opened)
 {
@@ -69,10 +65,7 @@ void CaseEdits::resetAll()
     if (anyChanged()) push(tr("reset all parameters"), {opened_, {}});
 }
 
-void CaseEdits::setAll(const Case& value, const QString& text)
-{
-    push(text, {value, {}});
-}
+void CaseEdits::setAll(const Case& value, const QString& text) { push(text, {value, {}}); }
 
 bool CaseEdits::changed(const Field& field) const
 {
@@ -103,10 +96,7 @@ QString CaseEdits::reasonNotToRun() const
     return field ? named(*field, sentence(problem.message)) : sentence(problem.message);
 }
 
-void CaseEdits::push(const QString& text, State after)
-{
-    undo_.push(new Edit(*this, text, std::move(after)));
-}
+void CaseEdits::push(const QString& text, State after) { undo_.push(new Edit(*this, text, std::move(after))); }
 
 void CaseEdits::apply(const State& state)
 {

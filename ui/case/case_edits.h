@@ -6,8 +6,8 @@
 // redo treat it as any other edit.
 #pragma once
 
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 
 #include <QObject>
 #include <QString>

@@ -26,7 +26,8 @@ std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
 QString importedName(const QFileInfo& file)
 {
     if (file.isDir()) return file.fileName();
-    return file.suffix().compare(QLatin1String("cml"), Qt::CaseInsensitive) == 0 ? file.completeBaseName() : file.dir().dirName();
+    return file.suffix().compare(QLatin1String("cml"), Qt::CaseInsensitive) == 0 ? file.completeBaseName()
+                                                                                 : file.dir().dirName();
 }
 
 } // namespace
@@ -51,8 +52,10 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     QStringList warnings;
     for (const auto* list : {&document.warnings, &document.unused})
         for (const InputProblem& warning : *list) warnings << QString::fromStdString(warning.text());
-    if (import) emit imported(file, warnings);
-    else if (!warnings.isEmpty()) emit warned(warnings);
+    if (import)
+        emit imported(file, warnings);
+    else if (!warnings.isEmpty())
+        emit warned(warnings);
 }
 
 bool CaseFiles::openNow(const QString& fileOrSample)
@@ -85,8 +88,9 @@ void CaseFiles::newCase()
 
 void CaseFiles::chooseFile()
 {
-    askForFile(tr("Open a case or a saved run"),
-               tr("Cases and runs (*.toml *.h5 *.cml *.dat *.def);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
+    askForFile(
+        tr("Open a case or a saved run"),
+        tr("Cases and runs (*.toml *.h5 *.cml *.dat *.def);;Case files (*.toml);;Saved runs (*.h5);;All files (*)"));
 }
 
 void CaseFiles::chooseImport()
@@ -100,8 +104,10 @@ void CaseFiles::askForFile(const QString& title, const QString& filter)
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (isResultsFile(file)) emit resultsFileChosen(file);
-        else open(file);
+        if (isResultsFile(file))
+            emit resultsFileChosen(file);
+        else
+            open(file);
     });
     dialog->open();
 }
@@ -141,8 +147,10 @@ void CaseFiles::exportTo(const QString& path)
 
 void CaseFiles::save()
 {
-    if (file_.isEmpty()) saveAs();
-    else write(file_);
+    if (file_.isEmpty())
+        saveAs();
+    else
+        write(file_);
 }
 
 void CaseFiles::saveAs()
@@ -199,10 +207,7 @@ QString CaseFiles::shortName() const
     return sample_.isEmpty() ? tr("Untitled") : sample_;
 }
 
-std::string CaseFiles::text() const
-{
-    return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_;
-}
+std::string CaseFiles::text() const { return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_; }
 
 bool CaseFiles::write(const QString& file)
 {
@@ -231,10 +236,7 @@ bool CaseFiles::write(const QString& file)
     return true;
 }
 
-QStringList CaseFiles::recent() const
-{
-    return QSettings().value(recentKey).toStringList();
-}
+QStringList CaseFiles::recent() const { return QSettings().value(recentKey).toStringList(); }
 
 void CaseFiles::remember(const QString& file)
 {

@@ -24,7 +24,8 @@ public:
     /// Both must outlive this.
     CaseFiles(CaseEdits& edits, QWidget& window);
 
-    /// A case that was read elsewhere; `file` is empty for a sample case or a new one, and where an imported one was read.
+    /// A case that was read elsewhere; `file` is empty for a sample case or a new one, and where an imported one was
+    /// read.
     void take(const CaseDocument& document, const QString& file);
     /// Opens a case file or a sample case at once; problems are shown.
     bool openNow(const QString& fileOrSample);
@@ -75,10 +76,10 @@ private:
     QWidget& window_;
     QString file_;
     QString sample_;
-    QString imported_; // what to call an imported case
-    std::string text_; // as opened or saved
+    QString imported_;             // what to call an imported case
+    std::string text_;             // as opened or saved
     std::filesystem::path folder_; // of the files that it names
-    Case saved_;       // the values in it
+    Case saved_;                   // the values in it
     std::function<void()> afterSave_;
 };
 

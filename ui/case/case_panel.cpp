@@ -45,10 +45,7 @@ QString groupTitle(const std::string& name)
 }
 
 /// What a case says about itself is read in its own pane, not set as a parameter.
-bool isParameter(const Field& field)
-{
-    return field.group() != "about";
-}
+bool isParameter(const Field& field) { return field.group() != "about"; }
 
 } // namespace
 
@@ -75,8 +72,9 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
 
     legend_->setText(tr("≈ assumed, because the paper's value is lost"));
     legend_->setWordWrap(true);
-    legend_->setToolTip(tr("The tables of the paper that list these values are lost. The stand-ins were found by matching "
-                           "the steady states that the paper states."));
+    legend_->setToolTip(
+        tr("The tables of the paper that list these values are lost. The stand-ins were found by matching "
+           "the steady states that the paper states."));
 
     auto* page = new QWidget;
     buildGroups(page);
@@ -143,7 +141,8 @@ void CasePanel::buildGroups(QWidget* page)
             group = groups_.end() - 1;
         }
         auto* editor = new FieldEditor(field, group->body);
-        connect(editor, &FieldEditor::entered, this, [this, &field](const QString& text) { edits_.enter(field, text); });
+        connect(editor, &FieldEditor::entered, this,
+                [this, &field](const QString& text) { edits_.enter(field, text); });
         connect(editor, &FieldEditor::resetRequested, this, [this, &field] { edits_.reset(field); });
         group->body->layout()->addWidget(editor);
         group->editors.push_back(editor);
@@ -260,7 +259,8 @@ bool CasePanel::eventFilter(QObject* watched, QEvent* event)
 {
     // Rows scroll up and down only, so that the panel must be as wide as they need, whatever the font.
     if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest)
-        scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width());
+        scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
+                                 scroll_->verticalScrollBar()->sizeHint().width());
     return QWidget::eventFilter(watched, event);
 }
 

@@ -138,10 +138,7 @@ void FieldEditor::buildInput()
     setFocusProxy(input());
 }
 
-int FieldEditor::inputWidth() const
-{
-    return fontMetrics().averageCharWidth() * inputCharacters + 14;
-}
+int FieldEditor::inputWidth() const { return fontMetrics().averageCharWidth() * inputCharacters + 14; }
 
 void FieldEditor::setUnitWidth(int width)
 {
@@ -200,9 +197,11 @@ void FieldEditor::show(const CaseEdits& edits)
 
 bool FieldEditor::matches(const QString& search) const
 {
-    const QString text = QString::fromStdString(field_.key + ' ' + field_.label + ' ' + field_.symbol + ' ' + field_.help);
+    const QString text =
+        QString::fromStdString(field_.key + ' ' + field_.label + ' ' + field_.symbol + ' ' + field_.help);
     const QStringList words = search.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    return std::ranges::all_of(words, [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    return std::ranges::all_of(words,
+                               [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
 bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
@@ -221,8 +220,8 @@ bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
             return true;
         }
     }
-    if (line_ && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape
-        && line_->isModified()) {
+    if (line_ && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        line_->isModified()) {
         line_->setText(shown_);
         line_->setModified(false);
         return true;
@@ -234,8 +233,7 @@ void FieldEditor::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colour();
-    if (event->type() == QEvent::FontChange && line_ && !isWide(field_))
-        line_->setFixedWidth(inputWidth());
+    if (event->type() == QEvent::FontChange && line_ && !isWide(field_)) line_->setFixedWidth(inputWidth());
 }
 
 void FieldEditor::commitLine()

@@ -55,9 +55,9 @@ private:
 
     const Field& field_;
     QLabel* label_;
-    QLineEdit* line_ = nullptr;    // Number, Integer, List, Text
-    QComboBox* choice_ = nullptr;  // Choice
-    QCheckBox* check_ = nullptr;   // Boolean
+    QLineEdit* line_ = nullptr;   // Number, Integer, List, Text
+    QComboBox* choice_ = nullptr; // Choice
+    QCheckBox* check_ = nullptr;  // Boolean
     QLabel* unit_;
     QLabel* assumed_;
     QToolButton* reset_;

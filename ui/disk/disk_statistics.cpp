@@ -30,7 +30,9 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
     const bool byLength = rough && asked.spectrum != RoughnessSpectrum::SelfAffine;
     const auto nanometres = [&locale](double value) { return withTrueMinus(readout(value, "nm", 4, locale)); };
     const auto length = [&locale](double value) { return trackText(value, locale); };
-    const auto shape = [&locale](double value) { return withTrueMinus(locale.toString(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3)); };
+    const auto shape = [&locale](double value) {
+        return withTrueMinus(locale.toString(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3));
+    };
     const auto slope = [&locale](double value) { return locale.toString(value, 'g', 3); };
     const UniformGrid period = preview.topography.period();
     std::vector<QStringList> rows{
@@ -44,7 +46,9 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
         {tr("Highest point"), nanometres(s.maximum), {}},
         {tr("Lowest point"), nanometres(s.minimum), {}},
         {tr("Track"), length(period.nx * period.dx), {}},
-        {tr("Points"), period.ny > 1 ? QStringLiteral("%1 × %2").arg(period.nx).arg(period.ny) : QString::number(period.nx), {}},
+        {tr("Points"),
+         period.ny > 1 ? QStringLiteral("%1 × %2").arg(period.nx).arg(period.ny) : QString::number(period.nx),
+         {}},
     };
     if (period.ny == 1) rows.erase(rows.begin() + 4); // a profile has no slope across
     if (rough && asked.seed >= 0) rows.push_back({tr("Seed"), QString::number(asked.seed), {}});

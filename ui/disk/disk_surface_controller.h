@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the surfaces of the page of the disk beside the window: one thread, which takes the latest case that was asked for.
-// A surface that is no longer wanted when it is ready is thrown away.
+// Makes the surfaces of the page of the disk beside the window: one thread, which takes the latest case that was asked
+// for. A surface that is no longer wanted when it is ready is thrown away.
 #pragma once
 
 #include <condition_variable>
@@ -50,10 +50,10 @@ private:
     void work(const std::stop_token& stop);
 
     Maker maker_;
-    QTimer pause_;       // until typing has come to an end
+    QTimer pause_; // until typing has come to an end
     Case wanted_;
     bool busy_ = false;
-    int number_ = 0;     // of what is wanted
+    int number_ = 0; // of what is wanted
     DiskSurfacePreview made_;
 
     std::mutex mailbox_;

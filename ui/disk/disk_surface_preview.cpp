@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/case/disk_setup.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 
@@ -36,23 +36,27 @@ DiskSurfacePreview previewOf(const Case& c)
         return made;
     }
     for (const InputProblem& problem : diskFileProblems(c)) {
-        made.problem = "The file " + problem.file + (problem.line > 0 ? ", line " + std::to_string(problem.line) : "") + ": " + problem.message;
+        made.problem = "The file " + problem.file + (problem.line > 0 ? ", line " + std::to_string(problem.line) : "") +
+                       ": " + problem.message;
         return made;
     }
     made.topography = diskTopography(c);
     if (made.topography.flat()) return made;
     made.statistics = surfaceStatistics(made.topography);
     made.psd = averaged(made.statistics.psd, perDecade);
-    const bool rough = hasRoughness(c.diskSurface) && !hasWaves(c.diskSurface) && !hasFile(c.diskSurface) && !hasBumps(c.diskSurface);
+    const bool rough =
+        hasRoughness(c.diskSurface) && !hasWaves(c.diskSurface) && !hasFile(c.diskSurface) && !hasBumps(c.diskSurface);
     if (!rough) return made;
     // Averaged over the same bins: where it falls steeply, the mean of a bin is not its value in the middle.
     ProfilePsd asked = made.statistics.psd;
     const RequestedSpectrum request(c.diskSurface);
-    for (std::size_t i = 0; i < asked.density.size(); ++i) asked.density[i] = request.profile(asked.waveNumber[i]).density;
+    for (std::size_t i = 0; i < asked.density.size(); ++i)
+        asked.density[i] = request.profile(asked.waveNumber[i]).density;
     asked = averaged(asked, perDecade);
     double low = 0.0, high = 0.0; // against the density [-]
     for (std::size_t i = 0; i < asked.density.size(); ++i) {
-        // In the middle of the bin where the spectrum is cut off there may be nothing: its band is that of the one before.
+        // In the middle of the bin where the spectrum is cut off there may be nothing: its band is that of the one
+        // before.
         const RequestedPsd band = request.profile(asked.waveNumber[i], asked.modes[i]);
         if (band.density > 0.0) {
             low = band.low / band.density;
@@ -81,8 +85,10 @@ DiskSurfacePiece pieceOf(const DiskTopography& surface, double x0, double length
     for (int i = 0; i <= nx; ++i) piece.grid.x.push_back(grid.x0 + i * grid.dx);
     for (int j = 0; j <= ny; ++j) piece.grid.y.push_back(grid.y0 + j * grid.dy);
     piece.heights.resize(grid.cells());
-    if (coarser > 1.0) surface.cellMeans(piece.grid, 0.0, 0.0, piece.heights);
-    else surface.heights(grid, 0.0, 0.0, piece.heights);
+    if (coarser > 1.0)
+        surface.cellMeans(piece.grid, 0.0, 0.0, piece.heights);
+    else
+        surface.heights(grid, 0.0, 0.0, piece.heights);
     return piece;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surface of the disk that a case asks for, made and measured, for its page: heights, statistics, and the spectrum beside
-// the one that was asked for.
+// The surface of the disk that a case asks for, made and measured, for its page: heights, statistics, and the spectrum
+// beside the one that was asked for.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/roughness.h"
 #include "core/physics/disk/surface_statistics.h"
-#include "core/case/case.h"
 
 namespace touchdown {
 
@@ -26,8 +26,8 @@ struct DiskSurfacePreview {
 /// Takes a second for a long track. Any thread.
 DiskSurfacePreview previewOf(const Case& c);
 
-/// A piece of one period from `x0` on [m], across all of it, with at most so many cells, each the mean of the heights in
-/// it where there are more points than that.
+/// A piece of one period from `x0` on [m], across all of it, with at most so many cells, each the mean of the heights
+/// in it where there are more points than that.
 struct DiskSurfacePiece {
     CellGrid grid;
     std::vector<double> heights; // [m], row by row

@@ -13,8 +13,8 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/physics/disk/disk_surface_check.h"
 #include "core/formats/units.h"
+#include "core/physics/disk/disk_surface_check.h"
 #include "ui/disk/disk_statistics.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/style/quantity_format.h"
@@ -23,14 +23,11 @@ namespace touchdown {
 
 namespace {
 
-constexpr int stepsPerPiece = 8;   // of the slider
-constexpr double faintest = 1e-9;  // of the density that is shown, against its largest
+constexpr int stepsPerPiece = 8;  // of the slider
+constexpr double faintest = 1e-9; // of the density that is shown, against its largest
 
 /// What the picture depends on.
-bool sameSurface(const Case& a, const Case& b)
-{
-    return a.diskSurface == b.diskSurface && a.folder == b.folder;
-}
+bool sameSurface(const Case& a, const Case& b) { return a.diskSurface == b.diskSurface && a.folder == b.folder; }
 
 } // namespace
 
@@ -148,8 +145,10 @@ void DiskSurfaceView::request()
         return;
     }
     // The surface before it stays in sight until the new one is ready.
-    if (empty()) say(tr("Making the surface…"));
-    else placeText_->setText(tr("Making the surface…"));
+    if (empty())
+        say(tr("Making the surface…"));
+    else
+        placeText_->setText(tr("Making the surface…"));
     controller_.request(case_);
 }
 
@@ -179,7 +178,8 @@ void DiskSurfaceView::onMade()
         place_->setPageStep(stepsPerPiece);
         // Bumps are few: the piece begins where the first one is in sight.
         const std::vector<double>& bumps = preview_.asked.bumpX;
-        const double begin = hasBumps(preview_.asked) && !bumps.empty() ? bumps.front() - period.x0 - 0.5 * length : 0.0;
+        const double begin =
+            hasBumps(preview_.asked) && !bumps.empty() ? bumps.front() - period.x0 - 0.5 * length : 0.0;
         place_->setValue(static_cast<int>(begin / length * stepsPerPiece));
     }
     place_->setEnabled(place_->maximum() > 0);
@@ -199,14 +199,16 @@ void DiskSurfaceView::showPiece()
     const double x0 = period.x0 + std::min(last, place_->value() * length / stepsPerPiece);
     DiskSurfacePiece piece = pieceOf(preview_.topography, x0, length);
     const CellGrid& grid = piece.grid;
-    view_->map()->setPiece({grid.x.front(), grid.y.front(), grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()});
+    view_->map()->setPiece(
+        {grid.x.front(), grid.y.front(), grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()});
     if (!view_->pinned() || !view_->map()->onSlider(*view_->sectionPoint()))
         view_->setSectionPoint({grid.centreX(grid.nx() / 2), grid.centreY(grid.ny() / 2)}, false);
     const SurfaceStatistics& s = preview_.statistics;
     view_->setFields(grid, {std::move(piece.heights)}, {{s.minimum, s.maximum}});
     // The first point of the map lies at 0, in the middle of its cell.
     const double begin = x0 - period.x0;
-    placeText_->setText(tr("x from %1 to %2 of %3").arg(trackText(begin), trackText(begin + length), trackText(period.nx * period.dx)));
+    placeText_->setText(
+        tr("x from %1 to %2 of %3").arg(trackText(begin), trackText(begin + length), trackText(period.nx * period.dx)));
 }
 
 void DiskSurfaceView::showSpectrum()
@@ -224,7 +226,8 @@ void DiskSurfaceView::showSpectrum()
         QString name;
         CurveStyle style;
     };
-    const std::array<Look, 4> looks{{{tr("Asked"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
+    const std::array<Look, 4> looks{
+        {{tr("Asked"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
     curves_.clear();
     curves_.reserve(values.size()); // curves point to them
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -236,7 +239,8 @@ void DiskSurfaceView::showSpectrum()
             density.push_back(values[i][k]);
         }
         curves_.emplace_back().append(at, density);
-        spectrum_->addCurve({QStringLiteral("psd %1").arg(i), looks[i].name, looks[i].style, &curves_.back(), nullptr, true});
+        spectrum_->addCurve(
+            {QStringLiteral("psd %1").arg(i), looks[i].name, looks[i].style, &curves_.back(), nullptr, true});
     }
     spectrumGroup_->dataChanged();
 }

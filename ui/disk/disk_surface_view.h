@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surface of the disk as the case asks for it: a piece of it as a map with sections, the spectrum of its profiles along
-// the track beside the one that was asked for, and its statistics computed back.
+// The surface of the disk as the case asks for it: a piece of it as a map with sections, the spectrum of its profiles
+// along the track beside the one that was asked for, and its statistics computed back.
 //
 // Nothing is made while the page is hidden.
 #pragma once

@@ -27,7 +27,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     tabs_->setFocusPolicy(Qt::StrongFocus);
     gridShown_->setToolTip(tr("Show the cells of the solver"));
     note_->setContentsMargins(10, 0, 0, 0);
-    for (QWidget* page : {static_cast<QWidget*>(surface_), static_cast<QWidget*>(maps_), empty_}) pages_->addWidget(page);
+    for (QWidget* page : {static_cast<QWidget*>(surface_), static_cast<QWidget*>(maps_), empty_})
+        pages_->addWidget(page);
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 8, 4);
@@ -102,7 +103,10 @@ void FilmView::setStale(bool stale)
     showPage();
 }
 
-void FilmView::setSolving(bool solving) { emptyText_->setText(solving ? tr("Solving…") : tr("There is no solution yet.")); }
+void FilmView::setSolving(bool solving)
+{
+    emptyText_->setText(solving ? tr("Solving…") : tr("There is no solution yet."));
+}
 
 void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
 
@@ -121,7 +125,9 @@ void FilmView::showPage()
     case Page::Gap: maps_->setQuantity(MapsView::Quantity::Gap); break;
     case Page::Recess: maps_->setQuantity(MapsView::Quantity::Recess); break;
     }
-    pages_->setCurrentWidget(surface ? static_cast<QWidget*>(surface_) : solved_ ? static_cast<QWidget*>(maps_) : empty_);
+    pages_->setCurrentWidget(surface   ? static_cast<QWidget*>(surface_)
+                             : solved_ ? static_cast<QWidget*>(maps_)
+                                       : empty_);
     maps_->controls()->setVisible(!surface && solved_);
     gridShown_->setEnabled(solved_);
     QPalette ofNote;

@@ -14,8 +14,8 @@ namespace {
 bool sameFilm(const Case& a, const Case& b)
 {
     return a.surface == b.surface && std::ranges::all_of(fields(), [&](const Field& field) {
-        return field.key == "title" || field.group() == "about" || field.get(a) == field.get(b);
-    });
+               return field.key == "title" || field.group() == "about" || field.get(a) == field.get(b);
+           });
 }
 
 } // namespace

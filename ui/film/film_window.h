@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film's part of the window: its page, the pane with the static attitude, the progress, and the solver between them.
+// The film's part of the window: its page, the pane with the static attitude, the progress, and the solver between
+// them.
 #pragma once
 
 #include <QObject>
 
-#include "ui/slider/attitude_table.h"
 #include "ui/film/film_view.h"
 #include "ui/film/steady_controller.h"
 #include "ui/film/steady_progress.h"
+#include "ui/slider/attitude_table.h"
 
 namespace touchdown {
 
@@ -47,9 +48,9 @@ private:
     FilmView* view_;
     AttitudeTable* attitude_;
     SteadyProgressLine* progress_;
-    Case edited_;                        // as it is now
-    Case asked_;                         // of the solution under way, as it was edited
-    Case solved_;                        // of the result
+    Case edited_; // as it is now
+    Case asked_;  // of the solution under way, as it was edited
+    Case solved_; // of the result
     std::optional<SteadyResult> result_;
     bool stale_ = false;
 };

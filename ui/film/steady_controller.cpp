@@ -6,7 +6,9 @@
 
 namespace touchdown {
 
-SteadyController::SteadyController(Solver solver, QObject* parent) : CalculationController(parent), solver_(std::move(solver)) {}
+SteadyController::SteadyController(Solver solver, QObject* parent)
+    : CalculationController(parent), solver_(std::move(solver))
+{}
 
 int SteadyController::start(Case c)
 {

@@ -11,14 +11,12 @@ namespace {
 
 constexpr double unknownShare = -1.0; // nobody knows how many iterations it takes
 
-QString power(double value)
-{
-    return QLocale().toString(value, 'e', 1).replace(QLatin1Char('-'), QChar(0x2212));
-}
+QString power(double value) { return QLocale().toString(value, 'e', 1).replace(QLatin1Char('-'), QChar(0x2212)); }
 
 } // namespace
 
-SteadyProgressLine::SteadyProgressLine(QWidget* parent) : ProgressStrip(tr("solution"), tr("Grid, iteration, residual and attitude"), parent)
+SteadyProgressLine::SteadyProgressLine(QWidget* parent)
+    : ProgressStrip(tr("solution"), tr("Grid, iteration, residual and attitude"), parent)
 {}
 
 void SteadyProgressLine::setState(SteadyController::State state)
@@ -29,10 +27,11 @@ void SteadyProgressLine::setState(SteadyController::State state)
 
 void SteadyProgressLine::advance(const SteadyProgress& progress)
 {
-    const QString text = tr("%1 · iteration %2 · residual %3 · load error %4 · height %5, pitch %6")
-                             .arg(QString::fromStdString(progress.stage).replace(QStringLiteral(" x "), QStringLiteral(" × ")),
-                                  QString::number(progress.iteration), power(progress.residual), power(progress.loadError),
-                                  lengthText(progress.attitude.height, 4), readout(progress.attitude.pitch, "urad", 2));
+    const QString text =
+        tr("%1 · iteration %2 · residual %3 · load error %4 · height %5, pitch %6")
+            .arg(QString::fromStdString(progress.stage).replace(QStringLiteral(" x "), QStringLiteral(" × ")),
+                 QString::number(progress.iteration), power(progress.residual), power(progress.loadError),
+                 lengthText(progress.attitude.height, 4), readout(progress.attitude.pitch, "urad", 2));
     ProgressStrip::advance(unknownShare, text);
 }
 

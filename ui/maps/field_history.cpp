@@ -14,8 +14,10 @@ void FieldHistory::add(const FieldSnapshot& snapshot)
         values += snapshot.values[i].size();
         if (snapshot.values[i].empty()) continue;
         const auto [low, high] = std::ranges::minmax(snapshot.values[i]);
-        if (i == ranges.size()) ranges.push_back({low, high});
-        else ranges[i] = {std::min(ranges[i].low, low), std::max(ranges[i].high, high)};
+        if (i == ranges.size())
+            ranges.push_back({low, high});
+        else
+            ranges[i] = {std::min(ranges[i].low, low), std::max(ranges[i].high, high)};
     }
     if (arrived++ % stride != 0) return;
     snapshots.push_back(snapshot);
@@ -28,7 +30,8 @@ void FieldHistory::add(const FieldSnapshot& snapshot)
 
 std::size_t FieldHistory::nearest(double time) const
 {
-    const auto found = std::ranges::min_element(snapshots, {}, [time](const FieldSnapshot& s) { return std::abs(s.time - time); });
+    const auto found =
+        std::ranges::min_element(snapshots, {}, [time](const FieldSnapshot& s) { return std::abs(s.time - time); });
     return static_cast<std::size_t>(found - snapshots.begin());
 }
 

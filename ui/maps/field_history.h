@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The snapshots of one set of fields that a run has recorded so far. Their number is bounded: when there is no room for more,
-// every second one goes.
+// The snapshots of one set of fields that a run has recorded so far. Their number is bounded: when there is no room for
+// more, every second one goes.
 #pragma once
 
 #include "core/simulation/recording/field_snapshot.h"

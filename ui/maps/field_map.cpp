@@ -8,9 +8,9 @@
 #include <QPainter>
 
 #include "ui/plot/colour_bar.h"
-#include "ui/slider/plan_marks.h"
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_painter.h"
+#include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -171,8 +171,10 @@ void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
 {
     // Where many cells are at the limit, as without contact, none of them is a place to mark.
     std::vector<PlanMark> marks;
-    if (oneSmallest_) marks.push_back({toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)});
-    if (oneLargest_) marks.push_back({toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)});
+    if (oneSmallest_)
+        marks.push_back({toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)});
+    if (oneLargest_)
+        marks.push_back({toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)});
     if (marks.empty()) return;
     painter.setFont(plotNumberFont(font()));
     TakenRoom taken;

@@ -11,8 +11,7 @@
 
 namespace touchdown {
 
-FieldSections::FieldSections(QWidget* parent)
-    : QWidget(parent), alongX_(makeSection()), alongY_(makeSection())
+FieldSections::FieldSections(QWidget* parent) : QWidget(parent), alongX_(makeSection()), alongY_(makeSection())
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -41,7 +41,8 @@ private:
         std::unique_ptr<MinMaxPyramid> steps;
     };
     Section makeSection();
-    void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values, const FieldLook& look);
+    void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
+              const FieldLook& look);
 
     Section alongX_, alongY_;
     std::optional<PlotRange> range_;

@@ -38,8 +38,9 @@ FieldsView::FieldsView(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(controls_);
     layout->addWidget(split, 1);
-    map_->setAccessibleDescription(map_->accessibleDescription()
-                                   + tr(" Shift and arrow keys move the sections by a cell, Escape lets them follow the pointer."));
+    map_->setAccessibleDescription(
+        map_->accessibleDescription() +
+        tr(" Shift and arrow keys move the sections by a cell, Escape lets them follow the pointer."));
 
     connect(map_, &SliderPlan::pointed, this, [this](const std::optional<SurfacePoint>& point) {
         if (point && !pinned_ && !map_->empty()) setSectionPoint(*point, false);
@@ -107,7 +108,8 @@ void FieldsView::showKind()
     {
         const QSignalBlocker quiet(unit_);
         unit_->clear();
-        for (const std::string& unit : kinds_[chosen].units) unit_->addItem(unitText(unit), QString::fromStdString(unit));
+        for (const std::string& unit : kinds_[chosen].units)
+            unit_->addItem(unitText(unit), QString::fromStdString(unit));
         unit_->setVisible(unit_->count() > 1); // one unit stands on the bar already
     }
     {
@@ -135,7 +137,11 @@ void FieldsView::showField()
     map_->setLook(shown);
     map_->setField(grid_, std::move(values));
     map_->setSectionPoint(sectionPoint_);
-    sections_->setRange(fixed ? std::optional(autoscaled(range, {0.0, 0.0}, shown.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear, shown.factor)) : std::nullopt);
+    sections_->setRange(
+        fixed ? std::optional(autoscaled(range, {0.0, 0.0},
+                                         shown.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear,
+                                         shown.factor))
+              : std::nullopt);
     sections_->show(*map_, sectionPoint_);
 }
 
@@ -158,9 +164,11 @@ FieldLook FieldsView::look(const MapKind& kind, bool logarithmic, double low, do
     case MapKind::Colours::BrightLow: look.scale = sequential(true); break;
     case MapKind::Colours::Recess: look.scale = ColourScale::linear(ColourMap::Mako, low, high).reversed(); break;
     case MapKind::Colours::Signed:
-        if (!kind.aboutZero && !logarithmic && (low >= 0.0 || high <= 0.0)) look.scale = sequential(high <= 0.0 && low < 0.0);
-        else look.scale = logarithmic ? ColourScale::aboutZeroLogarithmic(diverging, low, high, kind.near)
-                                      : ColourScale::aboutZero(diverging, low, high);
+        if (!kind.aboutZero && !logarithmic && (low >= 0.0 || high <= 0.0))
+            look.scale = sequential(high <= 0.0 && low < 0.0);
+        else
+            look.scale = logarithmic ? ColourScale::aboutZeroLogarithmic(diverging, low, high, kind.near)
+                                     : ColourScale::aboutZero(diverging, low, high);
         break;
     }
     return look;
@@ -198,10 +206,18 @@ void FieldsView::keyPressEvent(QKeyEvent* event)
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
     switch (event->key()) {
     case Qt::Key_Escape: pinned_ = false; return;
-    case Qt::Key_Left: if (shift) return moveSection(-1, 0); break;
-    case Qt::Key_Right: if (shift) return moveSection(1, 0); break;
-    case Qt::Key_Up: if (shift) return moveSection(0, 1); break;
-    case Qt::Key_Down: if (shift) return moveSection(0, -1); break;
+    case Qt::Key_Left:
+        if (shift) return moveSection(-1, 0);
+        break;
+    case Qt::Key_Right:
+        if (shift) return moveSection(1, 0);
+        break;
+    case Qt::Key_Up:
+        if (shift) return moveSection(0, 1);
+        break;
+    case Qt::Key_Down:
+        if (shift) return moveSection(0, -1);
+        break;
     default: break;
     }
     QWidget::keyPressEvent(event);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields on one grid: a map of one of them, and its sections along x and y through a point. What the fields are, and how
-// each is to be shown, is told by who has them.
+// Fields on one grid: a map of one of them, and its sections along x and y through a point. What the fields are, and
+// how each is to be shown, is told by who has them.
 //
 // The sections follow the pointer until a click pins them; Escape lets them follow again, Shift + arrows move them by a
 // cell.
@@ -32,8 +32,8 @@ struct MapKind {
     std::vector<std::string> units; // to choose from; the first at the start
     Colours colours = Colours::BrightHigh;
     Logarithm logarithm = Logarithm::None; // none where a value is zero or less, except about zero
-    double near = 0.0;              // a value that a logarithm about zero does not tell from zero [SI]
-    bool aboutZero = false;         // zero in the middle even where one sign is missing
+    double near = 0.0;                     // a value that a logarithm about zero does not tell from zero [SI]
+    bool aboutZero = false;                // zero in the middle even where one sign is missing
 };
 
 class FieldsView : public QWidget {
@@ -43,8 +43,8 @@ public:
     explicit FieldsView(QWidget* parent = nullptr);
 
     void setKinds(std::vector<MapKind> kinds);
-    /// One field for each kind, one value for each cell [SI], x fastest; none where there is nothing to show. With `ranges`,
-    /// one for each kind, colours and sections span these instead of what is shown.
+    /// One field for each kind, one value for each cell [SI], x fastest; none where there is nothing to show. With
+    /// `ranges`, one for each kind, colours and sections span these instead of what is shown.
     void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {});
 
     void setField(int kind);

@@ -71,8 +71,8 @@ std::vector<RunField> runFields(const std::vector<RecordedFields>& sets)
         const bool film = std::ranges::any_of(sets[s].quantities, isAir);
         for (std::size_t f = 0; f < sets[s].quantities.size(); ++f) {
             const Quantity& quantity = sets[s].quantities[f];
-            list.push_back({s, f, shortName(quantity, s > 0), QString::fromStdString(quantity.longName), kindOf(quantity, film),
-                            isAir(quantity)});
+            list.push_back({s, f, shortName(quantity, s > 0), QString::fromStdString(quantity.longName),
+                            kindOf(quantity, film), isAir(quantity)});
         }
     }
     return list;

@@ -16,7 +16,7 @@ namespace touchdown {
 struct RunField {
     std::size_t set = 0;
     std::size_t field = 0;
-    QString name;          // on the tab; the map itself has the whole name
+    QString name; // on the tab; the map itself has the whole name
     QString longName;
     MapKind kind;
     bool aboveAmbient = false; // recorded as an absolute pressure of the air, shown above ambient

@@ -24,9 +24,10 @@ MapsView::MapsView(QWidget* parent) : FieldsView(parent)
 {
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
-    setKinds({{tr("Pressure above ambient"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
-              {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
-              {tr("Recess"), {"nm", "um"}, Colours::Recess}}); // on the pads it is zero: no logarithm
+    setKinds(
+        {{tr("Pressure above ambient"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
+         {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
+         {tr("Recess"), {"nm", "um"}, Colours::Recess}}); // on the pads it is zero: no logarithm
 }
 
 void MapsView::setResult(const SteadyResult& result, const SliderCase& slider, double skew, double ambient)

@@ -18,7 +18,8 @@ public:
 
     explicit MapsView(QWidget* parent = nullptr);
 
-    /// The fields of a result at this ambient pressure [Pa]; the slider as it was solved. Chosen quantity, units and view stay.
+    /// The fields of a result at this ambient pressure [Pa]; the slider as it was solved. Chosen quantity, units and
+    /// view stay.
     void setResult(const SteadyResult& result, const SliderCase& slider, double skew, double ambient);
     void clear();
 

@@ -59,7 +59,8 @@ void paintColourBar(QPainter& painter, const QRectF& column, const QFont& font, 
         painter.drawText(QRectF(column.left() + 2.0, column.top(), column.width(), height),
                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, title);
     for (const ScaleTick& tick : ticks) {
-        const double y = downwards ? bar.top() + tick.position * bar.height() : bar.bottom() - tick.position * bar.height();
+        const double y =
+            downwards ? bar.top() + tick.position * bar.height() : bar.bottom() - tick.position * bar.height();
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + tickLength, y));
         painter.setPen(theme.mutedText);

@@ -18,7 +18,8 @@ double colourBarWidth(const QFont& font, const std::vector<ScaleTick>& ticks);
 /// How many numbers find room along a bar of this height.
 int colourBarRoom(const QFont& font, double height);
 
-/// Upright, with its numbers at the right and `title` ("kPa") above it; the lowest value stands below unless `downwards`.
+/// Upright, with its numbers at the right and `title` ("kPa") above it; the lowest value stands below unless
+/// `downwards`.
 void paintColourBar(QPainter& painter, const QRectF& column, const QFont& font, const PlotTheme& theme,
                     const ColourScale& scale, const std::vector<ScaleTick>& ticks, const QString& title,
                     bool downwards = false);

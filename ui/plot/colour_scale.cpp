@@ -155,7 +155,8 @@ std::vector<ScaleTick> ColourScale::decadeTicks(double end, double factor) const
     const double sign = end < 0.0 ? -1.0 : 1.0;
     double power = std::pow(10.0, std::ceil(std::log10(near_ / factor) - 1e-9));
     for (; power * factor <= std::abs(end); power *= 10.0)
-        list.push_back({position(sign * power * factor), typeset(sign * power, std::max(0, static_cast<int>(-std::floor(std::log10(power) + 1e-9))))});
+        list.push_back({position(sign * power * factor),
+                        typeset(sign * power, std::max(0, static_cast<int>(-std::floor(std::log10(power) + 1e-9))))});
     return list;
 }
 

@@ -2,10 +2,10 @@
 //
 // Colours for the values of a field: a map from 0..1 to colours, and a monotone scale from values to 0..1.
 //
-// Sequential maps are viridis (van der Walt & Smith 2015) and the upper part of mako (Waskom 2020), which rise evenly in
-// lightness and which the colour-blind read as others do. The diverging map is blue and orange of equal
-// lightness on either side of a neutral centre, made in Oklab (Ottosson 2020); its centre is the paper's colour, so
-// that it has a light and a dark form.
+// Sequential maps are viridis (van der Walt & Smith 2015) and the upper part of mako (Waskom 2020), which rise evenly
+// in lightness and which the colour-blind read as others do. The diverging map is blue and orange of equal lightness on
+// either side of a neutral centre, made in Oklab (Ottosson 2020); its centre is the paper's colour, so that it has a
+// light and a dark form.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ public:
     static ColourScale logarithmic(ColourMap map, double low, double high);
     /// Zero in the middle; each side is stretched to its own end, so that a weak side is seen beside a strong one.
     static ColourScale aboutZero(ColourMap map, double low, double high);
-    /// The same with each side even in log(1 + |value|/near), `near` > 0: what is weak shows on a side that has something
-    /// strong.
+    /// The same with each side even in log(1 + |value|/near), `near` > 0: what is weak shows on a side that has
+    /// something strong.
     static ColourScale aboutZeroLogarithmic(ColourMap map, double low, double high, double near);
     /// Equal steps of colour between the levels, however far they are apart; ascending, one or more.
     static ColourScale throughLevels(ColourMap map, std::vector<double> levels);

@@ -124,7 +124,8 @@ void CursorTable::fill()
     if (x != nullptr && t2) time(QStringLiteral("t\u2082"), *t2);
     if (x != nullptr && t1 && t2) {
         time(QStringLiteral("\u0394t"), *t2 - *t1);
-        if (*t1 != *t2) parts += QStringLiteral("1/\u2060\u0394t\u00a0=\u00a0") + frequencyText(1.0 / std::abs(*t2 - *t1));
+        if (*t1 != *t2)
+            parts += QStringLiteral("1/\u2060\u0394t\u00a0=\u00a0") + frequencyText(1.0 / std::abs(*t2 - *t1));
     }
     times_->setText(parts.isEmpty() ? tr("Move over a plot; click sets cursor 1, Shift + click cursor 2.")
                                     : parts.join(QStringLiteral("    ")));
@@ -158,7 +159,8 @@ void CursorTable::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) scheduleUpdate();
-    if (event->type() == QEvent::FontChange) table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    if (event->type() == QEvent::FontChange)
+        table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
 }
 
 } // namespace touchdown

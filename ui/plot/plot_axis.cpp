@@ -15,7 +15,8 @@ constexpr double mostDecades = 14.0;
 
 int decimalsFor(double step) { return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12); }
 
-/// A unit with an SI prefix times a power of 1000 as the next unit: "ms", -3 gives "\u00b5s"; empty where there is none.
+/// A unit with an SI prefix times a power of 1000 as the next unit: "ms", -3 gives "\u00b5s"; empty where there is
+/// none.
 QString withPrefix(const QString& unit, int exponent)
 {
     static const QString prefixes = QStringLiteral("fpn\u00b5m kMG"); // the blank: the unit itself

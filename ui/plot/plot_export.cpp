@@ -18,7 +18,6 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
-
 namespace touchdown {
 
 namespace {

@@ -176,8 +176,11 @@ void PlotPainter::paintHeader(QPainter& painter) const
 
     std::vector<const PlotCurve*> named;
     for (const PlotCurve& curve : plot_.curves()) {
-        const auto same = [&curve](const PlotCurve* other) { return other->name == curve.name && other->style == curve.style; };
-        if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title() && std::ranges::none_of(named, same)) named.push_back(&curve);
+        const auto same = [&curve](const PlotCurve* other) {
+            return other->name == curve.name && other->style == curve.style;
+        };
+        if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title() && std::ranges::none_of(named, same))
+            named.push_back(&curve);
     }
 
     constexpr double sample = 20.0; // of the line [px]

@@ -107,7 +107,8 @@ void PlotPainter::paintPointMarks(QPainter& painter) const
         const QSizeF size(metrics.horizontalAdvance(mark->label) + 4.0, metrics.height());
         // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
         const double beside = std::max(tip.y() - size.height(), area_.top());
-        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()), {tip.x() + 6.0, beside},
+        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
+                                   {tip.x() + 6.0, beside},
                                    {tip.x() - 6.0 - size.width(), beside}};
         for (const QPointF& corner : corners) {
             const QRectF box(corner, size);

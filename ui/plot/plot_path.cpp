@@ -168,11 +168,12 @@ QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPe
 {
     QList<qreal> dashes = pen.dashPattern();
     if (path.empty() || dashes.isEmpty()) return pen;
-    const auto turn = std::ranges::max_element(path, {}, [&path](const QPointF& point) { return std::abs(point.x() - path.front().x()); });
+    const auto turn = std::ranges::max_element(
+        path, {}, [&path](const QPointF& point) { return std::abs(point.x() - path.front().x()); });
     const double walked = pathLength({path.begin(), turn + 1}, pixels) / pen.widthF();
     const double half = 0.5 * pathLength(path, pixels) / pen.widthF();
-    // A pattern that is even about the middle of a dash is even about the turning point, and half the length, when both lie
-    // in the middle of a dash or of a gap: the latter by a slight change of its period.
+    // A pattern that is even about the middle of a dash is even about the turning point, and half the length, when both
+    // lie in the middle of a dash or of a gap: the latter by a slight change of its period.
     const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
     const double count = std::round(std::abs(half - walked) / (0.5 * period));
     const double scale = count > 0.0 ? std::abs(half - walked) / (0.5 * period * count) : 1.0;

@@ -22,16 +22,16 @@ std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& 
 /// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip.
 std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path);
 
-/// Where the way of a line is shown, and the direction there in pixels (y upwards, length 1): a few places along what lies
-/// inside the area; none on a line so long that its way cannot be followed.
+/// Where the way of a line is shown, and the direction there in pixels (y upwards, length 1): a few places along what
+/// lies inside the area; none on a line so long that its way cannot be followed.
 struct PathArrow {
     QPointF tip; // in parts of the plot area
     QPointF along;
 };
 std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF& pixels);
 
-/// The pen for a way there and back: where it returns on itself, beside its turning point and beside its ends, its dashes
-/// cover each other instead of filling each other's gaps.
+/// The pen for a way there and back: where it returns on itself, beside its turning point and beside its ends, its
+/// dashes cover each other instead of filling each other's gaps.
 QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen);
 
 /// A longer line is drawn solid [widths of the plot area].

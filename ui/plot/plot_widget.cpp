@@ -168,9 +168,9 @@ void PlotWidget::refreshRanges()
     } else if (const auto whole = dataRangeX()) {
         if (isPhasePortrait()) {
             const bool cut = mostX_ && whole->low < *mostX_ && whole->high > *mostX_;
-            x_.setRange(autoscaled(cut ? PlotRange{whole->low, *mostX_} : *whole, x_.range(), x_.label.scale, x_.label.factor));
-        }
-        else
+            x_.setRange(
+                autoscaled(cut ? PlotRange{whole->low, *mostX_} : *whole, x_.range(), x_.label.scale, x_.label.factor));
+        } else
             x_.setRange(whole->width() > 0.0 ? *whole : PlotRange{whole->low, whole->low + x_.label.factor});
     } else {
         x_.setRange({x_.logarithmic() ? x_.label.factor : 0.0, 10.0 * x_.label.factor});

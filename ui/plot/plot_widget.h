@@ -84,8 +84,8 @@ public:
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
     bool isPhasePortrait() const;
-    /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there are data
-    /// below.
+    /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there
+    /// are data below.
     void setMostX(std::optional<double> most)
     {
         mostX_ = most;

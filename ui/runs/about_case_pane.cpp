@@ -22,8 +22,8 @@ AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
 void AboutCasePane::setCase(const Case& c)
 {
     const QString title = QString::fromStdString(c.title);
-    if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch
-        && c.about.assumed == about_.assumed)
+    if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch &&
+        c.about.assumed == about_.assumed)
         return;
     title_ = title;
     about_ = c.about;
@@ -61,8 +61,10 @@ void AboutCasePane::write()
     QString html = QStringLiteral("<p><b>%1</b></p>").arg(title_.toHtmlEscaped());
     const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
         if (text.isEmpty()) return;
-        html += QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
-                    .arg(colour.name(), heading, text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+        html +=
+            QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
+                .arg(colour.name(), heading,
+                     text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     };
     part(tr("What the paper saw"), QString::fromStdString(about_.paper), colours.muted);
     part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
@@ -81,7 +83,8 @@ QString resultText(const RunRecord& run)
     QString text;
     if (summary.status == RunStatus::Completed && run.value.model == ModelKind::Contact) {
         const auto add = [&](const char* name, const QString& what) {
-            const auto figure = std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
+            const auto figure =
+                std::ranges::find(summary.figures, name, [](const RunFigure& f) { return f.quantity.name; });
             if (figure == summary.figures.end()) return;
             const QString part = figure->value == 0.0 ? AboutCasePane::tr("No contact") : what.arg(figureText(*figure));
             text += (text.isEmpty() ? QString() : QStringLiteral(", ")) + part;
@@ -109,7 +112,8 @@ QString resultText(const RunRecord& run)
         }
         text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
         if (!summary.bouncingRule.empty())
-            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It goes on bouncing.") : AboutCasePane::tr("It does not go on bouncing."));
+            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It goes on bouncing.")
+                                                         : AboutCasePane::tr("It does not go on bouncing."));
     } else {
         text = sentence(summary.message);
     }
@@ -119,7 +123,8 @@ QString resultText(const RunRecord& run)
 QString figureText(const RunFigure& figure)
 {
     // Between sliders and single asperities forces differ by powers of ten.
-    QString text = figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+    QString text =
+        figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
     return text.replace(QLatin1Char('-'), QChar(0x2212)); // a true minus sign
 }
 

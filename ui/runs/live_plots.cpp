@@ -46,8 +46,8 @@ struct LivePlots::Spec {
         const char* quantity;
         const char* name; // in the legend of a plot with several
         bool visible = true;
-        int colour = -1;  // -1: as it comes in the list
-        int dash = 0;     // beside those that tell runs apart
+        int colour = -1; // -1: as it comes in the list
+        int dash = 0;    // beside those that tell runs apart
     };
     const char* name;
     const char* title;
@@ -90,8 +90,18 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
           {"adhesion_force", QT_TR_NOOP("Adhesion")},
           {"net_contact_force", QT_TR_NOOP("Net")},
           {"friction_force", QT_TR_NOOP("Friction"), false}}},
-        {"air_bearing", QT_TR_NOOP("Air bearing force"), "mN", {{"air_bearing_force", QT_TR_NOOP("Air bearing")}}, nullptr, false},
-        {"velocity", QT_TR_NOOP("Vertical velocity"), "mm/s", {{"vertical_velocity", QT_TR_NOOP("Vertical velocity")}}, nullptr, false},
+        {"air_bearing",
+         QT_TR_NOOP("Air bearing force"),
+         "mN",
+         {{"air_bearing_force", QT_TR_NOOP("Air bearing")}},
+         nullptr,
+         false},
+        {"velocity",
+         QT_TR_NOOP("Vertical velocity"),
+         "mm/s",
+         {{"vertical_velocity", QT_TR_NOOP("Vertical velocity")}},
+         nullptr,
+         false},
         {"angular_velocity",
          QT_TR_NOOP("Angular velocities"),
          "rad/s",
@@ -105,7 +115,13 @@ const std::vector<LivePlots::Spec>& LivePlots::specs()
          {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}},
          nullptr,
          false},
-        {"step", QT_TR_NOOP("Time step"), "ns", {{"time_step", QT_TR_NOOP("Time step")}}, nullptr, false, AxisScale::Logarithmic},
+        {"step",
+         QT_TR_NOOP("Time step"),
+         "ns",
+         {{"time_step", QT_TR_NOOP("Time step")}},
+         nullptr,
+         false,
+         AxisScale::Logarithmic},
     };
     return list;
 }
@@ -130,7 +146,9 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
         layout_->addWidget(plot, spec.against ? 3 : 1);
         auto* wanted = new QAction(tr(spec.title), this);
         wanted->setCheckable(true);
-        connect(wanted, &QAction::triggered, this, [this, name = QString::fromLatin1(spec.name)](bool on) { chosen_[{model_, name}] = on; });
+        connect(wanted, &QAction::triggered, this, [this, name = QString::fromLatin1(spec.name)](bool on) {
+            chosen_[{model_, name}] = on;
+        });
         connect(wanted, &QAction::toggled, this, &LivePlots::updateVisibility);
         entries_.push_back({QString::fromLatin1(spec.name), tr(spec.title), plot, wanted});
     }
@@ -170,7 +188,8 @@ void LivePlots::setCase(const Case& c)
     ready_.clear();
     for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
     for (std::size_t s = 0; s < entries_.size(); ++s) {
-        // Forces against the separation are what a contact run is made for; of a flying slider they are one view among others.
+        // Forces against the separation are what a contact run is made for; of a flying slider they are one view among
+        // others.
         bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
         if (entries_[s].name == QLatin1String("roll") && c.degreesOfFreedom == 2) atFirst = false; // it is held
         const auto chosen = chosen_.find({model_, entries_[s].name});
@@ -236,8 +255,10 @@ void LivePlots::addCurves(const RunRecord& run)
             // A way through forces and separations has no difference to another one.
             curve.data = spec.against ? run.pyramid(spec.curves[i].quantity) : dataFor(run, spec.curves[i].quantity);
             curve.xData = spec.against ? run.pyramid(spec.against) : nullptr;
-            if (!curve.data || (spec.against && !curve.xData)) entries_[s].plot->removeCurve(curve.id);
-            else entries_[s].plot->addCurve(curve);
+            if (!curve.data || (spec.against && !curve.xData))
+                entries_[s].plot->removeCurve(curve.id);
+            else
+                entries_[s].plot->addCurve(curve);
         }
     }
 }
@@ -252,10 +273,13 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     const bool whole = run.value.model == ModelKind::Film && std::string_view(wanted.quantity) == "energy";
     const QString name = whole ? tr("Total") : tr(wanted.name);
     curve.name = name;
-    if (runs_.count() > 1) curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(name).arg(run.number);
+    if (runs_.count() > 1)
+        curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(name).arg(run.number);
     curve.style = RunsModel::style(run);
-    if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, curve.style.dash + wanted.dash};
-    const auto chosen = wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));
+    if (!single)
+        curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, curve.style.dash + wanted.dash};
+    const auto chosen =
+        wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));
     // Without adhesion the net force is the contact force.
     const bool same = std::string_view(wanted.quantity) == "net_contact_force" && !run.pyramid("adhesion_force");
     curve.visible = run.shown && (chosen == wanted_.end() ? wanted.visible && !same : chosen->second);
@@ -270,7 +294,8 @@ void LivePlots::noteHiddenCurves()
         const QString prefix = QStringLiteral("run %1/").arg(number);
         for (const Entry& entry : entries_)
             for (const PlotCurve& curve : entry.plot->curves())
-                if (curve.id.startsWith(prefix)) wanted_[curveKey(entry.name, curve.id.mid(prefix.size()))] = curve.visible;
+                if (curve.id.startsWith(prefix))
+                    wanted_[curveKey(entry.name, curve.id.mid(prefix.size()))] = curve.visible;
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which quantities
-// go in which plot.
+// The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which
+// quantities go in which plot.
 //
-// A plot with one quantity tells runs apart by colour and dash; a plot with several tells quantities apart by colour and
-// runs by dash. With a baseline, every other run is shown as its difference from it.
+// A plot with one quantity tells runs apart by colour and dash; a plot with several tells quantities apart by colour
+// and runs by dash. With a baseline, every other run is shown as its difference from it.
 #pragma once
 
 #include "ui/plot/plot_group.h"
@@ -71,8 +71,8 @@ private:
     RunsModel& runs_;
     PlotGroup* group_;
     QVBoxLayout* layout_;
-    ModelKind model_ = ModelKind::Springs; // of the case
-    std::vector<std::string> ready_;     // quantities that the case would record
+    ModelKind model_ = ModelKind::Springs;                 // of the case
+    std::vector<std::string> ready_;                       // quantities that the case would record
     std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
     std::vector<Entry> entries_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve

@@ -32,8 +32,9 @@ void LivePlots::updateMarks()
         if (runs_.baseline() < 0) {
             const Case& c = run->value;
             const auto line = [](const char* symbol, double value) {
-                return ReferenceLine{value, QStringLiteral("%1 = %2").arg(QString::fromUtf8(symbol),
-                                                                         QString::fromStdString(formatQuantity(value, "nm")))};
+                return ReferenceLine{
+                    value, QStringLiteral("%1 = %2").arg(QString::fromUtf8(symbol),
+                                                         QString::fromStdString(formatQuantity(value, "nm")))};
             };
             if (c.model == ModelKind::Springs) spacing.push_back(line("d₁", c.springs.cutoff));
             if (c.contact == ContactKind::OnoYamane) {
@@ -64,7 +65,8 @@ std::vector<PointMark> LivePlots::eventPoints(const RunRecord& run) const
         const RunEvent& event = run.events[i];
         const std::optional<double> x = separation->valueAt(event.time);
         const std::optional<double> y = force->valueAt(event.time);
-        if (x && y && named.insert(event.name).second) marks.push_back({*x, *y, QString::fromStdString(event.name), {6, 0}});
+        if (x && y && named.insert(event.name).second)
+            marks.push_back({*x, *y, QString::fromStdString(event.name), {6, 0}});
     }
     return marks;
 }

@@ -14,16 +14,14 @@ namespace {
 
 constexpr int gentleInterval = 250; // [ms]
 constexpr double mostLiveSamples = 131072.0;
-constexpr int costShare = 20;       // rest this many times as long as the last computation took
+constexpr int costShare = 20; // rest this many times as long as the last computation took
 
-QString idOf(int number)
-{
-    return QStringLiteral("run %1").arg(number);
-}
+QString idOf(int number) { return QStringLiteral("run %1").arg(number); }
 
 } // namespace
 
-LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(runs), view_(new SpectrumView(this))
+LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
+    : QWidget(parent), runs_(runs), view_(new SpectrumView(this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -53,15 +51,14 @@ LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent) : QWidget(parent), 
         view_->removeSpectrum(idOf(number));
     });
     connect(&runs_, &RunsModel::shownChanged, this, [this](int number, bool shown) {
-        if (shown) runFinished(number);
-        else view_->removeSpectrum(idOf(number));
+        if (shown)
+            runFinished(number);
+        else
+            view_->removeSpectrum(idOf(number));
     });
 }
 
-void LiveSpectrum::setOptionsOf(const Case& c)
-{
-    view_->setOptions(welchOptions(c.spectrum, c.run.sampleInterval));
-}
+void LiveSpectrum::setOptionsOf(const Case& c) { view_->setOptions(welchOptions(c.spectrum, c.run.sampleInterval)); }
 
 void LiveSpectrum::dataArrived(int number)
 {

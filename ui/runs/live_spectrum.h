@@ -3,8 +3,8 @@
 // Keeps the spectra of the shown runs up to date: gently while a run goes, in full when it has ended.
 #pragma once
 
-#include "ui/runs/runs_model.h"
 #include "ui/plot/spectrum_view.h"
+#include "ui/runs/runs_model.h"
 
 #include <QTimer>
 #include <QWidget>

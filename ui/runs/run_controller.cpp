@@ -20,8 +20,7 @@ constexpr auto mailEvent = QEvent::User;
 
 RunController::RunController(QObject* parent)
     : RunController([](const Case& c, const RunCallback& callback) { return run(c, callback); }, parent)
-{
-}
+{}
 
 RunController::RunController(Solver solver, QObject* parent) : QObject(parent), solver_(std::move(solver))
 {

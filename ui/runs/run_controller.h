@@ -30,18 +30,18 @@ namespace touchdown {
 /// What is to be run.
 struct RunRequest {
     Case value;
-    std::string caseText;            // the exact input, for the results file
-    std::filesystem::path recordTo;  // a results file written while the run goes; empty for none
+    std::string caseText;           // the exact input, for the results file
+    std::filesystem::path recordTo; // a results file written while the run goes; empty for none
 };
 
 /// What has arrived since the last delivery.
 struct RunDelivery {
-    int run = 0;           // number of the run
+    int run = 0; // number of the run
     SampleBatch samples;
     std::vector<RunEvent> events;
     std::vector<FieldSnapshot> fields; // of recordedFields()
-    double time = 0.0;     // reached [s]
-    double duration = 0.0; // of the whole run [s]
+    double time = 0.0;                 // reached [s]
+    double duration = 0.0;             // of the whole run [s]
 };
 
 class RunController : public QObject {

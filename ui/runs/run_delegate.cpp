@@ -14,7 +14,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int margin = 5;      // [px]
+constexpr int margin = 5;       // [px]
 constexpr int swatchWidth = 22; // [px]
 
 QFont smaller(const QFont& font)
@@ -24,10 +24,7 @@ QFont smaller(const QFont& font)
     return small;
 }
 
-int lineCount(const QModelIndex& index)
-{
-    return index.data(RunsModel::NoteRole).toString().isEmpty() ? 2 : 3;
-}
+int lineCount(const QModelIndex& index) { return index.data(RunsModel::NoteRole).toString().isEmpty() ? 2 : 3; }
 
 } // namespace
 
@@ -47,7 +44,8 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     const QColor base = item.palette.color(QPalette::Base);
     const QColor tone = item.palette.color(QPalette::Highlight);
     const auto mixed = [](int from, int to) { return from + (to - from) / 5; };
-    item.palette.setColor(QPalette::Highlight, QColor(mixed(base.red(), tone.red()), mixed(base.green(), tone.green()), mixed(base.blue(), tone.blue())));
+    item.palette.setColor(QPalette::Highlight, QColor(mixed(base.red(), tone.red()), mixed(base.green(), tone.green()),
+                                                      mixed(base.blue(), tone.blue())));
     const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
     painter->save();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &item, painter, item.widget);
@@ -65,12 +63,15 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     const int height = item.fontMetrics.height();
     const QRect inner = item.rect.adjusted(margin, margin, -margin, -margin);
     int left = check.rect.right() + 1 + margin;
-    const CurveStyle curve{index.data(RunsModel::StyleColourRole).toInt(), index.data(RunsModel::StyleDashRole).toInt()};
+    const CurveStyle curve{index.data(RunsModel::StyleColourRole).toInt(),
+                           index.data(RunsModel::StyleDashRole).toInt()};
     QPen pen = curvePen(curve, plotTheme(item.palette));
     pen.setWidthF(2.5);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(pen);
-    if (shown) painter->drawLine(QPointF(left, inner.top() + height / 2.0), QPointF(left + swatchWidth, inner.top() + height / 2.0));
+    if (shown)
+        painter->drawLine(QPointF(left, inner.top() + height / 2.0),
+                          QPointF(left + swatchWidth, inner.top() + height / 2.0));
     left += swatchWidth + margin;
 
     const QString result = index.data(RunsModel::ResultRole).toString();
@@ -103,7 +104,8 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
         italic.setItalic(true);
         painter->setFont(italic);
         painter->setPen(ink);
-        painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(note, Qt::ElideRight, line.width()));
+        painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                          metrics.elidedText(note, Qt::ElideRight, line.width()));
     }
 
     if (item.state.testFlag(QStyle::State_HasFocus)) {
@@ -142,8 +144,8 @@ bool RunDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QS
     bool toggle = false;
     if (event->type() == QEvent::MouseButtonRelease) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
-        toggle = mouse->button() == Qt::LeftButton
-                 && checkRect(option).adjusted(-margin, -margin, margin + swatchWidth, margin).contains(mouse->pos());
+        toggle = mouse->button() == Qt::LeftButton &&
+                 checkRect(option).adjusted(-margin, -margin, margin + swatchWidth, margin).contains(mouse->pos());
     } else if (event->type() == QEvent::KeyPress) {
         toggle = static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space;
     }

@@ -12,8 +12,7 @@ namespace touchdown {
 
 RunFiles::RunFiles(RunsModel& runs, QWidget& page, QWidget& window)
     : QObject(&window), runs_(runs), page_(page), window_(window)
-{
-}
+{}
 
 void RunFiles::choose(const QString& title, const QString& filter, const QString& suggestion,
                       const std::function<void(const QString&)>& then)
@@ -39,7 +38,8 @@ void RunFiles::chooseSave(int number, bool csv)
     const QString hdf5 = tr("HDF5, all of the run (*.h5)");
     const QString table = tr("CSV, the time series (*.csv)");
     const QString filter = csv ? table + QStringLiteral(";;") + hdf5 : hdf5 + QStringLiteral(";;") + table;
-    choose(tr("Save run %1").arg(number), filter, baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5")),
+    choose(tr("Save run %1").arg(number), filter,
+           baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5")),
            [this, number](const QString& file) {
                RunRecord* chosen = runs_.find(number);
                if (!chosen) return;
@@ -75,14 +75,16 @@ void RunFiles::openRun(const QString& file)
 
 void RunFiles::choosePicture()
 {
-    choose(tr("Export the plots"), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"), QStringLiteral("touchdown.png"),
-           [this](const QString& file) { report(savePage(page_, file), file); });
+    choose(tr("Export the plots"), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"),
+           QStringLiteral("touchdown.png"), [this](const QString& file) { report(savePage(page_, file), file); });
 }
 
 void RunFiles::report(const QString& problem, const QString& file)
 {
-    if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-    else emit failed(problem);
+    if (problem.isEmpty())
+        emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+    else
+        emit failed(problem);
 }
 
 QString RunFiles::baseName(const RunRecord& run) const

@@ -19,8 +19,8 @@ namespace {
 bool sameRectangle(const CellGrid& grid, const SliderCase& slider)
 {
     const double close = 1e-6 * slider.length;
-    return std::abs(grid.x.front()) < close && std::abs(grid.y.front()) < close && std::abs(grid.x.back() - slider.length) < close
-           && std::abs(grid.y.back() - slider.width) < close;
+    return std::abs(grid.x.front()) < close && std::abs(grid.y.front()) < close &&
+           std::abs(grid.x.back() - slider.length) < close && std::abs(grid.y.back() - slider.width) < close;
 }
 
 /// What one looks for: the pressure of the air, or of the contact where there is no air.
@@ -145,12 +145,14 @@ void RunMaps::refresh()
     stale_ = !isVisible();
     if (stale_) return;
     const RunRecord* shown = run();
-    const bool any = shown && std::ranges::any_of(shown->fields, [](const FieldHistory& set) { return !set.snapshots.empty(); });
+    const bool any =
+        shown && std::ranges::any_of(shown->fields, [](const FieldHistory& set) { return !set.snapshots.empty(); });
     if (any && taken_ != number_) takeFields(*shown);
     if (any) takeTimes();
     pages_->setCurrentWidget(any ? static_cast<QWidget*>(view_) : emptyText_);
     emptyText_->setText(any ? QString() : whyEmpty());
-    for (QWidget* part : {static_cast<QWidget*>(tabs_), static_cast<QWidget*>(name_), static_cast<QWidget*>(sameScale_), view_->controls(), foot_})
+    for (QWidget* part : {static_cast<QWidget*>(tabs_), static_cast<QWidget*>(name_), static_cast<QWidget*>(sameScale_),
+                          view_->controls(), foot_})
         part->setVisible(any);
     showSnapshot();
 }
@@ -188,7 +190,9 @@ void RunMaps::takeFields(const RunRecord& run)
     fields_ = runFields(sets);
     std::vector<MapKind> kinds;
     for (const RunField& field : fields_) kinds.push_back(field.kind);
-    const auto called = [&](auto&& name, const QString& wanted) { return std::ranges::find(fields_, wanted, name) - fields_.begin(); };
+    const auto called = [&](auto&& name, const QString& wanted) {
+        return std::ranges::find(fields_, wanted, name) - fields_.begin();
+    };
     auto first = called(&RunField::name, chosen);
     if (chosen.isEmpty() || first == std::ssize(fields_)) first = called(&RunField::longName, firstWanted(sets));
     {
@@ -208,8 +212,11 @@ void RunMaps::takeArea()
 {
     const RunRecord& shown = *run();
     const CellGrid& grid = shown.fields[set_].fields.grid;
-    if (sameRectangle(grid, shown.value.slider)) view_->map()->setSlider(shown.value.slider.length, shown.value.slider.width);
-    else view_->map()->setPiece({grid.x.front(), grid.y.front(), grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()});
+    if (sameRectangle(grid, shown.value.slider))
+        view_->map()->setSlider(shown.value.slider.length, shown.value.slider.width);
+    else
+        view_->map()->setPiece(
+            {grid.x.front(), grid.y.front(), grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()});
     view_->map()->setSkew(shown.value.disk.skew);
     if (!view_->pinned() || !view_->sectionPoint() || !view_->map()->onSlider(*view_->sectionPoint()))
         view_->setSectionPoint({grid.centreX(grid.nx() / 2), grid.centreY(grid.ny() / 2)}, false);
@@ -245,7 +252,8 @@ void RunMaps::showSnapshot()
         reading_->clear();
         return;
     }
-    const auto index = static_cast<std::size_t>(std::clamp(time_->value(), 0, static_cast<int>(history->snapshots.size()) - 1));
+    const auto index =
+        static_cast<std::size_t>(std::clamp(time_->value(), 0, static_cast<int>(history->snapshots.size()) - 1));
     const double ambient = ambientPressure(shown->value);
     std::vector<std::vector<double>> values(fields_.size());
     std::vector<PlotRange> ranges(fields_.size());
@@ -257,11 +265,13 @@ void RunMaps::showSnapshot()
         const PlotRange& range = history->ranges[fields_[i].field];
         ranges[i] = {range.low - zero, range.high - zero};
     }
-    view_->setFields(history->fields.grid, std::move(values), sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>());
+    view_->setFields(history->fields.grid, std::move(values),
+                     sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>());
     reading_->setText(readingText(*shown, *history, index));
-    reading_->setToolTip(history->stride == 1 ? QString()
-                                              : tr("The run has recorded more than is kept in memory: of its times, one in %1 is here.")
-                                                    .arg(history->stride));
+    reading_->setToolTip(history->stride == 1
+                             ? QString()
+                             : tr("The run has recorded more than is kept in memory: of its times, one in %1 is here.")
+                                   .arg(history->stride));
 }
 
 QString RunMaps::readingText(const RunRecord& shown, const FieldHistory& history, std::size_t index) const
@@ -285,7 +295,8 @@ QString RunMaps::whyEmpty() const
     if (!shown->finished()) return tr("The first maps come soon.");
     if (shown->fields.empty() && shown->value.model == ModelKind::Contact)
         return tr("Run %1 has no maps: its contact law knows forces, not pressures on a surface.").arg(number_);
-    return tr("Run %1 recorded no maps: its number of field snapshots is 0, or it was stopped before the first.").arg(number_);
+    return tr("Run %1 recorded no maps: its number of field snapshots is 0, or it was stopped before the first.")
+        .arg(number_);
 }
 
 } // namespace touchdown

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The fields that a run records at some of its times: pressure and gap of the air, and of the patch that can touch its contact
-// pressure, adhesion, gap, the disk below. One is seen at one time; the slider at the foot goes through the times, and stays at
-// the last one while the run goes on.
+// The fields that a run records at some of its times: pressure and gap of the air, and of the patch that can touch its
+// contact pressure, adhesion, gap, the disk below. One is seen at one time; the slider at the foot goes through the
+// times, and stays at the last one while the run goes on.
 //
 // Colours and sections span what the whole run has, so that one time compares with another, or what is seen alone.
 #pragma once
@@ -63,10 +63,10 @@ private:
 
     RunsModel& runs_;
     int number_ = -1;
-    int taken_ = -1;      // the run whose fields the tabs show
+    int taken_ = -1;               // the run whose fields the tabs show
     std::vector<RunField> fields_; // one for each tab
-    std::size_t set_ = 0; // of the field that is seen
-    bool follows_ = true; // the last snapshot, as it comes
+    std::size_t set_ = 0;          // of the field that is seen
+    bool follows_ = true;          // the last snapshot, as it comes
     bool stale_ = true;
     QTabBar* tabs_;
     QLabel* name_;

@@ -12,7 +12,8 @@ constexpr double newShare = 0.4;     // of a new estimate in the smoothed rate
 
 } // namespace
 
-RunProgress::RunProgress(QWidget* parent) : ProgressStrip(tr("run"), tr("Simulated time, rate and time left"), parent) {}
+RunProgress::RunProgress(QWidget* parent) : ProgressStrip(tr("run"), tr("Simulated time, rate and time left"), parent)
+{}
 
 void RunProgress::begin()
 {

@@ -16,14 +16,12 @@ namespace touchdown {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("touchdown::RunRecord", text);
-}
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::RunRecord", text); }
 
 QString incompleteProblem(const RunRecord& record)
 {
-    return tr("Run %1 has %2 samples and %3 snapshots of fields, more than are kept in memory; switch on \"Record to file\" before such a run "
+    return tr("Run %1 has %2 samples and %3 snapshots of fields, more than are kept in memory; switch on \"Record to "
+              "file\" before such a run "
               "to keep them all.")
         .arg(record.number)
         .arg(record.sampleCount())
@@ -41,7 +39,10 @@ RunStatus statusFromName(const std::string& text)
 
 RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded,
                      const std::vector<RecordedFields>& sets)
-    : number(runNumber), name(QString::fromStdString(c.title)), value(c), caseText(std::move(text)),
+    : number(runNumber),
+      name(QString::fromStdString(c.title)),
+      value(c),
+      caseText(std::move(text)),
       quantities(std::move(recorded))
 {
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
@@ -61,10 +62,7 @@ void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& ne
     for (const FieldSnapshot& snapshot : newFields) fields[snapshot.set].add(snapshot);
 }
 
-void RunRecord::finish(const Summary& ended)
-{
-    summary = ended;
-}
+void RunRecord::finish(const Summary& ended) { summary = ended; }
 
 const MinMaxPyramid* RunRecord::pyramid(std::string_view quantity) const
 {
@@ -120,17 +118,20 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     }
     // A file whose case this version cannot read still shows its samples.
     const CaseDocument document = parseCase(stored.caseText, file.toStdString());
-    auto record = std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
+    auto record =
+        std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
     record->name = QString::fromStdString(stored.title);
     record->file = file;
     record->append(stored.samples, {}, stored.fields);
     Summary summary;
     summary.status = statusFromName(stored.status);
     summary.message = stored.message;
-    if (stored.status == "interrupted") summary.message = tr("The program that wrote this run was interrupted.").toStdString();
+    if (stored.status == "interrupted")
+        summary.message = tr("The program that wrote this run was interrupted.").toStdString();
     summary.endTime = record->lastTime();
     for (const Quantity& quantity : stored.quantities)
-        if (const std::optional<double> last = record->last(quantity.name)) summary.final.emplace_back(quantity.name, *last);
+        if (const std::optional<double> last = record->last(quantity.name))
+            summary.final.emplace_back(quantity.name, *last);
     record->finish(summary);
     return record;
 }
@@ -141,13 +142,16 @@ QString saveHdf5(const RunRecord& record, const QString& file)
     ResultsWriter writer;
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : record.fields) sets.push_back(history.fields);
-    std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, sets);
+    std::string problem =
+        writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, sets);
     if (problem.empty()) problem = writer.append(record.samples());
     for (const FieldHistory& history : record.fields)
         if (problem.empty()) problem = writer.append({}, history.snapshots);
     for (const Quantity& quantity : record.quantities) {
         if (!problem.empty() || quantity.name != "minimum_spacing") continue;
-        const Spectrum spectrum = spectrumOf(record, quantity.name, welchOptions(record.value.spectrum, record.value.run.sampleInterval), record.value.spectrum.start);
+        const Spectrum spectrum =
+            spectrumOf(record, quantity.name, welchOptions(record.value.spectrum, record.value.run.sampleInterval),
+                       record.value.spectrum.start);
         if (!spectrum.empty()) problem = writer.addSpectrum(quantity, spectrum, record.value.spectrum);
     }
     if (problem.empty()) problem = writer.finish(record.summary.value_or(Summary{}));

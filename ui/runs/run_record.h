@@ -57,8 +57,8 @@ struct RunRecord {
     SampleBatch samples() const;
     double lastTime() const; // [s]
 
-    int number;         // in the list of runs, from 1
-    QString name;       // of the case
+    int number;   // in the list of runs, from 1
+    QString name; // of the case
     Case value;
     std::string caseText;
     std::vector<Quantity> quantities;
@@ -68,8 +68,8 @@ struct RunRecord {
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
     QString note;
-    QString file;       // it was read from, or written to
-    bool shown = true;  // in the plots
+    QString file;      // it was read from, or written to
+    bool shown = true; // in the plots
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.

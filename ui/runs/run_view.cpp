@@ -26,7 +26,8 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     splitter_->setSizes({560, 280});
     splitter_->setChildrenCollapsible(true);
     splitter_->setCollapsible(0, false);
-    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(side_), static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)})
+    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(side_), static_cast<QWidget*>(maps_),
+                          static_cast<QWidget*>(disk_)})
         pages_->addWidget(page);
 
     for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page of runs over time: plots and spectrum; and where the case has them, the slider from the side, the maps of film and
-// contact, and the surface of the disk.
+// The page of runs over time: plots and spectrum; and where the case has them, the slider from the side, the maps of
+// film and contact, and the surface of the disk.
 #pragma once
 
-#include "ui/runs/run_maps.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
 #include "ui/runs/side_view.h"
 
 #include <QSplitter>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of the window that belongs to runs over time: their page, the panes with the runs and the values at the cursors,
-// the progress, and the solver between them.
+// The part of the window that belongs to runs over time: their page, the panes with the runs and the values at the
+// cursors, the progress, and the solver between them.
 #pragma once
 
 #include <QObject>

@@ -11,8 +11,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double pictureRate = 60.0;                    // [1/s]
-constexpr double stepsPerRun = 200.0;                   // of a paused run at full speed
+constexpr double pictureRate = 60.0;  // [1/s]
+constexpr double stepsPerRun = 200.0; // of a paused run at full speed
 constexpr auto shortestWait = std::chrono::milliseconds(8);
 // What one delivery may hold: the window takes it in within a few milliseconds, however fast the solver is.
 constexpr std::size_t mostSamplesInMail = 16384;
@@ -65,8 +65,7 @@ RunController::Worker::Worker(Solver solver, RunRequest request, double pace, st
       notify_(std::move(notify)),
       pace_(pace),
       thread_([this] { work(); })
-{
-}
+{}
 
 RunController::Worker::~Worker()
 {
@@ -229,7 +228,8 @@ std::optional<std::size_t> RunController::Worker::waitForSlice(const SampleBatch
         const double due = (batch.time[begin] - timeAnchor_) / pace_; // [s] after the anchor
         constexpr double longest = 1.0;                               // [s], asks again then
         const double wait = due - std::chrono::duration<double>(now - wallAnchor_).count();
-        const auto nap = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(wait, longest)));
+        const auto nap =
+            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(wait, longest)));
         ordered_.wait_until(lock, now + std::max<Clock::duration>(nap, shortestWait));
     }
 }
@@ -254,8 +254,8 @@ void RunController::Worker::waitForRoom(std::size_t samples, std::size_t fieldVa
     emptied_.wait(lock, [&] {
         const std::size_t held = mail_.delivery.samples.size();
         const std::size_t fieldsHeld = valuesOf(mail_.delivery.fields);
-        const bool room = (held == 0 || held + samples <= mostSamplesInMail)
-                          && (fieldsHeld == 0 || fieldsHeld + fieldValues <= mostFieldValuesInMail);
+        const bool room = (held == 0 || held + samples <= mostSamplesInMail) &&
+                          (fieldsHeld == 0 || fieldsHeld + fieldValues <= mostFieldValuesInMail);
         mail_.wasFull = mail_.wasFull || !room;
         return room || stopped_;
     });

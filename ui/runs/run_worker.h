@@ -70,15 +70,15 @@ private:
     std::atomic<bool> stopped_ = false;
     bool paused_ = false;
     int steps_ = 0;
-    double pace_;              // [s/s]
+    double pace_; // [s/s]
     bool paceAnchored_ = false;
 
     // The worker's own.
     Clock::time_point wallAnchor_;
-    double timeAnchor_ = 0.0;  // [s]
-    double shownTime_ = 0.0;   // of the last sample handed out [s]
-    double stepUntil_ = 0.0;   // [s]
-    bool heldBack_ = false;    // stopped with samples that nobody saw
+    double timeAnchor_ = 0.0; // [s]
+    double shownTime_ = 0.0;  // of the last sample handed out [s]
+    double stepUntil_ = 0.0;  // [s]
+    bool heldBack_ = false;   // stopped with samples that nobody saw
     std::vector<double> lastSample_;
     struct Recorder;
     std::unique_ptr<Recorder> recorder_;

@@ -8,10 +8,7 @@
 
 namespace touchdown {
 
-int RunsModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : count();
-}
+int RunsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : count(); }
 
 QVariant RunsModel::data(const QModelIndex& index, int role) const
 {
@@ -28,8 +25,7 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const
     case ChangesRole: return changes(index.row());
     case ResultRole: return result(run);
     case FailedRole:
-        return run.summary
-               && (run.summary->status == RunStatus::Failed || run.summary->status == RunStatus::Diverged);
+        return run.summary && (run.summary->status == RunStatus::Failed || run.summary->status == RunStatus::Diverged);
     case StyleColourRole: return style(run).colour;
     case StyleDashRole: return style(run).dash;
     case BaselineRole: return run.number == baseline_;
@@ -58,8 +54,8 @@ bool RunsModel::setData(const QModelIndex& index, const QVariant& value, int rol
 Qt::ItemFlags RunsModel::flags(const QModelIndex& index) const
 {
     if (!index.isValid()) return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable
-           | Qt::ItemNeverHasChildren;
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable |
+           Qt::ItemNeverHasChildren;
 }
 
 RunRecord& RunsModel::add(std::unique_ptr<RunRecord> record)
@@ -138,7 +134,8 @@ QString RunsModel::result(const RunRecord& run) const
     case RunStatus::Completed: break;
     }
     for (const RunFigure& figure : run.summary->figures)
-        if (figure.quantity.name == "largest_contact_force") return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
+        if (figure.quantity.name == "largest_contact_force")
+            return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
     const int index = findQuantity(run.quantities, "flying_height");
     const std::optional<double> height = run.last("flying_height");
     return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : tr("completed");

@@ -98,10 +98,7 @@ void RunsPanel::removeChosen()
     if (row >= 0 && chosen() != running_) model_.remove(row);
 }
 
-void RunsPanel::toggleBaseline()
-{
-    model_.setBaseline(model_.baseline() == chosen() ? -1 : chosen());
-}
+void RunsPanel::toggleBaseline() { model_.setBaseline(model_.baseline() == chosen() ? -1 : chosen()); }
 
 void RunsPanel::showMenu(const QPoint& at)
 {
@@ -110,7 +107,8 @@ void RunsPanel::showMenu(const QPoint& at)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const int number = chosen();
     menu->addAction(tr("Use the parameters of this run"), this, [this, number] { emit parametersRequested(number); });
-    menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Take as baseline"), this, &RunsPanel::toggleBaseline);
+    menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Take as baseline"), this,
+                    &RunsPanel::toggleBaseline);
     menu->addAction(tr("Write a note"), this, &RunsPanel::editNote);
     menu->addAction(tr("Save…"), this, [this, number] { emit saveRequested(number); });
     menu->addAction(tr("Delete"), this, &RunsPanel::removeChosen)->setEnabled(remove_->isEnabled());

@@ -7,9 +7,9 @@
 #include <QEvent>
 #include <QPainter>
 
+#include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/slider/recess.h"
-#include "core/formats/units.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -21,7 +21,7 @@ constexpr int columns = 400;          // of the profile
 constexpr int rows = 60;              // across the slider, from which each column takes the lowest
 constexpr double belowDisk = 0.12;    // of the heights that are seen
 constexpr double headRoom = 1.25;     // above the highest pad
-constexpr double ceiling = 0.93;        // of the heights that are seen: what is recessed deeper is cut off there
+constexpr double ceiling = 0.93;      // of the heights that are seen: what is recessed deeper is cut off there
 constexpr double stripeLength = 2e-4; // of the marks that move with the disk [m]
 
 } // namespace
@@ -65,7 +65,8 @@ void SideView::takeRun()
         const Recess recess(c.surface, c.slider.length, c.slider.width);
         for (int i = 0; i <= columns; ++i) {
             double lowest = recess.at(length_ * i / columns, 0.0);
-            for (int j = 1; j <= rows; ++j) lowest = std::min(lowest, recess.at(length_ * i / columns, c.slider.width * j / rows));
+            for (int j = 1; j <= rows; ++j)
+                lowest = std::min(lowest, recess.at(length_ * i / columns, c.slider.width * j / rows));
             profile_.push_back(lowest);
         }
     }
@@ -130,7 +131,8 @@ void SideView::paintEvent(QPaintEvent*)
     if (!state_) {
         painter.setPen(theme.mutedText);
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         number_ < 0 ? tr("There is nothing to see yet: run the case.") : tr("The first samples come soon."));
+                         number_ < 0 ? tr("There is nothing to see yet: run the case.")
+                                     : tr("The first samples come soon."));
         return;
     }
     painter.fillRect(plotArea(), theme.plotArea);
@@ -197,10 +199,11 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
     for (const AxisTick& tick : height_.ticks(7)) {
         const double y = toPixel(0.0, tick.value).y();
         if (!tick.text.isEmpty())
-            painter.drawText(QRectF(0.0, y - line / 2, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter, tick.text);
+            painter.drawText(QRectF(0.0, y - line / 2, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,
+                             tick.text);
     }
-    painter.drawText(QRectF(0.3 * line, area.top() - 1.4 * line, area.left() + 8.0 * line, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     height_.text());
+    painter.drawText(QRectF(0.3 * line, area.top() - 1.4 * line, area.left() + 8.0 * line, line),
+                     Qt::AlignLeft | Qt::AlignVCenter, height_.text());
     PlotAxis along;
     along.label = {tr("Along the slider"), QStringLiteral("mm"), unitFactor("mm"), AxisScale::Linear};
     along.setRange({0.0, length_});
@@ -208,8 +211,8 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
         if (!tick.text.isEmpty())
             painter.drawText(QRectF(toPixel(tick.value, 0.0).x() - 40.0, area.bottom() + 3.0, 80.0, line),
                              Qt::AlignHCenter | Qt::AlignTop, tick.text);
-    painter.drawText(QRectF(area.left(), area.bottom() + 1.2 * line, area.width(), line), Qt::AlignHCenter | Qt::AlignTop,
-                     tr("%1, the disk moves from left to right").arg(along.text()));
+    painter.drawText(QRectF(area.left(), area.bottom() + 1.2 * line, area.width(), line),
+                     Qt::AlignHCenter | Qt::AlignTop, tr("%1, the disk moves from left to right").arg(along.text()));
 }
 
 void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slider over the disk, from the side: x to scale, heights exaggerated. Shows the air bearing surface along the slider (at each x what
-// reaches furthest down, across all y) at the attitude of a run's latest sample, or at a time that was chosen; and how the disk moves.
-// Recesses that are deep beside the heights at which pads fly are cut off.
+// The slider over the disk, from the side: x to scale, heights exaggerated. Shows the air bearing surface along the
+// slider (at each x what reaches furthest down, across all y) at the attitude of a run's latest sample, or at a time
+// that was chosen; and how the disk moves. Recesses that are deep beside the heights at which pads fly are cut off.
 #pragma once
 
 #include "ui/plot/plot_axis.h"

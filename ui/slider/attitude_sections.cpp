@@ -38,7 +38,8 @@ int decimalsOf(double value, int digits)
 QString plain(double value, const QLocale& locale)
 {
     const double size = std::abs(value);
-    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return locale.toString(value, 'e', 2).replace(QLatin1Char('-'), QChar(0x2212));
+    if (size != 0.0 && (size < 1e-3 || size >= 1e6))
+        return locale.toString(value, 'e', 2).replace(QLatin1Char('-'), QChar(0x2212));
     return fixed(value, decimalsOf(value, 4), locale);
 }
 
@@ -79,7 +80,8 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
     const auto pressure = [&](double value) { return withError(value, 0.0, "kPa", locale); };
     return {tr("Air bearing"),
             {QString(), tr("At x, y [mm]")},
-            {{tr("Net force"), milli(f.net, r.discretisationError.load), fixed(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
+            {{tr("Net force"), milli(f.net, r.discretisationError.load),
+              fixed(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
              {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
@@ -92,13 +94,12 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
 
 AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
 {
-    AttitudeSection section{tr("Stiffness of the film"),
-                            {tr("per nm height"), tr("per µrad pitch"), tr("per µrad roll")},
-                            {}};
+    AttitudeSection section{
+        tr("Stiffness of the film"), {tr("per nm height"), tr("per µrad pitch"), tr("per µrad roll")}, {}};
     if (!r.stiffness) return section;
     const std::array<QString, 3> names{tr("Force [mN]"), tr("Pitch [µN·m]"), tr("Roll [µN·m]")};
-    constexpr std::array<double, 3> shown{1e-3, 1e-6, 1e-6};  // [N], [N m]
-    constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6};  // [m], [rad]
+    constexpr std::array<double, 3> shown{1e-3, 1e-6, 1e-6}; // [N], [N m]
+    constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6}; // [m], [rad]
     for (std::size_t i = 0; i < 3; ++i) {
         QStringList row{names[i]};
         for (std::size_t j = 0; j < 3; ++j) row << plain((*r.stiffness)[i][j] * moved[j] / shown[i], locale);
@@ -181,8 +182,8 @@ std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult&
 {
     std::vector<AttitudeSection> sections;
     if (!result.pressure.empty()) {
-        sections = {attitude(result, locale),     interest(c, result, locale),  forces(result, locale),
-                    stiffness(result, locale),    sensitivities(result, locale), equilibria(result, locale)};
+        sections = {attitude(result, locale),  interest(c, result, locale),   forces(result, locale),
+                    stiffness(result, locale), sensitivities(result, locale), equilibria(result, locale)};
         std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
     }
     sections.push_back(solution(result, locale));
@@ -205,14 +206,16 @@ QString steadyText(const SteadyResult& result, const QLocale& locale)
     const QString reason = sentence(result.message);
     if (result.status == SteadyStatus::Cancelled) return reason.isEmpty() ? tr("Stopped.") : reason;
     if (result.status == SteadyStatus::Failed) return reason.isEmpty() ? tr("The calculation failed.") : reason;
-    const QString state = tr("minimum spacing %1, trailing edge height %2, pitch %3, roll %4, net force %5.")
-                              .arg(withError(result.minimumSpacing, result.discretisationError.minimumSpacing, "nm", locale),
-                                   withError(result.attitude.height, 0.0, "nm", locale),
-                                   withError(result.attitude.pitch, result.discretisationError.pitch, "urad", locale),
-                                   withError(result.attitude.roll, result.discretisationError.roll, "urad", locale),
-                                   withError(result.forces.net, result.discretisationError.load, "mN", locale));
+    const QString state =
+        tr("minimum spacing %1, trailing edge height %2, pitch %3, roll %4, net force %5.")
+            .arg(withError(result.minimumSpacing, result.discretisationError.minimumSpacing, "nm", locale),
+                 withError(result.attitude.height, 0.0, "nm", locale),
+                 withError(result.attitude.pitch, result.discretisationError.pitch, "urad", locale),
+                 withError(result.attitude.roll, result.discretisationError.roll, "urad", locale),
+                 withError(result.forces.net, result.discretisationError.load, "mN", locale));
     if (result.status == SteadyStatus::NotConverged)
-        return (reason.isEmpty() ? tr("Not converged.") : reason) + QLatin1Char(' ') + tr("The last state: %1").arg(state);
+        return (reason.isEmpty() ? tr("Not converged.") : reason) + QLatin1Char(' ') +
+               tr("The last state: %1").arg(state);
     return sentence(state.toStdString()) + (reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
 }
 

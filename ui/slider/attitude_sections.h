@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A static state in words and numbers, as tables: attitude, spacing, forces, stiffness, sensitivities, other equilibria,
-// and how it was obtained. Where the error of the discretisation is estimated, it stands beside the value.
+// A static state in words and numbers, as tables: attitude, spacing, forces, stiffness, sensitivities, other
+// equilibria, and how it was obtained. Where the error of the discretisation is estimated, it stands beside the value.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,8 @@ struct AttitudeSection {
 };
 
 /// `c` is the case that was solved.
-std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result, const QLocale& locale = QLocale());
+std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result,
+                                              const QLocale& locale = QLocale());
 
 /// Tab-separated, as a spreadsheet takes it.
 QString sectionsAsText(const std::vector<AttitudeSection>& sections);

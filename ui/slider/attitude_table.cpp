@@ -25,15 +25,17 @@ QString valueHtml(const QString& value, const QColor& muted)
     const qsizetype sign = text.indexOf(QChar(0x00B1));
     if (sign < 0) return text;
     const qsizetype end = text.lastIndexOf(QChar(0x00A0));
-    return text.left(sign) + QStringLiteral("<span style='color:%1'>").arg(muted.name()) + text.mid(sign, end - sign)
-           + QStringLiteral("</span>") + text.mid(end);
+    return text.left(sign) + QStringLiteral("<span style='color:%1'>").arg(muted.name()) + text.mid(sign, end - sign) +
+           QStringLiteral("</span>") + text.mid(end);
 }
 
 QString sectionHtml(const AttitudeSection& section, const MeaningColours& colours)
 {
     const QString muted = QStringLiteral("color:%1").arg(colours.muted.name());
-    QString html = QStringLiteral("<p style='margin:10px 0 2px 0; color:%1; font-weight:600'>%2</p><table width='100%' cellspacing='0'>")
-                       .arg(colours.change.name(), section.title.toHtmlEscaped());
+    QString html =
+        QStringLiteral(
+            "<p style='margin:10px 0 2px 0; color:%1; font-weight:600'>%2</p><table width='100%' cellspacing='0'>")
+            .arg(colours.change.name(), section.title.toHtmlEscaped());
     if (!section.columns.isEmpty()) {
         html += QStringLiteral("<tr><td></td>");
         for (const QString& column : section.columns)
@@ -41,9 +43,11 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
         html += QStringLiteral("</tr>");
     }
     for (const QStringList& row : section.rows) {
-        html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>").arg(row.front().toHtmlEscaped());
+        html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>")
+                    .arg(row.front().toHtmlEscaped());
         for (qsizetype i = 1; i < row.size(); ++i)
-            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"), QStringLiteral("white-space:nowrap"));
+            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"),
+                         QStringLiteral("white-space:nowrap"));
         html += QStringLiteral("</tr>");
     }
     return html + QStringLiteral("</table>");
@@ -51,7 +55,8 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
 
 } // namespace
 
-AttitudeTable::AttitudeTable(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+AttitudeTable::AttitudeTable(QWidget* parent)
+    : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
 {
     text_->setAccessibleName(tr("Static attitude"));
     text_->setFrameShape(QFrame::NoFrame);
@@ -107,7 +112,8 @@ void AttitudeTable::write()
     if (sections_.empty())
         html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Not solved yet."));
     if (stale_)
-        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.warning.name(), tr("The parameters have changed since."));
+        html = QStringLiteral("<p style='color:%1'>%2</p>")
+                   .arg(colours.warning.name(), tr("The parameters have changed since."));
     for (const AttitudeSection& section : sections_) html += sectionHtml(section, colours);
     text_->setHtml(html);
     copy_->setEnabled(!sections_.empty());

@@ -57,7 +57,8 @@ bool isFree(const QRectF& box, const TakenRoom& taken)
 
 } // namespace
 
-bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken)
+bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme,
+                    TakenRoom& taken)
 {
     QRectF box({}, boxSize(painter, text));
     box.moveCenter(centre);

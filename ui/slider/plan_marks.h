@@ -16,7 +16,8 @@ namespace touchdown {
 using TakenRoom = std::vector<QRectF>;
 
 /// A small box of paper about `centre` with the text in it; false, and nothing, where other text stands.
-bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme, TakenRoom& taken);
+bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme,
+                    TakenRoom& taken);
 
 /// A circle for a point of interest, a triangle downwards for a minimum and upwards for a maximum.
 struct PlanMark {
@@ -26,8 +27,8 @@ struct PlanMark {
     QString text;
 };
 
-/// The text stands beside its mark where there is room, towards the middle of the clip first; without room the mark stands
-/// alone.
+/// The text stands beside its mark where there is room, towards the middle of the clip first; without room the mark
+/// stands alone.
 void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const PlotTheme& theme, TakenRoom& taken);
 
 /// The borders of the cells.

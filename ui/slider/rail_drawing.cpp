@@ -66,8 +66,10 @@ std::vector<SurfacePoint> railNumberPoints(const AirBearingSurface& surface)
             double room = distanceToOutline(at, polygons[i]);
             bool free = true;
             for (const QPolygonF* later : above) {
-                if (holds(*later, at)) free = false;
-                else room = std::min(room, distanceToOutline(at, *later));
+                if (holds(*later, at))
+                    free = false;
+                else
+                    room = std::min(room, distanceToOutline(at, *later));
             }
             if (free < bestFree || (free == bestFree && room <= bestRoom)) continue;
             best = at;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess of a part of a slider as a picture, made on a thread of its own: coarse at first, then pixel by pixel. A new
-// request ends the one before. Pictures cross the thread border by value under a mutex; only the news that there is one
-// goes through Qt's queue.
+// The recess of a part of a slider as a picture, made on a thread of its own: coarse at first, then pixel by pixel. A
+// new request ends the one before. Pictures cross the thread border by value under a mutex; only the news that there is
+// one goes through Qt's queue.
 #pragma once
 
 #include <mutex>

@@ -20,7 +20,7 @@ constexpr double keyMove = 40.0;   // [px]
 constexpr double farthest = 0.3;   // of the fitted scale
 constexpr double nearest = 2e9;    // [px/m]: 2 px a nanometre
 
-constexpr double smallest = 0.3e-3;  // of what is shown in mm [m]
+constexpr double smallest = 0.3e-3; // of what is shown in mm [m]
 
 } // namespace
 
@@ -43,7 +43,10 @@ void SliderPlan::setArea(const QRectF& area, bool slider)
     fit();
 }
 
-std::string_view SliderPlan::lengthUnit() const { return std::max(area_.width(), area_.height()) < smallest ? "um" : "mm"; }
+std::string_view SliderPlan::lengthUnit() const
+{
+    return std::max(area_.width(), area_.height()) < smallest ? "um" : "mm";
+}
 
 QString SliderPlan::placeText(double at) const { return readout(at, lengthUnit(), lengthUnit() == "mm" ? 4 : 2); }
 
@@ -89,7 +92,8 @@ void SliderPlan::applyFit()
     const double left = slider_ ? arrowLength + 3.0 * gap + text : 2.0 * gap;
     const double right = slider_ ? text + 3.0 * gap : 2.0 * gap;
     const double ends = slider_ ? 2.0 * (text + 2.0 * gap) : 4.0 * gap;
-    scale_ = std::max(1.0, std::min((area.width() - left - right) / area_.width(), (area.height() - ends) / area_.height()));
+    scale_ =
+        std::max(1.0, std::min((area.width() - left - right) / area_.width(), (area.height() - ends) / area_.height()));
     centre_ = {area_.center().x() + 0.5 * (right - left) / scale_, area_.center().y()};
     update();
     emit viewChanged();
@@ -165,8 +169,10 @@ void SliderPlan::changeEvent(QEvent* event)
 
 void SliderPlan::resizeEvent(QResizeEvent*)
 {
-    if (fitted_) applyFit();
-    else emit viewChanged();
+    if (fitted_)
+        applyFit();
+    else
+        emit viewChanged();
 }
 
 void SliderPlan::wheelEvent(QWheelEvent* event)

@@ -104,12 +104,12 @@ private:
     void paintHeader(QPainter& painter, const PlotTheme& theme) const;
 
     QRectF area_{0.0, 0.0, 1.25e-3, 1.0e-3}; // [m]
-    bool slider_ = true;      // edges and air are named
-    double skew_ = 0.0;       // [rad]
+    bool slider_ = true;                     // edges and air are named
+    double skew_ = 0.0;                      // [rad]
     QString title_;
     QString reading_;
-    SurfacePoint centre_;       // of the view [m]
-    double scale_ = 1e5;        // [px/m]
+    SurfacePoint centre_; // of the view [m]
+    double scale_ = 1e5;  // [px/m]
     bool fitted_ = true;
     std::optional<QPointF> pressedAt_; // [px]
     QPointF draggedTo_;                // [px]

@@ -55,7 +55,8 @@ void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) co
     const double text = QFontMetricsF(font).height();
     painter.setFont(font);
     painter.setPen(theme.mutedText);
-    painter.drawText(QRectF(outline.left(), outline.bottom() + gap, outline.width(), text), Qt::AlignCenter, tr("inner edge"));
+    painter.drawText(QRectF(outline.left(), outline.bottom() + gap, outline.width(), text), Qt::AlignCenter,
+                     tr("inner edge"));
     painter.drawText(QRectF(outline.left(), outline.top() - gap - text, outline.width(), text), Qt::AlignCenter,
                      tr("outer edge"));
     const auto drawUpright = [&](double x, double turn, const QString& name) {
@@ -91,7 +92,8 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
     const QRectF box(tip.x() - arrowLength - 2.0 * gap, 0.0, arrowLength + 3.0 * gap, metrics.height());
     const double half = 0.5 * arrowLength * std::abs(along.y()) + 8.0;
     const double middle = 0.5 * (tip.y() + tail.y());
-    painter.drawText(box.translated(0.0, middle - half - metrics.height()), Qt::AlignCenter | Qt::TextDontClip, tr("air"));
+    painter.drawText(box.translated(0.0, middle - half - metrics.height()), Qt::AlignCenter | Qt::TextDontClip,
+                     tr("air"));
     if (skew_ != 0.0)
         painter.drawText(box.translated(0.0, middle + half), Qt::AlignCenter | Qt::TextDontClip,
                          typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°"));
@@ -108,7 +110,8 @@ void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
     const QFontMetricsF numbers(numberFont);
     painter.setPen(QPen(theme.axis, 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(std::floor(area.left()) + 0.5, std::floor(area.top()) + 0.5, area.width() - 1.0, area.height() - 1.0));
+    painter.drawRect(
+        QRectF(std::floor(area.left()) + 0.5, std::floor(area.top()) + 0.5, area.width() - 1.0, area.height() - 1.0));
 
     painter.setFont(numberFont);
     const int mostX = static_cast<int>(area.width() / numbers.horizontalAdvance(QStringLiteral("00000.000")));
@@ -118,7 +121,8 @@ void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + tickLength));
         painter.setPen(theme.mutedText);
-        painter.drawText(QRectF(at - 50.0, area.bottom() + tickLength, 100.0, numbers.height()), Qt::AlignCenter, tick.text);
+        painter.drawText(QRectF(at - 50.0, area.bottom() + tickLength, 100.0, numbers.height()), Qt::AlignCenter,
+                         tick.text);
     }
     for (const AxisTick& tick : y.ticks(std::min(12, static_cast<int>(area.height() / (2.0 * numbers.height()))))) {
         if (tick.value < area_.top() - rounding || tick.value > area_.bottom() + rounding) continue;

@@ -8,8 +8,8 @@
 
 #include "ui/plot/colour_bar.h"
 #include "ui/plot/plot_painter.h"
-#include "ui/style/quantity_format.h"
 #include "ui/slider/rail_drawing.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -21,8 +21,8 @@ bool drawable(const AirBearingSurface& surface)
 {
     return std::ranges::all_of(surface.rails, [&surface](const Rail& rail) {
         return rail.points.size() >= 3 && std::ranges::all_of(rail.points, [&surface](const RailPoint& point) {
-            return point.wall >= 0 && static_cast<std::size_t>(point.wall) <= surface.walls.size();
-        });
+                   return point.wall >= 0 && static_cast<std::size_t>(point.wall) <= surface.walls.size();
+               });
     });
 }
 
@@ -176,8 +176,8 @@ void SurfaceView::paintNumbers(QPainter& painter, const PlotTheme& theme, TakenR
         if (std::min(drawn.width(), drawn.height()) <= 0.8 * height) continue;
         // Beside its place where a mark stands there, as long as it is still on its rail.
         const double step = 1.3 * height;
-        for (const QPointF& aside : {QPointF(), QPointF(0.0, -step), QPointF(0.0, step), QPointF(-step, 0.0), QPointF(step, 0.0),
-                                     QPointF(-2.0 * step, 0.0), QPointF(2.0 * step, 0.0)}) {
+        for (const QPointF& aside : {QPointF(), QPointF(0.0, -step), QPointF(0.0, step), QPointF(-step, 0.0),
+                                     QPointF(step, 0.0), QPointF(-2.0 * step, 0.0), QPointF(2.0 * step, 0.0)}) {
             const QPointF at = toPixel(numberPoints_[i]) + aside;
             if (!aside.isNull() && railAt(surface_, toSlider(at)) != i) continue;
             if (paintPlanLabel(painter, at, QString::number(i + 1), theme, taken)) break;
@@ -190,7 +190,8 @@ void SurfaceView::paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoo
     painter.setFont(plotNumberFont(font()));
     std::vector<PlanMark> marks;
     if (minimumAt_)
-        marks.push_back({toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(lengthText(minimumSpacing_, 3))});
+        marks.push_back(
+            {toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(lengthText(minimumSpacing_, 3))});
     for (std::size_t i = 0; i < surface_.pointsOfInterest.size(); ++i)
         marks.push_back({toPixel(surface_.pointsOfInterest[i]), PlanMark::Kind::Interest, tr("P%1").arg(i + 1)});
     paintPlanMarks(painter, marks, theme, taken);

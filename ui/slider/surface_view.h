@@ -58,7 +58,7 @@ private:
     void paintNumbers(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const;
 
     AirBearingSurface surface_;
-    std::optional<Recess> recess_;     // with crown, camber and twist
+    std::optional<Recess> recess_;      // with crown, camber and twist
     std::optional<Recess> drawnRecess_; // without
     ColourScale scale_;
     RecessPicture picture_;

@@ -12,13 +12,15 @@ namespace touchdown {
 
 namespace {
 
-constexpr double furthestBand = 1.5; // decades from the points, on a logarithmic axis: a band further off would push them together
-constexpr double widestBand = 0.5;   // of the width of the points, on a linear one
+constexpr double furthestBand =
+    1.5; // decades from the points, on a logarithmic axis: a band further off would push them together
+constexpr double widestBand = 0.5; // of the width of the points, on a linear one
 
 AxisLabel labelOf(const ChartAxis& axis)
 {
     const std::string& unit = axis.displayUnit.empty() ? axis.unit : axis.displayUnit;
-    return {QString::fromStdString(axis.label), unitText(unit), axis.displayUnit.empty() ? 1.0 : unitFactor(axis.displayUnit),
+    return {QString::fromStdString(axis.label), unitText(unit),
+            axis.displayUnit.empty() ? 1.0 : unitFactor(axis.displayUnit),
             axis.logarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
 }
 
@@ -37,8 +39,11 @@ struct Extent {
 
 PlotRange withMargin(const Extent& extent, const AxisLabel& label)
 {
-    if (extent.empty()) return label.scale == AxisScale::Logarithmic ? PlotRange{0.1 * label.factor, 10.0 * label.factor} : PlotRange{0.0, label.factor};
-    if (label.scale != AxisScale::Logarithmic) return autoscaled({extent.low, extent.high}, {}, AxisScale::Linear, label.factor);
+    if (extent.empty())
+        return label.scale == AxisScale::Logarithmic ? PlotRange{0.1 * label.factor, 10.0 * label.factor}
+                                                     : PlotRange{0.0, label.factor};
+    if (label.scale != AxisScale::Logarithmic)
+        return autoscaled({extent.low, extent.high}, {}, AxisScale::Linear, label.factor);
     const double low = std::log10(extent.low), high = std::log10(extent.high);
     const double margin = std::max(0.06 * (high - low), 0.15);
     return {std::pow(10.0, low - margin), std::pow(10.0, high + margin)};
@@ -49,8 +54,9 @@ void addBand(Extent& extent, const Extent& points, const ChartBand& band, bool l
     for (const double end : {band.lower, band.upper}) {
         if (points.empty()) extent.add(end, logarithmic);
         if (points.empty() || !std::isfinite(end) || (logarithmic && end <= 0.0)) continue;
-        const double outside = logarithmic ? std::max(std::log10(points.low / end), std::log10(end / points.high))
-                                           : std::max(points.low - end, end - points.high) / std::max(points.high - points.low, 1e-300);
+        const double outside =
+            logarithmic ? std::max(std::log10(points.low / end), std::log10(end / points.high))
+                        : std::max(points.low - end, end - points.high) / std::max(points.high - points.low, 1e-300);
         if (outside <= (logarithmic ? furthestBand : widestBand)) extent.add(end, logarithmic);
     }
 }
@@ -86,7 +92,8 @@ PanelAxes panelAxes(const ChartPanel& panel, const std::optional<PanelRange>& zo
         }
     }
     const Extent pointsX = x, pointsY = y;
-    for (const ChartBand& band : panel.bands) band.alongX ? addBand(x, pointsX, band, logX) : addBand(y, pointsY, band, logY);
+    for (const ChartBand& band : panel.bands)
+        band.alongX ? addBand(x, pointsX, band, logX) : addBand(y, pointsY, band, logY);
     axes.x.setRange(withMargin(x, axes.x.label));
     axes.y.setRange(withMargin(y, axes.y.label));
     return axes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The axes of a panel of a study's chart: the range that shows everything, equal scales, and the borders of a map's cells.
+// The axes of a panel of a study's chart: the range that shows everything, equal scales, and the borders of a map's
+// cells.
 #pragma once
 
 #include <optional>

@@ -6,8 +6,11 @@ namespace touchdown {
 StudyCatalogue coreStudies()
 {
     const std::span<const StudyKind> kinds = studyKinds();
-    return {{kinds.begin(), kinds.end()}, sampleStudies(), studyTemplate,
-            [](const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
+    return {{kinds.begin(), kinds.end()},
+            sampleStudies(),
+            studyTemplate,
+            [](const std::string& kind, const std::string& text, const std::string& name,
+               const std::filesystem::path& folder,
                const Case& c) { return parseStudy(kind, text, name, folder, &c); }};
 }
 

@@ -16,8 +16,9 @@ struct StudyCatalogue {
     std::vector<StudyKind> kinds;
     std::vector<SampleStudy> samples;
     std::function<std::string(const std::string& kind, const Case& c)> textOf; // with which a study of this case begins
-    std::function<StudyPlan(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                            const Case& c)> plan;
+    std::function<StudyPlan(const std::string& kind, const std::string& text, const std::string& name,
+                            const std::filesystem::path& folder, const Case& c)>
+        plan;
 };
 
 StudyCatalogue coreStudies();

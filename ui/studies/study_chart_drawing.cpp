@@ -12,10 +12,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr double margin = 14.0;  // about everything [px]
-constexpr double gap = 8.0;      // between title, legend, panels, caption
+constexpr double margin = 14.0;                    // about everything [px]
+constexpr double gap = 8.0;                        // between title, legend, panels, caption
 constexpr double betweenX = 18.0, betweenY = 12.0; // panels
-constexpr double goodShape = 0.74; // height of a panel in its widths
+constexpr double goodShape = 0.74;                 // height of a panel in its widths
 
 QFont titleFontOf(const QFont& font)
 {
@@ -28,7 +28,9 @@ QFont titleFontOf(const QFont& font)
 double wrappedHeight(const QFont& font, const std::string& text, double width)
 {
     if (text.empty()) return 0.0;
-    return std::ceil(QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, width, 1e5), Qt::TextWordWrap, QString::fromStdString(text)).height());
+    return std::ceil(QFontMetricsF(font)
+                         .boundingRect(QRectF(0.0, 0.0, width, 1e5), Qt::TextWordWrap, QString::fromStdString(text))
+                         .height());
 }
 
 struct Raster {
@@ -75,8 +77,8 @@ double StudyChartDrawing::goodHeight(const StudyChart& chart, const QFont& font,
     return heightWith(chart, font, width, std::max(leastPanelSize(font).height(), shape * panelWidth));
 }
 
-StudyChartDrawing::StudyChartDrawing(const StudyChart& chart, const PlotTheme& theme, const QFont& font, const QSizeF& size,
-                                     const std::vector<std::optional<PanelRange>>& zoomed)
+StudyChartDrawing::StudyChartDrawing(const StudyChart& chart, const PlotTheme& theme, const QFont& font,
+                                     const QSizeF& size, const std::vector<std::optional<PanelRange>>& zoomed)
     : chart_(chart),
       theme_(theme),
       titleFont_(titleFontOf(font)),
@@ -103,7 +105,8 @@ StudyChartDrawing::StudyChartDrawing(const StudyChart& chart, const PlotTheme& t
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
         const auto column = static_cast<double>(i % static_cast<std::size_t>(raster.columns));
         const auto row = static_cast<double>(i / static_cast<std::size_t>(raster.columns));
-        const QRectF box(margin + column * (panelWidth + betweenX), top + row * (panelHeight + betweenY), panelWidth, panelHeight);
+        const QRectF box(margin + column * (panelWidth + betweenX), top + row * (panelHeight + betweenY), panelWidth,
+                         panelHeight);
         panels_.emplace_back(chart.panels[i], styles_, theme_, font, box, i < zoomed.size() ? zoomed[i] : std::nullopt);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A study's chart as it is drawn: title, legend, panels side by side, or one under the other where it is narrow, and the caption
-// below. The same on the screen and on paper.
+// A study's chart as it is drawn: title, legend, panels side by side, or one under the other where it is narrow, and
+// the caption below. The same on the screen and on paper.
 #pragma once
 
 #include <optional>

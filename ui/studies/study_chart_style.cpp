@@ -94,7 +94,8 @@ QPen seriesPen(const SeriesStyle& style, const ChartSeries& series, const PlotTh
     return pen;
 }
 
-void paintMarker(QPainter& painter, const QPointF& at, double radius, const SeriesStyle& style, PointKind kind, const PlotTheme& theme)
+void paintMarker(QPainter& painter, const QPointF& at, double radius, const SeriesStyle& style, PointKind kind,
+                 const PlotTheme& theme)
 {
     const QColor colour = seriesColour(style, theme);
     if (kind == PointKind::Failed) {
@@ -124,7 +125,8 @@ void paintRing(QPainter& painter, const QPointF& at, double radius, const PlotTh
 
 std::vector<ClassStyle> classStyles(const std::vector<ChartClass>& classes, const PlotTheme& theme)
 {
-    static constexpr std::array patterns{Qt::NoBrush, Qt::BDiagPattern, Qt::Dense6Pattern, Qt::FDiagPattern, Qt::HorPattern, Qt::VerPattern};
+    static constexpr std::array patterns{Qt::NoBrush,      Qt::BDiagPattern, Qt::Dense6Pattern,
+                                         Qt::FDiagPattern, Qt::HorPattern,   Qt::VerPattern};
     const bool dark = theme.plotArea.lightness() < 128;
     std::array<std::size_t, mostSevere + 1> asSevere{};
     QString letters;
@@ -150,7 +152,9 @@ void paintCell(QPainter& painter, const QRectF& cell, const ClassStyle& style, b
         painter.fillRect(cell, QBrush(faint, style.pattern));
     }
     const QFontMetricsF metrics(painter.font());
-    if (!letter || cell.height() < 0.95 * metrics.height() || cell.width() < 1.05 * metrics.horizontalAdvance(style.letter)) return;
+    if (!letter || cell.height() < 0.95 * metrics.height() ||
+        cell.width() < 1.05 * metrics.horizontalAdvance(style.letter))
+        return;
     if (style.pattern != Qt::NoBrush) {
         QRectF behind(0.0, 0.0, 1.15 * metrics.horizontalAdvance(style.letter), 0.9 * metrics.height());
         behind.moveCenter(cell.center());

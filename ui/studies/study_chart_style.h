@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How what a study's chart says is drawn: a series by colour, shape of its markers and dash, how a point came out by full,
-// hollow or crossed, a class of a map by colour, pattern and letter. Nothing is told by its colour alone.
+// How what a study's chart says is drawn: a series by colour, shape of its markers and dash, how a point came out by
+// full, hollow or crossed, a class of a map by colour, pattern and letter. Nothing is told by its colour alone.
 #pragma once
 
 #include <map>
@@ -26,7 +26,8 @@ struct SeriesStyle {
     bool operator==(const SeriesStyle&) const = default;
 };
 
-/// One style for each name of a series, whatever panel it is in; the first seven differ in colour, the first 42 in colour or shape.
+/// One style for each name of a series, whatever panel it is in; the first seven differ in colour, the first 42 in
+/// colour or shape.
 class ChartStyles {
 public:
     explicit ChartStyles(const StudyChart& chart);
@@ -42,16 +43,17 @@ QColor seriesColour(const SeriesStyle& style, const PlotTheme& theme);
 QPen seriesPen(const SeriesStyle& style, const ChartSeries& series, const PlotTheme& theme);
 
 /// `radius` is half the width of a full circle [px].
-void paintMarker(QPainter& painter, const QPointF& at, double radius, const SeriesStyle& style, PointKind kind, const PlotTheme& theme);
+void paintMarker(QPainter& painter, const QPointF& at, double radius, const SeriesStyle& style, PointKind kind,
+                 const PlotTheme& theme);
 /// About the marker of a point that is chosen.
 void paintRing(QPainter& painter, const QPointF& at, double radius, const PlotTheme& theme);
 
 /// How the cells of a class are filled.
 struct ClassStyle {
-    QColor colour;                          // by severity: the worse, the further from the paper
-    Qt::BrushStyle pattern = Qt::NoBrush;   // over it, where another class is as severe
-    QChar letter;                           // its own
-    QColor ink;                             // of pattern and letter
+    QColor colour;                        // by severity: the worse, the further from the paper
+    Qt::BrushStyle pattern = Qt::NoBrush; // over it, where another class is as severe
+    QChar letter;                         // its own
+    QColor ink;                           // of pattern and letter
 };
 std::vector<ClassStyle> classStyles(const std::vector<ChartClass>& classes, const PlotTheme& theme);
 /// A cell, with its letter where it has room for it.

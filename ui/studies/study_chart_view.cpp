@@ -12,8 +12,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "ui/style/save_dialog.h"
 #include "ui/studies/study_readings.h"
+#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -23,10 +23,12 @@ constexpr double leastBox = 6.0; // below it a drag was a click [px]
 
 bool sameAxes(const StudyChart& a, const StudyChart& b)
 {
-    const auto same = [](const ChartAxis& x, const ChartAxis& y) { return x.label == y.label && x.unit == y.unit && x.logarithmic == y.logarithmic; };
+    const auto same = [](const ChartAxis& x, const ChartAxis& y) {
+        return x.label == y.label && x.unit == y.unit && x.logarithmic == y.logarithmic;
+    };
     return a.title == b.title && std::ranges::equal(a.panels, b.panels, [&](const ChartPanel& p, const ChartPanel& q) {
-        return same(p.x, q.x) && same(p.y, q.y);
-    });
+               return same(p.x, q.x) && same(p.y, q.y);
+           });
 }
 
 } // namespace
@@ -64,14 +66,16 @@ void StudyChartView::fit()
 
 const StudyChartDrawing& StudyChartView::drawing() const
 {
-    if (!drawing_) drawing_ = std::make_unique<StudyChartDrawing>(chart_, plotTheme(palette()), font(), size(), zoomed_);
+    if (!drawing_)
+        drawing_ = std::make_unique<StudyChartDrawing>(chart_, plotTheme(palette()), font(), size(), zoomed_);
     return *drawing_;
 }
 
 Picture StudyChartView::picture(const PlotTheme& theme) const
 {
-    return {size(), QString::fromStdString(chart_.title),
-            [this, theme](QPainter& painter) { StudyChartDrawing(chart_, theme, font(), size(), zoomed_).paint(painter); }};
+    return {size(), QString::fromStdString(chart_.title), [this, theme](QPainter& painter) {
+                StudyChartDrawing(chart_, theme, font(), size(), zoomed_).paint(painter);
+            }};
 }
 
 void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
@@ -157,7 +161,8 @@ void StudyChartView::mouseMoveEvent(QMouseEvent* event)
 {
     if (!dragged_ || !(event->buttons() & Qt::LeftButton)) return point(event->position());
     const QRectF area = drawing().panels()[*dragged_].area();
-    const QPointF to(std::clamp(event->position().x(), area.left(), area.right()), std::clamp(event->position().y(), area.top(), area.bottom()));
+    const QPointF to(std::clamp(event->position().x(), area.left(), area.right()),
+                     std::clamp(event->position().y(), area.top(), area.bottom()));
     drag_.setBottomRight(to);
     update();
 }
@@ -199,8 +204,10 @@ void StudyChartView::setPointed(const std::optional<Pointed>& pointed, const QPo
 {
     if (pointed == pointed_) return;
     pointed_ = pointed;
-    if (pointed_) QToolTip::showText(at, reading(), this);
-    else QToolTip::hideText();
+    if (pointed_)
+        QToolTip::showText(at, reading(), this);
+    else
+        QToolTip::hideText();
     update();
 }
 
@@ -213,7 +220,8 @@ void StudyChartView::goToPoint(int by)
             for (std::size_t p = 0; p < panels[i].panel().series[s].points.size(); ++p)
                 all.push_back({i, {static_cast<int>(s), static_cast<int>(p), -1, -1}});
     for (std::size_t i = 0; i < panels.size() && all.empty(); ++i)
-        for (std::size_t c = 0; panels[i].panel().map && c < panels[i].panel().map->cells.size(); ++c) all.push_back({i, {-1, -1, static_cast<int>(c), -1}});
+        for (std::size_t c = 0; panels[i].panel().map && c < panels[i].panel().map->cells.size(); ++c)
+            all.push_back({i, {-1, -1, static_cast<int>(c), -1}});
     if (all.empty()) return;
     const auto now = pointed_ ? std::ranges::find(all, *pointed_) : all.end();
     const auto count = static_cast<std::ptrdiff_t>(all.size());
@@ -222,7 +230,9 @@ void StudyChartView::goToPoint(int by)
     const StudyPanel& panel = panels[to.panel];
     QPointF at = panel.area().center();
     if (to.hit.point >= 0) {
-        const ChartPoint& p = panel.panel().series[static_cast<std::size_t>(to.hit.series)].points[static_cast<std::size_t>(to.hit.point)];
+        const ChartPoint& p = panel.panel()
+                                  .series[static_cast<std::size_t>(to.hit.series)]
+                                  .points[static_cast<std::size_t>(to.hit.point)];
         at = panel.toPixel(p.x, p.y);
     }
     setPointed(to, mapToGlobal(at.toPoint()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chart of a study in the window: pointing tells series, setting and numbers; a box zooms a panel, a double click shows all of it;
-// the arrow keys go from point to point; the right button copies and saves.
+// A chart of a study in the window: pointing tells series, setting and numbers; a box zooms a panel, a double click
+// shows all of it; the arrow keys go from point to point; the right button copies and saves.
 #pragma once
 
 #include <memory>

@@ -7,7 +7,8 @@ namespace touchdown {
 
 int StudyController::start(StudyPerformance perform, int jobs)
 {
-    return begin([this, perform = std::move(perform), jobs](const std::stop_token& stop) { work(perform, jobs, stop); });
+    return begin(
+        [this, perform = std::move(perform), jobs](const std::stop_token& stop) { work(perform, jobs, stop); });
 }
 
 void StudyController::work(const StudyPerformance& perform, int jobs, const std::stop_token& stop)

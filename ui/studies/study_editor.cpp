@@ -22,7 +22,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int planDelay = 250; // [ms] after the last key
+constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
 
 /// As the study's file says it; empty where it does not.
@@ -49,7 +49,8 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
       save_(new QToolButton(this)),
       defaults_(new QToolButton(this))
 {
-    for (const StudyKind& kind : catalogue_.kinds) kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
+    for (const StudyKind& kind : catalogue_.kinds)
+        kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
     build();
     buildOpenMenu();
     soon_.setSingleShot(true);
@@ -141,10 +142,11 @@ void StudyEditor::buildOpenMenu()
         menu->addSection(tr("Sample studies"));
         for (const SampleStudy& sample : catalogue_.samples) {
             if (QString::fromStdString(sample.kind) != kind()) continue;
-            menu->addAction(QString::fromStdString(sample.title), this, [this, text = QString::fromStdString(sample.text)] {
-                drafts_[kind()].file.clear();
-                setText(text);
-            });
+            menu->addAction(QString::fromStdString(sample.title), this,
+                            [this, text = QString::fromStdString(sample.text)] {
+                                drafts_[kind()].file.clear();
+                                setText(text);
+                            });
         }
     });
 }
@@ -197,7 +199,8 @@ void StudyEditor::replan()
     const QFileInfo file(draft.file);
     const QString name = draft.file.isEmpty() ? tr("the study") : file.fileName();
     const QString folder = draft.file.isEmpty() ? QString() : file.absolutePath();
-    plan_ = catalogue_.plan(kind().toStdString(), draft.text.toStdString(), name.toStdString(), folder.toStdString(), case_);
+    plan_ = catalogue_.plan(kind().toStdString(), draft.text.toStdString(), name.toStdString(), folder.toStdString(),
+                            case_);
     stale_ = false;
     showProblems();
     emit planned();
@@ -213,14 +216,19 @@ void StudyEditor::showProblems()
         if (ofTheText) marked.push_back(problem.line);
         if (static_cast<std::size_t>(lines.size()) >= mostProblems) continue;
         QString text = QString::fromStdString(problem.message).toHtmlEscaped();
-        if (!problem.key.empty()) text = QStringLiteral("<code>%1</code>: %2").arg(QString::fromStdString(problem.key).toHtmlEscaped(), text);
+        if (!problem.key.empty())
+            text = QStringLiteral("<code>%1</code>: %2").arg(QString::fromStdString(problem.key).toHtmlEscaped(), text);
         if (ofTheText)
-            text = QStringLiteral("<a href='%1' style='color:%2'>%3</a>: ").arg(problem.line).arg(colour, tr("line %1").arg(problem.line)) + text;
+            text = QStringLiteral("<a href='%1' style='color:%2'>%3</a>: ")
+                       .arg(problem.line)
+                       .arg(colour, tr("line %1").arg(problem.line)) +
+                   text;
         else if (problem.file != plan_.name)
             text = QString::fromStdString(problem.file).toHtmlEscaped() + QStringLiteral(": ") + text;
         lines << QStringLiteral("<span style='color:%1'>✕</span> ").arg(colour) + text;
     }
-    if (plan_.problems.size() > mostProblems) lines << tr("and %n more", nullptr, static_cast<int>(plan_.problems.size() - mostProblems));
+    if (plan_.problems.size() > mostProblems)
+        lines << tr("and %n more", nullptr, static_cast<int>(plan_.problems.size() - mostProblems));
     problems_->setText(lines.join(QStringLiteral("<br>")));
     problems_->setVisible(!lines.isEmpty());
     text_->markLines(marked);
@@ -237,8 +245,10 @@ void StudyEditor::setRunning(bool running)
 QString StudyEditor::open(const QString& path)
 {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
-    if (file.size() > static_cast<qint64>(maximumStudyFileSize)) return tr("%1 is too large for a study's file.").arg(QDir::toNativeSeparators(path));
+    if (!file.open(QIODevice::ReadOnly))
+        return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
+    if (file.size() > static_cast<qint64>(maximumStudyFileSize))
+        return tr("%1 is too large for a study's file.").arg(QDir::toNativeSeparators(path));
     const QString text = QString::fromUtf8(file.readAll());
     setKind(kindIn(text)); // where it says none, it is of the kind that is chosen
     drafts_[kind()].file = path;
@@ -271,11 +281,12 @@ void StudyEditor::chooseOpen()
 
 void StudyEditor::chooseSave()
 {
-    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"), [this](const QString& file) {
-        const QString problem = save(file);
-        if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-        return problem;
-    });
+    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
+               [this](const QString& file) {
+                   const QString problem = save(file);
+                   if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+                   return problem;
+               });
 }
 
 void StudyEditor::changeEvent(QEvent* event)

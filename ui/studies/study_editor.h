@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is to be studied: the kind of study, and its text, which begins with the defaults for the case in the window. What is wrong
-// with it is said while it is written. The text of each kind is kept while another one is looked at; one that nobody has touched
-// follows the case.
+// What is to be studied: the kind of study, and its text, which begins with the defaults for the case in the window.
+// What is wrong with it is said while it is written. The text of each kind is kept while another one is looked at; one
+// that nobody has touched follows the case.
 #pragma once
 
 #include <map>
@@ -62,8 +62,8 @@ protected:
 private:
     struct Draft {
         QString text;
-        QString defaults;  // as the text began
-        QString file;      // where it was opened or saved; empty for none
+        QString defaults; // as the text began
+        QString file;     // where it was opened or saved; empty for none
     };
 
     void build();

@@ -10,17 +10,19 @@ namespace touchdown {
 
 namespace {
 
-constexpr double gap = 2.0;        // between marker and text [px]
-constexpr int mostCrossings = 3;   // of lines under a text that can still be read
+constexpr double gap = 2.0;      // between marker and text [px]
+constexpr int mostCrossings = 3; // of lines under a text that can still be read
 
 bool crosses(const QLineF& line, const QRectF& box)
 {
-    if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right()
-        || std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
+    if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right() ||
+        std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
         return false;
     if (box.contains(line.p1()) || box.contains(line.p2())) return true;
     // Both corners of a diagonal on the same side for both diagonals: the line passes by.
-    const auto side = [&line](const QPointF& p) { return line.dx() * (p.y() - line.y1()) - line.dy() * (p.x() - line.x1()); };
+    const auto side = [&line](const QPointF& p) {
+        return line.dx() * (p.y() - line.y1()) - line.dy() * (p.x() - line.x1());
+    };
     const std::array sides{side(box.topLeft()), side(box.topRight()), side(box.bottomLeft()), side(box.bottomRight())};
     const auto [low, high] = std::ranges::minmax(sides);
     return low <= 0.0 && high >= 0.0;
@@ -33,14 +35,15 @@ std::array<QRectF, 8> candidates(const LabelRequest& label)
     const double far = label.radius + gap, corner = 0.75 * label.radius + gap;
     const double x = label.at.x(), y = label.at.y();
     const auto box = [&](double left, double top) { return QRectF(QPointF(left, top), label.size); };
-    return {box(x + far, y - 0.5 * h), box(x + corner, y - corner - h), box(x - 0.5 * w, y - far - h), box(x - corner - w, y - corner - h),
-            box(x - far - w, y - 0.5 * h), box(x + corner, y + corner), box(x - 0.5 * w, y + far), box(x - corner - w, y + corner)};
+    return {box(x + far, y - 0.5 * h),           box(x + corner, y - corner - h), box(x - 0.5 * w, y - far - h),
+            box(x - corner - w, y - corner - h), box(x - far - w, y - 0.5 * h),   box(x + corner, y + corner),
+            box(x - 0.5 * w, y + far),           box(x - corner - w, y + corner)};
 }
 
 } // namespace
 
-std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelRequest>& labels, const QRectF& bounds, std::vector<QRectF>& taken,
-                                               const std::vector<QLineF>& lines)
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelRequest>& labels, const QRectF& bounds,
+                                               std::vector<QRectF>& taken, const std::vector<QLineF>& lines)
 {
     std::vector<std::size_t> order(labels.size());
     std::iota(order.begin(), order.end(), std::size_t(0));

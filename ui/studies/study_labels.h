@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the labels of points stand: beside their points, on no marker, no other label and, where there is room, on no line.
-// What finds no room is left out; pointing at its point tells it.
+// Where the labels of points stand: beside their points, on no marker, no other label and, where there is room, on no
+// line. What finds no room is left out; pointing at its point tells it.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 namespace touchdown {
 
 struct LabelRequest {
-    QPointF at;          // middle of the point [px]
-    double radius = 0.0; // of its marker
-    QSizeF size;         // of the text
+    QPointF at;             // middle of the point [px]
+    double radius = 0.0;    // of its marker
+    QSizeF size;            // of the text
     bool important = false; // finds its place first
 };
 
 /// `taken` are the markers and whatever else has to stay free; the places that are given are added to it.
-std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelRequest>& labels, const QRectF& bounds, std::vector<QRectF>& taken,
-                                               const std::vector<QLineF>& lines);
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelRequest>& labels, const QRectF& bounds,
+                                               std::vector<QRectF>& taken, const std::vector<QLineF>& lines);
 
 } // namespace touchdown

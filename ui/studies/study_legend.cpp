@@ -36,7 +36,11 @@ void StudyLegend::addSeries(const StudyChart& chart, const ChartStyles& styles)
                 const QString name = QString::fromStdString(series.name);
                 const auto known = std::ranges::find(entries_, name, &Entry::text);
                 if (series.quiet != quiet || name.isEmpty() || known != entries_.end()) continue;
-                entries_.push_back({Entry::Kind::Series, name, {series.name, {}, series.line, series.markers, quiet}, styles.of(series.name), {}});
+                entries_.push_back({Entry::Kind::Series,
+                                    name,
+                                    {series.name, {}, series.line, series.markers, quiet},
+                                    styles.of(series.name),
+                                    {}});
             }
 }
 
@@ -49,8 +53,10 @@ void StudyLegend::addClasses(const StudyChart& chart)
         for (std::size_t i = 0; i < fills.size(); ++i) {
             const bool used = std::ranges::find(panel.map->cells, static_cast<int>(i)) != panel.map->cells.end();
             const QString name = QString::fromStdString(panel.map->classes[i].name);
-            const bool known = std::ranges::any_of(classes, [&name](const auto& each) { return each.second.text == name; });
-            if (used && !known) classes.push_back({panel.map->classes[i].severity, {Entry::Kind::Class, name, {}, {}, fills[i]}});
+            const bool known =
+                std::ranges::any_of(classes, [&name](const auto& each) { return each.second.text == name; });
+            if (used && !known)
+                classes.push_back({panel.map->classes[i].severity, {Entry::Kind::Class, name, {}, {}, fills[i]}});
         }
     }
     std::ranges::stable_sort(classes, {}, &std::pair<int, Entry>::first);
@@ -96,10 +102,7 @@ std::vector<QRectF> StudyLegend::places(double width) const
     return result;
 }
 
-double StudyLegend::height(double width) const
-{
-    return entries_.empty() ? 0.0 : places(width).back().bottom();
-}
+double StudyLegend::height(double width) const { return entries_.empty() ? 0.0 : places(width).back().bottom(); }
 
 void StudyLegend::paintSample(QPainter& painter, const Entry& entry, const QRectF& box) const
 {
@@ -113,13 +116,16 @@ void StudyLegend::paintSample(QPainter& painter, const Entry& entry, const QRect
             painter.setPen(seriesPen(entry.style, entry.look, theme_));
             painter.drawLine(QPointF(box.left(), centre.y()), QPointF(box.right(), centre.y()));
         }
-        if (entry.look.markers) paintMarker(painter, centre, entry.look.quiet ? 0.7 * radius : radius, entry.style, PointKind::Good, theme_);
+        if (entry.look.markers)
+            paintMarker(painter, centre, entry.look.quiet ? 0.7 * radius : radius, entry.style, PointKind::Good,
+                        theme_);
         return;
     case Entry::Kind::WrongState: paintMarker(painter, centre, radius, plain, PointKind::WrongState, theme_); return;
     case Entry::Kind::Failed: paintMarker(painter, centre, radius, plain, PointKind::Failed, theme_); return;
     case Entry::Kind::Chosen: paintRing(painter, centre, 0.8 * radius, theme_); return;
     case Entry::Kind::Class:
-        paintCell(painter, QRectF(box.left(), centre.y() - 0.5 * box.width(), box.width(), box.width()), entry.fill, true);
+        paintCell(painter, QRectF(box.left(), centre.y() - 0.5 * box.width(), box.width(), box.width()), entry.fill,
+                  true);
         return;
     }
 }
@@ -138,7 +144,8 @@ void StudyLegend::paint(QPainter& painter, const QRectF& box) const
         paintSample(painter, entries_[i], QRectF(place.left(), place.top(), sample, place.height()));
         painter.setPen(theme_.text);
         const QRectF text = place.adjusted(sample + gap, 0.0, 2.0, 0.0);
-        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(entries_[i].text, Qt::ElideRight, text.width()));
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(entries_[i].text, Qt::ElideRight, text.width()));
     }
     painter.restore();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The legend of a study's chart: one entry for each name of a series in any of its panels, one for each class of a map, and the key
-// of hollow, crossed and ringed points where there are such.
+// The legend of a study's chart: one entry for each name of a series in any of its panels, one for each class of a map,
+// and the key of hollow, crossed and ringed points where there are such.
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ public:
         enum class Kind { Series, WrongState, Failed, Chosen, Class };
         Kind kind = Kind::Series;
         QString text;
-        ChartSeries look{};  // of a series, without its points
+        ChartSeries look{}; // of a series, without its points
         SeriesStyle style{};
-        ClassStyle fill{};   // of a class
+        ClassStyle fill{}; // of a class
     };
 
     StudyLegend(const StudyChart& chart, const ChartStyles& styles, const PlotTheme& theme, const QFont& font);

@@ -27,8 +27,8 @@ QSizeF leastPanelSize(const QFont& font)
     return {19.0 * em, 13.5 * em};
 }
 
-StudyPanel::StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font, const QRectF& box,
-                       const std::optional<PanelRange>& zoomed)
+StudyPanel::StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font,
+                       const QRectF& box, const std::optional<PanelRange>& zoomed)
     : panel_(panel),
       styles_(styles),
       theme_(theme),
@@ -59,8 +59,8 @@ void StudyPanel::layOut(const QRectF& box)
         double widest = 0.0;
         for (const AxisTick& tick : yTicks_) widest = std::max(widest, numbers.horizontalAdvance(tick.text));
         const double left = std::ceil(text.height() + gap + widest + tickLength + 3.0);
-        area_ = QRectF(std::ceil(box.left() + left), std::ceil(box.top() + top), std::max(20.0, std::floor(box.width() - left - right)),
-                       std::floor(height));
+        area_ = QRectF(std::ceil(box.left() + left), std::ceil(box.top() + top),
+                       std::max(20.0, std::floor(box.width() - left - right)), std::floor(height));
     };
     place();
     if (panel_.equalScales) {
@@ -68,7 +68,8 @@ void StudyPanel::layOut(const QRectF& box)
         place();
         equaliseScales(axes_, area_.size());
     }
-    const double number = numbers.horizontalAdvance(axes_.x.logarithmic() ? QStringLiteral("10\u2070\u2070\u2070") : QStringLiteral("000.000"));
+    const double number = numbers.horizontalAdvance(axes_.x.logarithmic() ? QStringLiteral("10\u2070\u2070\u2070")
+                                                                          : QStringLiteral("000.000"));
     xTicks_ = axes_.x.ticks(std::clamp(static_cast<int>(area_.width() / (1.3 * number)), 2, 12));
 }
 
@@ -89,14 +90,20 @@ PanelRange StudyPanel::rangeOf(const QRectF& box) const
     const QRectF part = box.intersected(area_);
     const auto alongX = [this](double pixel) { return (pixel - area_.left()) / area_.width(); };
     const auto alongY = [this](double pixel) { return (area_.bottom() - pixel) / area_.height(); };
-    return {axes_.x.part(alongX(part.left()), alongX(part.right())), axes_.y.part(alongY(part.bottom()), alongY(part.top()))};
+    return {axes_.x.part(alongX(part.left()), alongX(part.right())),
+            axes_.y.part(alongY(part.bottom()), alongY(part.top()))};
 }
 
 QRectF StudyPanel::bandBox(const ChartBand& band) const
 {
     const auto pixel = [&](double value, bool lower) {
-        if (band.alongX) return std::isfinite(value) ? std::clamp(across(value), area_.left(), area_.right()) : lower ? area_.left() : area_.right();
-        return std::isfinite(value) ? std::clamp(up(value), area_.top(), area_.bottom()) : lower ? area_.bottom() : area_.top();
+        if (band.alongX)
+            return std::isfinite(value) ? std::clamp(across(value), area_.left(), area_.right())
+                   : lower              ? area_.left()
+                                        : area_.right();
+        return std::isfinite(value) ? std::clamp(up(value), area_.top(), area_.bottom())
+               : lower              ? area_.bottom()
+                                    : area_.top();
     };
     const double from = pixel(band.lower, true), to = pixel(band.upper, false);
     return band.alongX ? QRectF(QPointF(from, area_.top()), QPointF(to, area_.bottom())).normalized()
@@ -119,7 +126,8 @@ std::vector<QPolygonF> StudyPanel::paths(const ChartSeries& series) const
             continue;
         }
         const QPointF at = toPixel(point.x, point.y);
-        if (series.line == ChartLine::Steps && !result.back().isEmpty()) result.back() << QPointF(at.x(), result.back().back().y());
+        if (series.line == ChartLine::Steps && !result.back().isEmpty())
+            result.back() << QPointF(at.x(), result.back().back().y());
         result.back() << at;
     }
     return result;

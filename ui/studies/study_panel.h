@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One panel of a study's chart, laid out in a box: axes, bands, map, series, labels; and what is under a pixel. The same on the screen
-// and on paper. Own painting: the axes of Qt Charts lose a whole curve to one number that has no logarithm, and know neither hollow
-// points nor maps.
+// One panel of a study's chart, laid out in a box: axes, bands, map, series, labels; and what is under a pixel. The
+// same on the screen and on paper. Own painting: the axes of Qt Charts lose a whole curve to one number that has no
+// logarithm, and know neither hollow points nor maps.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,8 @@ struct PanelHit {
 class StudyPanel {
 public:
     /// Everything that is given by reference must outlive this.
-    StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font, const QRectF& box,
-               const std::optional<PanelRange>& zoomed = {});
+    StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const PlotTheme& theme, const QFont& font,
+               const QRectF& box, const std::optional<PanelRange>& zoomed = {});
 
     void paint(QPainter& painter) const;
     /// A ring about what is pointed at.

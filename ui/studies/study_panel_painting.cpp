@@ -16,8 +16,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double tickLength = 4.0; // [px]
-constexpr double halo = 3.0;       // of paper about a label [px]
+constexpr double tickLength = 4.0;      // [px]
+constexpr double halo = 3.0;            // of paper about a label [px]
 constexpr std::size_t mostLabels = 250; // more would be a grey cloud
 
 double aligned(double pixel) { return std::floor(pixel) + 0.5; } // a thin line fills one row of pixels
@@ -49,7 +49,9 @@ QString shortened(const QString& label, const QFontMetricsF& metrics, double wid
 {
     const qsizetype unit = label.lastIndexOf(QStringLiteral(" ["));
     const QString tail = unit < 0 ? QString() : label.mid(unit);
-    return metrics.elidedText(label.left(label.size() - tail.size()), Qt::ElideRight, width - metrics.horizontalAdvance(tail)) + tail;
+    return metrics.elidedText(label.left(label.size() - tail.size()), Qt::ElideRight,
+                              width - metrics.horizontalAdvance(tail)) +
+           tail;
 }
 
 } // namespace
@@ -99,7 +101,8 @@ void StudyPanel::paintMap(QPainter& painter) const
         if (which < 0) continue;
         // Whole pixels, so that neighbours meet, and a line of paper between cells that are large enough for it.
         const QRectF exact = cellBox(static_cast<int>(c));
-        QRectF box(QPointF(std::round(exact.left()), std::round(exact.top())), QPointF(std::round(exact.right()), std::round(exact.bottom())));
+        QRectF box(QPointF(std::round(exact.left()), std::round(exact.top())),
+                   QPointF(std::round(exact.right()), std::round(exact.bottom())));
         if (std::min(box.width(), box.height()) >= 7.0) box.adjust(1.0, 1.0, 0.0, 0.0);
         paintCell(painter, box, styles[static_cast<std::size_t>(which)], true);
     }
@@ -119,8 +122,10 @@ void StudyPanel::paintBands(QPainter& painter) const
         for (const double end : {band.lower, band.upper}) {
             if (!std::isfinite(end)) continue;
             const double at = aligned(band.alongX ? across(end) : up(end));
-            if (band.alongX && at > area_.left() && at < area_.right()) painter.drawLine(QPointF(at, area_.top()), QPointF(at, area_.bottom()));
-            if (!band.alongX && at > area_.top() && at < area_.bottom()) painter.drawLine(QPointF(area_.left(), at), QPointF(area_.right(), at));
+            if (band.alongX && at > area_.left() && at < area_.right())
+                painter.drawLine(QPointF(at, area_.top()), QPointF(at, area_.bottom()));
+            if (!band.alongX && at > area_.top() && at < area_.bottom())
+                painter.drawLine(QPointF(area_.left(), at), QPointF(area_.right(), at));
         }
     }
 }
@@ -146,15 +151,19 @@ void StudyPanel::paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) 
         std::vector<QPointF> corners;
         if (band.alongX) {
             for (double y = area_.top() + 3.0; y < area_.bottom() - size.height(); y += 1.2 * size.height())
-                for (const double x : {box.left() + 4.0, box.right() + 4.0, box.left() - size.width() - 4.0}) corners.emplace_back(x, y);
+                for (const double x : {box.left() + 4.0, box.right() + 4.0, box.left() - size.width() - 4.0})
+                    corners.emplace_back(x, y);
         } else {
-            for (const double x : {area_.right() - size.width() - 5.0, area_.left() + 5.0, area_.center().x() - 0.5 * size.width()})
+            for (const double x :
+                 {area_.right() - size.width() - 5.0, area_.left() + 5.0, area_.center().x() - 0.5 * size.width()})
                 for (const double y : {box.top() + 2.0, box.top() - size.height() - 1.0, box.bottom() + 1.0})
                     if (y != box.top() + 2.0 || box.height() >= size.height() + 3.0) corners.emplace_back(x, y);
         }
         for (const QPointF& corner : corners) {
             const QRectF place(corner, size);
-            if (!area_.contains(place) || std::ranges::any_of(taken, [&place](const QRectF& other) { return other.intersects(place); })) continue;
+            if (!area_.contains(place) ||
+                std::ranges::any_of(taken, [&place](const QRectF& other) { return other.intersects(place); }))
+                continue;
             taken.push_back(place);
             paintHaloed(painter, place, text, panel_.map ? theme_.text : theme_.mutedText, theme_.plotArea);
             break;
@@ -226,11 +235,13 @@ void StudyPanel::paintLabels(QPainter& painter) const
             const QPointF at = toPixel(point.x, point.y);
             if (!inside(at)) continue;
             const double radius = point.chosen ? 2.2 * radius_ : radius_;
-            if (series.markers || point.chosen) taken.emplace_back(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
+            if (series.markers || point.chosen)
+                taken.emplace_back(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
             if (point.label.empty() || labels.size() >= mostLabels) continue;
             texts.push_back(QString::fromStdString(point.label));
             inks.push_back(series.quiet ? theme_.mutedText : theme_.text);
-            labels.push_back({at, radius, {metrics.horizontalAdvance(texts.back()), 0.95 * metrics.height()}, point.chosen});
+            labels.push_back(
+                {at, radius, {metrics.horizontalAdvance(texts.back()), 0.95 * metrics.height()}, point.chosen});
         }
         if (series.line == ChartLine::None) continue;
         for (const QPolygonF& path : paths(series))
@@ -246,7 +257,8 @@ void StudyPanel::paintAxes(QPainter& painter) const
 {
     painter.setPen(QPen(theme_.axis, 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(QPointF(aligned(area_.left()), aligned(area_.top())), QPointF(aligned(area_.right()), aligned(area_.bottom()))));
+    painter.drawRect(QRectF(QPointF(aligned(area_.left()), aligned(area_.top())),
+                            QPointF(aligned(area_.right()), aligned(area_.bottom()))));
     painter.setFont(numberFont_);
     const QFontMetricsF metrics(numberFont_);
     for (const AxisTick& tick : yTicks_) {
@@ -255,7 +267,8 @@ void StudyPanel::paintAxes(QPainter& painter) const
         painter.setPen(QPen(theme_.axis, 1.0));
         painter.drawLine(QPointF(area_.left() - tickLength, y), QPointF(area_.left(), y));
         painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(box_.left(), y - 0.5 * metrics.height(), area_.left() - tickLength - 3.0 - box_.left(), metrics.height()),
+        painter.drawText(QRectF(box_.left(), y - 0.5 * metrics.height(), area_.left() - tickLength - 3.0 - box_.left(),
+                                metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, tick.text);
     }
     double free = box_.left(); // no number begins left of this
@@ -268,7 +281,8 @@ void StudyPanel::paintAxes(QPainter& painter) const
         if (left < free) continue;
         free = left + 2.0 * half + 4.0;
         painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, metrics.height()), Qt::AlignCenter, tick.text);
+        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, metrics.height()), Qt::AlignCenter,
+                         tick.text);
     }
     painter.setFont(textFont_);
     painter.setPen(theme_.text);
@@ -290,7 +304,8 @@ void StudyPanel::paintPointed(QPainter& painter, const PanelHit& hit) const
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme_.cursor, 1.5));
     if (hit.point >= 0) {
-        const ChartPoint& point = panel_.series[static_cast<std::size_t>(hit.series)].points[static_cast<std::size_t>(hit.point)];
+        const ChartPoint& point =
+            panel_.series[static_cast<std::size_t>(hit.series)].points[static_cast<std::size_t>(hit.point)];
         painter.drawEllipse(toPixel(point.x, point.y), 2.6 * radius_, 2.6 * radius_);
     } else if (hit.cell >= 0) {
         painter.drawRect(cellBox(hit.cell).intersected(area_));

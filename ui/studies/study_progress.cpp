@@ -23,7 +23,9 @@ QString timeLeftText(double share, double seconds)
     return StudyProgressLine::tr("%1 min left").arg(std::lround(left / 60.0));
 }
 
-StudyProgressLine::StudyProgressLine(QWidget* parent) : ProgressStrip(tr("study"), tr("Share, what is done now, time left"), parent) {}
+StudyProgressLine::StudyProgressLine(QWidget* parent)
+    : ProgressStrip(tr("study"), tr("Share, what is done now, time left"), parent)
+{}
 
 void StudyProgressLine::setState(StudyController::State state)
 {

@@ -9,8 +9,8 @@
 
 namespace touchdown {
 
-/// Series and setting, x and y with their errors, how the point came out; the class and the sentence of a cell; the label of a band.
-/// In HTML.
+/// Series and setting, x and y with their errors, how the point came out; the class and the sentence of a cell; the
+/// label of a band. In HTML.
 QString reading(const StudyPanel& panel, const PanelHit& hit);
 
 } // namespace touchdown

@@ -150,10 +150,13 @@ void StudyResults::clear(bool underWay)
     report_.reset();
     underWay_ = underWay;
     const QString title = underWay ? tr("Under way") : tr("Studies of the case");
-    const QString text = underWay ? tr("Charts appear as soon as there is something to show.")
-                                  : tr("A study solves the case in the window many times over: it charts accuracy against speed, maps where methods "
-                                       "fail, advises how much model the scene needs, or follows touch-down and take-off while a value moves.<br><br>"
-                                       "Choose a kind of study at the right, change its text as you like, and perform it.");
+    const QString text = underWay
+                             ? tr("Charts appear as soon as there is something to show.")
+                             : tr("A study solves the case in the window many times over: it charts accuracy against "
+                                  "speed, maps where methods "
+                                  "fail, advises how much model the scene needs, or follows touch-down and take-off "
+                                  "while a value moves.<br><br>"
+                                  "Choose a kind of study at the right, change its text as you like, and perform it.");
     empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
     pages_->setCurrentIndex(0);
     setStale(false);
@@ -230,15 +233,20 @@ void StudyResults::writeFindings()
     const MeaningColours colours = meaningColours(palette());
     QString html;
     const auto add = [&html](const QString& mark, const QColor& colour, const QString& text) {
-        html += QStringLiteral("<tr><td style='color:%1; padding:2px 8px 2px 0'>%2</td><td style='padding:2px 0'>%3</td></tr>")
+        html += QStringLiteral(
+                    "<tr><td style='color:%1; padding:2px 8px 2px 0'>%2</td><td style='padding:2px 0'>%3</td></tr>")
                     .arg(colour.name(), mark, text.toHtmlEscaped());
     };
     if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
-    if (report_->status == StudyStatus::Cancelled) add(QStringLiteral("◼"), colours.muted, tr("Stopped: what follows is what there was by then."));
-    for (const std::string& finding : report_->findings) add(QStringLiteral("•"), colours.change, QString::fromStdString(finding));
-    for (const std::string& warning : report_->warnings) add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
+    if (report_->status == StudyStatus::Cancelled)
+        add(QStringLiteral("◼"), colours.muted, tr("Stopped: what follows is what there was by then."));
+    for (const std::string& finding : report_->findings)
+        add(QStringLiteral("•"), colours.change, QString::fromStdString(finding));
+    for (const std::string& warning : report_->warnings)
+        add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
     html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);
-    if (underWay_ && report_->findings.empty()) html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Under way…"));
+    if (underWay_ && report_->findings.empty())
+        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Under way…"));
     findings_->setHtml(html);
 }
 
@@ -266,8 +274,8 @@ void StudyResults::chooseSaveTable()
 {
     const StudyTableView* shown = shownTable() ? shownTable() : tables_.front();
     const StudyTable table = shown->content().table();
-    askAndSave(this, tr("Save the table"), {tr("Comma-separated values (*.csv)")}, QString::fromStdString(table.name) + QStringLiteral(".csv"),
-               [this, table](const QString& file) {
+    askAndSave(this, tr("Save the table"), {tr("Comma-separated values (*.csv)")},
+               QString::fromStdString(table.name) + QStringLiteral(".csv"), [this, table](const QString& file) {
                    StudyReport alone;
                    alone.tables = {table};
                    const QString problem = QString::fromStdString(writeStudyCsv(file.toStdString(), alone));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study found: its charts, below them its findings as sentences and its tables. Before the first study a word on what
-// studies are for.
+// What a study found: its charts, below them its findings as sentences and its tables. Before the first study a word on
+// what studies are for.
 #pragma once
 
 #include <optional>

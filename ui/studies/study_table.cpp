@@ -39,7 +39,8 @@ StudyTableView::StudyTableView(QWidget* parent) : QTableView(parent)
 
 void StudyTableView::setTable(StudyTable table)
 {
-    const bool same = std::ranges::equal(table.columns, model_.table().columns, {}, &StudyColumn::name, &StudyColumn::name);
+    const bool same =
+        std::ranges::equal(table.columns, model_.table().columns, {}, &StudyColumn::name, &StudyColumn::name);
     setAccessibleName(tr("Table %1").arg(QString::fromStdString(table.name)));
     model_.setTable(std::move(table));
     if (!same) horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
@@ -52,12 +53,14 @@ QString StudyTableView::toText() const
 {
     const bool all = !selectionModel()->hasSelection();
     QStringList head, lines;
-    for (int column = 0; column < order_.columnCount(); ++column) head << order_.headerData(column, Qt::Horizontal).toString();
+    for (int column = 0; column < order_.columnCount(); ++column)
+        head << order_.headerData(column, Qt::Horizontal).toString();
     lines << head.join(QLatin1Char('\t'));
     for (int row = 0; row < order_.rowCount(); ++row) {
         if (!all && !selectionModel()->isRowSelected(row)) continue;
         QStringList cells;
-        for (int column = 0; column < order_.columnCount(); ++column) cells << order_.index(row, column).data().toString();
+        for (int column = 0; column < order_.columnCount(); ++column)
+            cells << order_.index(row, column).data().toString();
         lines << cells.join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

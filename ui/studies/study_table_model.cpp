@@ -40,7 +40,10 @@ void StudyTableModel::setTable(StudyTable table)
     endResetModel();
 }
 
-int StudyTableModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(table_.rows.size()); }
+int StudyTableModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(table_.rows.size());
+}
 
 int StudyTableModel::columnCount(const QModelIndex& parent) const
 {
@@ -59,11 +62,14 @@ QVariant StudyTableModel::data(const QModelIndex& index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
     const StudyColumn& column = table_.columns[static_cast<std::size_t>(index.column())];
-    const StudyValue& value = table_.rows[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())];
+    const StudyValue& value =
+        table_.rows[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())];
     if (role == Qt::DisplayRole) return text(column, value);
-    if (role == Qt::ToolTipRole && std::holds_alternative<std::string>(value)) return text(column, value); // it may be cut off
+    if (role == Qt::ToolTipRole && std::holds_alternative<std::string>(value))
+        return text(column, value); // it may be cut off
     if (role == Qt::TextAlignmentRole)
-        return QVariant::fromValue((std::holds_alternative<std::string>(value) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return QVariant::fromValue((std::holds_alternative<std::string>(value) ? Qt::AlignLeft : Qt::AlignRight) |
+                                   Qt::AlignVCenter);
     if (role == SortRole) {
         if (const auto* number = std::get_if<double>(&value)) return *number;
         if (const auto* words = std::get_if<std::string>(&value)) return QString::fromStdString(*words);
@@ -73,7 +79,8 @@ QVariant StudyTableModel::data(const QModelIndex& index, int role) const
 
 QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return QAbstractTableModel::headerData(section, orientation, role);
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
+        return QAbstractTableModel::headerData(section, orientation, role);
     const StudyColumn& column = table_.columns[static_cast<std::size_t>(section)];
     const QString title = QString::fromStdString(column.longName.empty() ? column.name : column.longName);
     const QString unit = unitText(column.displayUnit.empty() ? column.unit : column.displayUnit);
@@ -86,7 +93,8 @@ bool StudyTableOrder::lessThan(const QModelIndex& left, const QModelIndex& right
 {
     const QVariant a = left.data(StudyTableModel::SortRole), b = right.data(StudyTableModel::SortRole);
     // Last in either direction: what is not known is neither large nor small.
-    if (!a.isValid() || !b.isValid()) return a.isValid() == b.isValid() ? false : a.isValid() == (sortOrder() == Qt::AscendingOrder);
+    if (!a.isValid() || !b.isValid())
+        return a.isValid() == b.isValid() ? false : a.isValid() == (sortOrder() == Qt::AscendingOrder);
     if (a.typeId() == QMetaType::Double && b.typeId() == QMetaType::Double) return a.toDouble() < b.toDouble();
     return a.toString().localeAwareCompare(b.toString()) < 0;
 }

@@ -28,7 +28,8 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
         outcomes_[performing_].report = report;
         if (shown_ == performing_) results_->setReport(report, true);
     });
-    connect(&controller_, &StudyController::finished, this, [this](int, const StudyReport& report) { onFinished(report); });
+    connect(&controller_, &StudyController::finished, this,
+            [this](int, const StudyReport& report) { onFinished(report); });
     connect(editor_->kinds(), &QComboBox::currentIndexChanged, this, &StudyWindow::show);
     connect(editor_, &StudyEditor::planned, this, &StudyWindow::updateStale);
     connect(editor_, &StudyEditor::stopRequested, &controller_, &StudyController::stop);
@@ -62,8 +63,10 @@ void StudyWindow::onFinished(const StudyReport& report)
 {
     progress_->end(report);
     const bool nothing = report.charts.empty() && report.tables.empty() && report.findings.empty();
-    if (report.status == StudyStatus::Cancelled && nothing) outcomes_.erase(performing_);
-    else outcomes_[performing_].report = report;
+    if (report.status == StudyStatus::Cancelled && nothing)
+        outcomes_.erase(performing_);
+    else
+        outcomes_[performing_].report = report;
     if (shown_ == performing_) show();
     emit ended(report);
 }
@@ -72,8 +75,10 @@ void StudyWindow::show()
 {
     shown_ = editor_->kind().toStdString();
     const auto outcome = outcomes_.find(shown_);
-    if (outcome == outcomes_.end() || !outcome->second.report) results_->clear(underWay(shown_));
-    else results_->setReport(*outcome->second.report, underWay(shown_));
+    if (outcome == outcomes_.end() || !outcome->second.report)
+        results_->clear(underWay(shown_));
+    else
+        results_->setReport(*outcome->second.report, underWay(shown_));
     updateStale();
 }
 
@@ -89,10 +94,11 @@ void StudyWindow::updateStale()
 void StudyWindow::chooseSave()
 {
     const Outcome outcome = outcomes_.at(shown_);
-    askAndSave(results_, tr("Save the report"), {tr("HDF5, all of the report (*.h5)")}, QString::fromStdString(shown_) + QStringLiteral(".h5"),
-               [this, outcome](const QString& file) {
+    askAndSave(results_, tr("Save the report"), {tr("HDF5, all of the report (*.h5)")},
+               QString::fromStdString(shown_) + QStringLiteral(".h5"), [this, outcome](const QString& file) {
                    const StudyPlan& plan = outcome.plan;
-                   const std::string problem = writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text);
+                   const std::string problem =
+                       writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text);
                    if (problem.empty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
                    return QString::fromStdString(problem);
                });

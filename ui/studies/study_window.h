@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The studies' part of the window: the pane with what is to be studied, the page with what was found, the progress, and the thread
-// between them.
+// The studies' part of the window: the pane with what is to be studied, the page with what was found, the progress, and
+// the thread between them.
 #pragma once
 
 #include <map>

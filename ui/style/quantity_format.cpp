@@ -28,7 +28,8 @@ QString withPrefix(double value, const QString& unit, const QLocale& locale)
     for (const auto& [factor, prefix] : prefixes) {
         if (size < factor && factor > 1e-9) continue;
         const double scaled = value / factor;
-        const int digits = std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(scaled) * (1.0 + 1e-9)))), 0, 3);
+        const int digits =
+            std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(scaled) * (1.0 + 1e-9)))), 0, 3);
         return locale.toString(scaled, 'f', digits) + QChar(0x00A0) + QString::fromUtf8(prefix) + unit;
     }
     return {};
@@ -46,8 +47,8 @@ QString numberEntry(QString text, const Field& field, const QLocale& locale)
     text.replace(QStringLiteral("²"), QLatin1String("^2"));
     text.replace(QStringLiteral("³"), QLatin1String("^3"));
     text.replace(QStringLiteral("·"), QLatin1String(" "));
-    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1
-        && !text.contains(QLatin1Char('.')))
+    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1 &&
+        !text.contains(QLatin1Char('.')))
         text.replace(locale.decimalPoint(), QLatin1String("."));
 
     // In a form, a bare number means the unit that stands beside it; in a case file it means SI.
@@ -73,14 +74,14 @@ QString unitText(std::string_view unit)
 QString symbolText(std::string_view symbol)
 {
     static const std::array<std::pair<const char*, const char*>, 13> greek{{{"alpha", "α"},
-                                                                           {"lambda", "λ"},
-                                                                           {"xi", "ξ"},
-                                                                           {"theta", "θ"},
-                                                                           {"mu", "μ"},
-                                                                           {"beta", "β"},
-                                                                           {"gamma", "γ"},
-                                                                           {"phi", "φ"},
-                                                                           {"omega", "ω"},
+                                                                            {"lambda", "λ"},
+                                                                            {"xi", "ξ"},
+                                                                            {"theta", "θ"},
+                                                                            {"mu", "μ"},
+                                                                            {"beta", "β"},
+                                                                            {"gamma", "γ"},
+                                                                            {"phi", "φ"},
+                                                                            {"omega", "ω"},
                                                                             {"nu", "ν"},
                                                                             {"eta", "η"},
                                                                             {"sigma", "σ"},
@@ -91,7 +92,8 @@ QString symbolText(std::string_view symbol)
         const qsizetype bracket = name.indexOf(QLatin1Char('('));
         const QString letter = bracket < 0 ? name : name.left(bracket);
         for (const auto& [spelled, drawn] : greek)
-            if (letter == QLatin1String(spelled)) return QString::fromUtf8(drawn) + name.mid(letter.size()).toHtmlEscaped();
+            if (letter == QLatin1String(spelled))
+                return QString::fromUtf8(drawn) + name.mid(letter.size()).toHtmlEscaped();
         return name.toHtmlEscaped();
     };
     const qsizetype bar = text.indexOf(QLatin1Char('_'));
@@ -180,14 +182,8 @@ QString lengthText(double metres, int digits, const QLocale& locale)
 
 QString forceText(double newtons, const QLocale& locale) { return withPrefix(newtons, QStringLiteral("N"), locale); }
 
-QString timeText(double seconds, const QLocale& locale)
-{
-    return withPrefix(seconds, QStringLiteral("s"), locale);
-}
+QString timeText(double seconds, const QLocale& locale) { return withPrefix(seconds, QStringLiteral("s"), locale); }
 
-QString frequencyText(double hertz, const QLocale& locale)
-{
-    return withPrefix(hertz, QStringLiteral("Hz"), locale);
-}
+QString frequencyText(double hertz, const QLocale& locale) { return withPrefix(hertz, QStringLiteral("Hz"), locale); }
 
 } // namespace touchdown

@@ -56,7 +56,8 @@ QPalette lightPalette()
 
 QPalette darkPalette()
 {
-    // Fusion draws no lighter frame round a field or a check box: the panel must be clearly lighter than the base in them.
+    // Fusion draws no lighter frame round a field or a check box: the panel must be clearly lighter than the base in
+    // them.
     return paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1", "#2f7fc4", "#ffffff", "#6db3ee",
                       "#2f353c", "#545c66"});
 }
@@ -90,10 +91,7 @@ void applyTheme(Theme theme, int pointSize)
     QApplication::setFont(font);
 }
 
-int systemPointSize()
-{
-    return systemLook().pointSize;
-}
+int systemPointSize() { return systemLook().pointSize; }
 
 MeaningColours meaningColours(const QPalette& palette)
 {

@@ -27,10 +27,14 @@ QString parameterTable()
                        .arg(HelpWindow::tr("Parameters"),
                             HelpWindow::tr("Every key of a case file, with its default and what it may be."));
     for (const Field& field : fields()) {
-        html += QStringLiteral("<tr><td><b>%1</b> %2<br><code>%3</code></td><td>%4</td><td>%5<br><small>%6</small><br><small>%7</small></td></tr>")
-                    .arg(QString::fromStdString(field.label).toHtmlEscaped(), field.symbol.empty() ? QString() : symbolText(field.symbol),
+        html += QStringLiteral(
+                    "<tr><td><b>%1</b> "
+                    "%2<br><code>%3</code></td><td>%4</td><td>%5<br><small>%6</small><br><small>%7</small></td></tr>")
+                    .arg(QString::fromStdString(field.label).toHtmlEscaped(),
+                         field.symbol.empty() ? QString() : symbolText(field.symbol),
                          QString::fromStdString(field.key).toHtmlEscaped(), valueText(defaults, field).toHtmlEscaped(),
-                         QString::fromStdString(field.help).toHtmlEscaped(), QString::fromStdString(allowedRange(field)).toHtmlEscaped(),
+                         QString::fromStdString(field.help).toHtmlEscaped(),
+                         QString::fromStdString(allowedRange(field)).toHtmlEscaped(),
                          QString::fromStdString(field.source).toHtmlEscaped());
     }
     return html + QStringLiteral("</table>");
@@ -39,10 +43,14 @@ QString parameterTable()
 } // namespace
 
 HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
-    : QWidget(parent, Qt::Window), shortcuts_(shortcuts), contents_(new QListWidget(this)), browser_(new QTextBrowser(this))
+    : QWidget(parent, Qt::Window),
+      shortcuts_(shortcuts),
+      contents_(new QListWidget(this)),
+      browser_(new QTextBrowser(this))
 {
     setWindowTitle(tr("Touchdown: help"));
-    contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+    contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),
+                         tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -78,10 +86,13 @@ QString HelpWindow::html(Page page) const
     case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
     case Page::Contact: return resource(QStringLiteral("contact.html"));
     case Page::Parameters: return parameterTable();
-    case Page::Shortcuts: return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ + resource(QStringLiteral("plot_keys.html"));
+    case Page::Shortcuts:
+        return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ +
+               resource(QStringLiteral("plot_keys.html"));
     case Page::About: break;
     }
-    return resource(QStringLiteral("about.html")).arg(QStringLiteral(TOUCHDOWN_VERSION), QString::fromLatin1(qVersion()));
+    return resource(QStringLiteral("about.html"))
+        .arg(QStringLiteral(TOUCHDOWN_VERSION), QString::fromLatin1(qVersion()));
 }
 
 } // namespace touchdown

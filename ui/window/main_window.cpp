@@ -35,7 +35,8 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
-    session_ = std::make_unique<WindowSession>(WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
+    session_ = std::make_unique<WindowSession>(
+        WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
     connectFiles();
     connectRuns();
     connectFilm();
@@ -51,7 +52,9 @@ MainWindow::~MainWindow()
 {
     // What shows the runs and the case goes before them: they are members, and those go before child widgets.
     edits_.undoStack().disconnect(this);
-    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()), static_cast<QObject*>(&controller()), static_cast<QObject*>(film_), static_cast<QObject*>(studies_), static_cast<QObject*>(&studies_->controller())})
+    for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
+                            static_cast<QObject*>(&controller()), static_cast<QObject*>(film_),
+                            static_cast<QObject*>(studies_), static_cast<QObject*>(&studies_->controller())})
         sender->disconnect(this);
     controller().stopAndWait();
     film_->controller().stopAndWait();
@@ -96,18 +99,21 @@ void MainWindow::performStudy()
     if (!readyToRun()) return;
     messages_->clear();
     if (studies_->perform()) return;
-    messages_->show(MessageStrip::Kind::Failure, tr("The study cannot be performed: see what is wrong below its text."));
+    messages_->show(MessageStrip::Kind::Failure,
+                    tr("The study cannot be performed: see what is wrong below its text."));
 }
 
 void MainWindow::onStudied(const StudyReport& report)
 {
     updateRunActions();
     const QString title = QString::fromStdString(report.title);
-    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title) : QString::fromStdString(report.findings.front())};
+    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title)
+                                              : QString::fromStdString(report.findings.front())};
     if (!report.warnings.empty()) lines << tr("What weakens this stands below the findings (⚠).");
     switch (report.status) {
     case StudyStatus::Completed:
-        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, lines.join(QLatin1Char('\n')));
+        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
+                        lines.join(QLatin1Char('\n')));
         break;
     case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
     case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
@@ -126,7 +132,8 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
     for (const std::string& warning : summary.warnings) lines << sentence(warning);
     // A check that found a difference is among the warnings.
     if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
-    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState)) kind = MessageStrip::Kind::Warning;
+    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState))
+        kind = MessageStrip::Kind::Warning;
     if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
     if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
         kind = MessageStrip::Kind::Failure;
@@ -168,22 +175,25 @@ void MainWindow::onImported(const QString& path, const QStringList& warnings)
 {
     aboutCase_->setWarnings(warnings);
     const QString text = tr("Imported: %1.").arg(QDir::toNativeSeparators(path));
-    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    if (warnings.isEmpty())
+        messages_->show(MessageStrip::Kind::Success, text);
     else
         messages_->show(MessageStrip::Kind::Warning,
-                        text + QLatin1Char(' ')
-                            + tr("%n thing(s) that it says are not modelled: see About this case.", nullptr, static_cast<int>(warnings.size())));
+                        text + QLatin1Char(' ') +
+                            tr("%n thing(s) that it says are not modelled: see About this case.", nullptr,
+                               static_cast<int>(warnings.size())));
 }
 
 void MainWindow::onExported(const QString& path, const QStringList& warnings)
 {
     const QString text = tr("Written: %1").arg(QDir::toNativeSeparators(path));
-    if (warnings.isEmpty()) messages_->show(MessageStrip::Kind::Success, text);
+    if (warnings.isEmpty())
+        messages_->show(MessageStrip::Kind::Success, text);
     else
         messages_->show(MessageStrip::Kind::Warning,
-                        text + QLatin1Char('\n')
-                            + tr("Kept in the comments of run.dat, where the established program does not see them: %1")
-                                  .arg(warnings.join(QStringLiteral(", "))));
+                        text + QLatin1Char('\n') +
+                            tr("Kept in the comments of run.dat, where the established program does not see them: %1")
+                                .arg(warnings.join(QStringLiteral(", "))));
 }
 
 void MainWindow::onCaseEdited()
@@ -204,8 +214,10 @@ void MainWindow::updateRunActions()
     const QString reason = edits_.reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
     const QString cannot = tr("The case cannot be run. %1").arg(reason);
-    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)") : cannot);
-    actions_->solve->setToolTip(reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
+    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)")
+                                               : cannot);
+    actions_->solve->setToolTip(
+        reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
@@ -215,9 +227,9 @@ void MainWindow::updateRunActions()
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);
-    actions_->stop->setEnabled(state == State::Running || state == State::Paused
-                               || film_->controller().state() == SteadyController::State::Running
-                               || studies_->controller().state() == StudyController::State::Running);
+    actions_->stop->setEnabled(state == State::Running || state == State::Paused ||
+                               film_->controller().state() == SteadyController::State::Running ||
+                               studies_->controller().state() == StudyController::State::Running);
     actions_->resetAll->setEnabled(edits_.anyChanged());
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
@@ -299,8 +311,10 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     for (const QUrl& url : event->mimeData()->urls()) {
         const QString file = url.toLocalFile();
-        if (CaseFiles::isResultsFile(file)) runFiles_->openRun(file);
-        else if (CaseFiles::isCaseFile(file)) files_->open(file);
+        if (CaseFiles::isResultsFile(file))
+            runFiles_->openRun(file);
+        else if (CaseFiles::isCaseFile(file))
+            files_->open(file);
     }
     event->acceptProposedAction();
 }
@@ -338,10 +352,13 @@ void MainWindow::restoreSession()
 void MainWindow::openLastCase()
 {
     const QString last = WindowSession::lastCase();
-    const bool sample = std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
+    const bool sample =
+        std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
     // A file that is gone or spoiled since is no reason to begin with an error.
-    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid()) files_->openNow(last);
-    else files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid())
+        files_->openNow(last);
+    else
+        files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
 }
 
 } // namespace touchdown

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The workbench: parameters at the left; in the centre the pages of runs over time, of a film's static state and of studies; the case,
-// the runs and the values at the cursors, or the static attitude, or the text of a study at the right; what happened at the foot.
+// The workbench: parameters at the left; in the centre the pages of runs over time, of a film's static state and of
+// studies; the case, the runs and the values at the cursors, or the static attitude, or the text of a study at the
+// right; what happened at the foot.
 #pragma once
 
-#include "ui/runs/about_case_pane.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_window.h"
-#include "ui/window/help_window.h"
-#include "ui/style/message_strip.h"
+#include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/help_window.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_pages.h"
 #include "ui/window/window_session.h"
@@ -115,7 +116,7 @@ private:
     HelpWindow* help_ = nullptr;
     std::unique_ptr<WindowSession> session_;
     QString recordTo_;
-    bool closing_ = false;   // the question about changes was answered
+    bool closing_ = false; // the question about changes was answered
 };
 
 } // namespace touchdown

@@ -28,8 +28,10 @@ void MainWindow::connectFiles()
         casePanel_->search()->selectAll();
     });
     connect(actions_->openResults, &QAction::triggered, runFiles_, &RunFiles::chooseOpen);
-    connect(actions_->saveResults, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), false); });
-    connect(actions_->exportCsv, &QAction::triggered, this, [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
+    connect(actions_->saveResults, &QAction::triggered, this,
+            [this] { runFiles_->chooseSave(runs_->panel()->chosen(), false); });
+    connect(actions_->exportCsv, &QAction::triggered, this,
+            [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
     connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
@@ -55,7 +57,8 @@ void MainWindow::connectRuns()
 {
     connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
     RunController* controller = &this->controller();
-    connect(actions_->pause, &QAction::triggered, controller, [controller](bool on) { on ? controller->pause() : controller->resume(); });
+    connect(actions_->pause, &QAction::triggered, controller,
+            [controller](bool on) { on ? controller->pause() : controller->resume(); });
     connect(actions_->step, &QAction::triggered, controller, &RunController::step);
     connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
     connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
@@ -71,7 +74,8 @@ void MainWindow::connectRuns()
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
     connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
     connect(runs_->panel(), &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
-    connect(runs_->panel(), &RunsPanel::saveRequested, this, [this](int number) { runFiles_->chooseSave(number, false); });
+    connect(runs_->panel(), &RunsPanel::saveRequested, this,
+            [this](int number) { runFiles_->chooseSave(number, false); });
     connect(runs_->panel(), &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
     connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
     connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
@@ -95,11 +99,14 @@ void MainWindow::connectStudies()
     connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
-    connect(studies_, &StudyWindow::succeeded, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
-    connect(studies_, &StudyWindow::failed, this, [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    connect(studies_, &StudyWindow::succeeded, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(studies_, &StudyWindow::failed, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
         edits_.setAll(found, tr("apply the study: %1").arg(title));
-        messages_->show(MessageStrip::Kind::Success, tr("The parameters are those that the study found. Undo takes them back."));
+        messages_->show(MessageStrip::Kind::Success,
+                        tr("The parameters are those that the study found. Undo takes them back."));
     });
 }
 
@@ -133,11 +140,12 @@ void MainWindow::connectHelp()
     connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
     connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
     connect(actions_->aboutQt, &QAction::triggered, this, [this] {
-        auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
-                                    tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
-                                       "Public License, version 3.")
-                                        .arg(QString::fromLatin1(qVersion())),
-                                    QMessageBox::Close, this);
+        auto* box =
+            new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
+                            tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
+                               "Public License, version 3.")
+                                .arg(QString::fromLatin1(qVersion())),
+                            QMessageBox::Close, this);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });

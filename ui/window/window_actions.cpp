@@ -8,8 +8,8 @@
 #include <QToolButton>
 
 #include "core/case_files/case_file.h"
-#include "ui/style/icons.h"
 #include "ui/runs/run_controller.h"
+#include "ui/style/icons.h"
 
 namespace touchdown {
 
@@ -54,11 +54,14 @@ void WindowActions::buildFile(QMainWindow& window)
     }
     recent = menu->addMenu(tr("Open &recent"));
     menu->addSeparator();
-    save = add(menu, tr("&Save"), QKeySequence::Save, QStringLiteral("save"), tr("Save the case; its comments are kept"));
+    save =
+        add(menu, tr("&Save"), QKeySequence::Save, QStringLiteral("save"), tr("Save the case; its comments are kept"));
     saveAs = add(menu, tr("Save &as…"), QKeySequence::SaveAs);
     menu->addSeparator();
-    importCml = add(menu, tr("&Import CML case…"), {}, {}, tr("Read rail.dat with run.dat or dynamics.def, or a .cml archive"));
-    exportCml = add(menu, tr("Export as C&ML case…"), {}, {}, tr("Write rail.dat and run.dat, in a folder or a .cml archive"));
+    importCml =
+        add(menu, tr("&Import CML case…"), {}, {}, tr("Read rail.dat with run.dat or dynamics.def, or a .cml archive"));
+    exportCml =
+        add(menu, tr("Export as C&ML case…"), {}, {}, tr("Write rail.dat and run.dat, in a folder or a .cml archive"));
     exportCml->setVisible(false);
     menu->addSeparator();
     openResults = add(menu, tr("Open saved r&un…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
@@ -95,10 +98,13 @@ void WindowActions::buildRun(QMainWindow& window)
     QMenu* menu = window.menuBar()->addMenu(tr("&Run"));
     run = add(menu, tr("&Run"), QKeySequence(Qt::Key_F5), QStringLiteral("run"),
               tr("Run the case; a run under way starts again"));
-    pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause the run, or let it go on"));
+    pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"),
+                tr("Pause the run, or let it go on"));
     pause->setCheckable(true);
-    step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"), tr("Let a paused run go on by one picture"));
-    stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"), tr("Stop what is under way; what there is of it stays"));
+    step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"),
+               tr("Let a paused run go on by one picture"));
+    stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"),
+               tr("Stop what is under way; what there is of it stays"));
     menu->addSeparator();
     solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
                 tr("Solve for the static attitude; a solution under way starts again"));
@@ -110,15 +116,15 @@ void WindowActions::buildRun(QMainWindow& window)
     solve->setVisible(false);
     solveGiven->setVisible(false);
     menu->addSeparator();
-    record = add(menu, tr("Record to &file…"), {}, {},
-                 tr("Write the runs that follow to an HDF5 file while they go"));
+    record = add(menu, tr("Record to &file…"), {}, {}, tr("Write the runs that follow to an HDF5 file while they go"));
     record->setCheckable(true);
 }
 
 void WindowActions::buildView(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&View"));
-    fit = add(menu, tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), QStringLiteral("fit"), tr("Show all of the runs"));
+    fit = add(menu, tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), QStringLiteral("fit"),
+              tr("Show all of the runs"));
     follow = add(menu, tr("F&ollow the run"), QKeySequence(Qt::CTRL | Qt::Key_L), QStringLiteral("follow"),
                  tr("Let the time axis follow the run; off: freeze it"));
     follow->setCheckable(true);
@@ -131,8 +137,8 @@ void WindowActions::buildView(QMainWindow& window)
 
     QMenu* themes = menu->addMenu(tr("&Theme"));
     theme = new QActionGroup(this);
-    for (const auto& [kind, text] : {std::pair(Theme::System, tr("As the &system")), std::pair(Theme::Light, tr("&Light")),
-                                     std::pair(Theme::Dark, tr("&Dark"))}) {
+    for (const auto& [kind, text] : {std::pair(Theme::System, tr("As the &system")),
+                                     std::pair(Theme::Light, tr("&Light")), std::pair(Theme::Dark, tr("&Dark"))}) {
         QAction* action = themes->addAction(text);
         action->setCheckable(true);
         action->setData(themeName(kind));
@@ -140,8 +146,8 @@ void WindowActions::buildView(QMainWindow& window)
     }
     QMenu* sizes = menu->addMenu(tr("Font si&ze"));
     fontSize = new QActionGroup(this);
-    for (const auto& [points, text] : {std::pair(0, tr("&Normal")), std::pair(2, tr("&Large")), std::pair(5, tr("&Projector")),
-                                       std::pair(9, tr("Lecture &hall"))}) {
+    for (const auto& [points, text] : {std::pair(0, tr("&Normal")), std::pair(2, tr("&Large")),
+                                       std::pair(5, tr("&Projector")), std::pair(9, tr("Lecture &hall"))}) {
         QAction* action = sizes->addAction(text);
         action->setCheckable(true);
         action->setData(points);
@@ -189,8 +195,9 @@ void WindowActions::buildToolBar(QMainWindow& window)
     pace->setToolTip(tr("Simulated time per second: slow motion for watching"));
     pace->setFocusPolicy(Qt::StrongFocus);
     pace->addItem(tr("Full speed"), RunController::fullSpeed);
-    for (const auto& [value, text] : {std::pair(1e-3, tr("1 ms/s")), std::pair(3e-4, tr("300 µs/s")), std::pair(1e-4, tr("100 µs/s")),
-                                      std::pair(3e-5, tr("30 µs/s")), std::pair(1e-5, tr("10 µs/s"))})
+    for (const auto& [value, text] :
+         {std::pair(1e-3, tr("1 ms/s")), std::pair(3e-4, tr("300 µs/s")), std::pair(1e-4, tr("100 µs/s")),
+          std::pair(3e-5, tr("30 µs/s")), std::pair(1e-5, tr("10 µs/s"))})
         pace->addItem(text, value);
     auto* label = new QLabel(tr("&Speed"), toolBar);
     label->setBuddy(pace);
@@ -202,7 +209,8 @@ void WindowActions::buildToolBar(QMainWindow& window)
     toolBar->addAction(zoomBack);
     toolBar->addAction(zoomForward);
     for (QAction* action : toolBar->actions())
-        if (QWidget* button = toolBar->widgetForAction(action); button && button != pace && button != label && !action->text().isEmpty())
+        if (QWidget* button = toolBar->widgetForAction(action);
+            button && button != pace && button != label && !action->text().isEmpty())
             button->setAccessibleName(action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")));
 }
 

@@ -10,7 +10,10 @@
 namespace touchdown {
 
 WindowPages::WindowPages(const Parts& parts)
-    : QObject(&parts.window), parts_(parts), tabs_(new QTabBar(&parts.window)), pages_(new QStackedWidget(&parts.window))
+    : QObject(&parts.window),
+      parts_(parts),
+      tabs_(new QTabBar(&parts.window)),
+      pages_(new QStackedWidget(&parts.window))
 {
     buildCentre();
     buildPanes();
@@ -52,11 +55,14 @@ void WindowPages::buildPanes()
     QMainWindow& window = parts_.window;
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* parameters = addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
+    QDockWidget* parameters =
+        addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
     about_ = addPane(QStringLiteral("about"), tr("About this case"), &parts_.aboutCase, Qt::RightDockWidgetArea);
     QDockWidget* runs = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
-    QDockWidget* values = addPane(QStringLiteral("values"), tr("Values at the cursors"), parts_.runs.values(), Qt::RightDockWidgetArea);
-    attitude_ = addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
+    QDockWidget* values =
+        addPane(QStringLiteral("values"), tr("Values at the cursors"), parts_.runs.values(), Qt::RightDockWidgetArea);
+    attitude_ =
+        addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
     study_ = addPane(QStringLiteral("study"), tr("Study"), parts_.studies.editor(), Qt::RightDockWidgetArea);
     window.resizeDocks({parameters, about_}, {340, 340}, Qt::Horizontal);
     window.resizeDocks({about_, runs, values}, {280, 240, 260}, Qt::Vertical);

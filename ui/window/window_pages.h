@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands around the case: in the centre the pages of runs over time, of a film's static state and of studies, beside them panes,
-// which come and go with their page, and the progress of each at the foot.
+// What stands around the case: in the centre the pages of runs over time, of a film's static state and of studies,
+// beside them panes, which come and go with their page, and the progress of each at the foot.
 #pragma once
 
 #include <QDockWidget>
@@ -11,12 +11,12 @@
 
 #include <vector>
 
-#include "ui/runs/about_case_pane.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_window.h"
-#include "ui/style/message_strip.h"
+#include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {

@@ -17,8 +17,10 @@ void WindowSession::save(const QString& lastCase) const
     settings.setValue(QStringLiteral("window/geometry"), parts_.window.saveGeometry());
     settings.setValue(QStringLiteral("window/state"), parts_.window.saveState(stateVersion));
     settings.setValue(QStringLiteral("window/splitter"), parts_.splitter.saveState());
-    if (const QAction* theme = parts_.actions.theme->checkedAction()) settings.setValue(QStringLiteral("window/theme"), theme->data());
-    if (const QAction* size = parts_.actions.fontSize->checkedAction()) settings.setValue(QStringLiteral("window/font"), size->data());
+    if (const QAction* theme = parts_.actions.theme->checkedAction())
+        settings.setValue(QStringLiteral("window/theme"), theme->data());
+    if (const QAction* size = parts_.actions.fontSize->checkedAction())
+        settings.setValue(QStringLiteral("window/font"), size->data());
     settings.setValue(QStringLiteral("runs/overlay"), parts_.runsPanel.overlay());
     settings.setValue(QStringLiteral("runs/pace"), parts_.actions.pace->currentIndex());
     settings.setValue(QStringLiteral("files/last"), lastCase);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window remembers from one session to the next: geometry and panes, theme and font, overlay, speed, last case.
+// What the window remembers from one session to the next: geometry and panes, theme and font, overlay, speed, last
+// case.
 #pragma once
 
 #include <QMainWindow>

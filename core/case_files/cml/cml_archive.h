@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// .cml archives of the established program, versions 7 and 8: PKZIP files that hold its text files. All is read and written in
-// memory, and bounded: an archive is a file from somewhere.
+// .cml archives of the established program, versions 7 and 8: PKZIP files that hold its text files. All is read and
+// written in memory, and bounded: an archive is a file from somewhere.
 #pragma once
 
 #include <string>

@@ -3,8 +3,9 @@
 // What a dynamics.def says of the disk's surface and of the forces beside the air, as our reading of it:
 //
 //   track profile     its wave.def, whose first point lies under the leading edge at the start
-//   waves             sinusoidal ones with one wavelength, a sin(2 pi (x cos b + y sin b)/l), where they cover the whole slider
-//   asperities        sinusoidal and ellipsoidal ones; x from the leading edge at the start, y from the inner edge, sizes their full
+//   waves             sinusoidal ones with one wavelength, a sin(2 pi (x cos b + y sin b)/l), where they cover the
+//   whole slider asperities        sinusoidal and ellipsoidal ones; x from the leading edge at the start, y from the
+//   inner edge, sizes their full
 //                     extents at the base. All have the form of the first.
 //   intermolecular    van der Waals forces over the parts of the slider that come near, at the initial pitch
 #pragma once

@@ -87,7 +87,8 @@ void readSolution(CmlPart& part)
     static constexpr std::array<std::string_view, 4> schemes{"complete-flux", "complete-flux", "upwind", "hybrid"};
     fields.choose("film.scheme", schemes[static_cast<std::size_t>(scheme - 1)], n[3].line);
     if (scheme <= 2)
-        part.leaveOut(scheme == 1 ? "the power law as such; complete-flux is taken" : "central differences; complete-flux is taken");
+        part.leaveOut(scheme == 1 ? "the power law as such; complete-flux is taken"
+                                  : "central differences; complete-flux is taken");
 }
 
 void readGrid(CmlPart& part)

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "core/formats/decimal.h"
 #include "core/case/fields.h"
+#include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 

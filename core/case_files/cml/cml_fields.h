@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers of CML files put into a case by the keys of its fields, so that ranges and units are checked as in a case file
-// and every problem names its line.
+// The numbers of CML files put into a case by the keys of its fields, so that ranges and units are checked as in a case
+// file and every problem names its line.
 #pragma once
 
 #include <map>
@@ -104,12 +104,12 @@ struct CmlSectionReader {
     void (*read)(CmlPart&) = nullptr;
 };
 
-/// Reads all sections of a text, each by the first reader whose name fits; unknown ones get a warning. Problems of a section
-/// do not keep the others from being read.
+/// Reads all sections of a text, each by the first reader whose name fits; unknown ones get a warning. Problems of a
+/// section do not keep the others from being read.
 void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlFields& fields);
 
-/// Sets film.nodes to the nearest number of grid lines that fits, with a warning if it is another one; `extra` lines are the
-/// established program's own.
+/// Sets film.nodes to the nearest number of grid lines that fits, with a warning if it is another one; `extra` lines
+/// are the established program's own.
 void setCmlNodes(CmlPart& part, const CmlNumber& nx, const CmlNumber& ny, int extra);
 
 } // namespace touchdown

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the established program's files have no place for, kept in the comments of a run.dat, which that program does not read:
+// What the established program's files have no place for, kept in the comments of a run.dat, which that program does
+// not read:
 //
 //   touchdown: film.scheme = { was = "power-law", is = "limited" }
 //
-// `was` is what the files say without the comment, so that a value that somebody has changed in the files since is not undone.
+// `was` is what the files say without the comment, so that a value that somebody has changed in the files since is not
+// undone.
 #pragma once
 
 #include <string>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/fields.h"
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
-#include "core/case/fields.h"
 
 namespace touchdown {
 

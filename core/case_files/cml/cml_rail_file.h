@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/physics/slider/air_bearing_surface.h"
 #include "core/formats/input_problem.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
 
@@ -36,7 +36,8 @@ struct CmlRails {
     bool valid() const { return problems.empty(); }
 };
 
-/// `file` appears in the problems. Checks numbers and counts; of the shape of rails, see core/physics/slider/surface_check.h.
+/// `file` appears in the problems. Checks numbers and counts; of the shape of rails, see
+/// core/physics/slider/surface_check.h.
 CmlRails readCmlRails(std::string_view text, const std::string& file);
 
 /// The text of a rail.dat that reads back as the same surface, to the last bit.

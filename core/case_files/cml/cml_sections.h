@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// run.dat and dynamics.def: sections, each a line that begins with a star and bears the section's name, then lists of numbers,
-// each below a heading line. A heading may be any text that does not begin with a number; only the order of the lists counts.
+// run.dat and dynamics.def: sections, each a line that begins with a star and bears the section's name, then lists of
+// numbers, each below a heading line. A heading may be any text that does not begin with a number; only the order of
+// the lists counts.
 #pragma once
 
 #include <string>

@@ -15,9 +15,11 @@ constexpr double vacuumPermittivity = 8.8541878128e-12; // eps0 [F/m], CODATA 20
 } // namespace
 
 AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
-    : acts_(adhesion.acts()), kind_(adhesion.kind),
+    : acts_(adhesion.acts()),
+      kind_(adhesion.kind),
       shifted_{adhesion.equilibriumDistance, 1.0 / adhesion.equilibriumDistance,
-               kind_ == AdhesionKind::LennardJones ? 8.0 * adhesion.surfaceEnergy / (3.0 * adhesion.equilibriumDistance) : 0.0,
+               kind_ == AdhesionKind::LennardJones ? 8.0 * adhesion.surfaceEnergy / (3.0 * adhesion.equilibriumDistance)
+                                                   : 0.0,
                0.5 * vacuumPermittivity * adhesion.voltage * adhesion.voltage}
 {
     assert(shifted_.z0 > 0.0 && std::isfinite(shifted_.z0) && shifted_.scale >= 0.0 && std::isfinite(shifted_.scale) &&
@@ -94,7 +96,8 @@ double AdhesionLaw::softeningGap() const
 {
     // df/dg changes its sign once, from below zero to above, not beyond the peak of the law without voltage.
     double lower = 0.0, upper = shifted_.z0;
-    if (kind_ == AdhesionKind::VanDerWaals) upper = repulsion_ > 0.0 && attraction_ > 0.0 ? 4.0 * tangentGap_ : tangentGap_;
+    if (kind_ == AdhesionKind::VanDerWaals)
+        upper = repulsion_ > 0.0 && attraction_ > 0.0 ? 4.0 * tangentGap_ : tangentGap_;
     if (!(derivative(lower) < 0.0)) return 0.0;
     if (!(derivative(upper) > 0.0)) return upper;
     for (int i = 0; i < 100 && upper - lower > 1e-15 * upper; ++i) {

@@ -3,15 +3,16 @@
 // Adhesive pressure between two smooth surfaces at the gap g, local (each point sees the gap above it). Pressure is
 // positive when it pushes the surfaces apart, so attraction is negative.
 //
-//   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact alone
-//                   repels. A reading of the improved intermolecular model that Chen & Bogy name as their reference [8],
-//                   whose equations were not available. Its integral over g from 0 is -dgamma.
+//   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact
+//   alone
+//                   repels. A reading of the improved intermolecular model that Chen & Bogy name as their reference
+//                   [8], whose equations were not available. Its integral over g from 0 is -dgamma.
 //   van-der-waals   f = -A/(6 pi g^3) + B/(45 pi g^9), with a repulsion of its own
 //   electrostatic   f = -eps0 V^2/(2 (g + z0)^2), added to either or alone
 //
-// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. Nearer than half the distance
-// at which the van der Waals pressure vanishes that law goes on along its tangent; with B = 0 it has no such distance, and
-// its attraction is held at what it is at z0.
+// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. Nearer than half the
+// distance at which the van der Waals pressure vanishes that law goes on along its tangent; with B = 0 it has no such
+// distance, and its attraction is held at what it is at z0.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +23,11 @@ enum class AdhesionKind : std::uint8_t { None, LennardJones, VanDerWaals };
 
 struct Adhesion {
     AdhesionKind kind = AdhesionKind::None;
-    double surfaceEnergy = 0.05;          // dgamma [N/m], work of adhesion; the lubricant enters through it
-    double equilibriumDistance = 0.3e-9;  // z0 [m], 0.2..0.4 nm
-    double hamakerA = 1e-19;              // A [J]
-    double hamakerB = 1e-76;              // B [J m^6]
-    double voltage = 0.0;                 // V [V] between slider and disk
+    double surfaceEnergy = 0.05;         // dgamma [N/m], work of adhesion; the lubricant enters through it
+    double equilibriumDistance = 0.3e-9; // z0 [m], 0.2..0.4 nm
+    double hamakerA = 1e-19;             // A [J]
+    double hamakerB = 1e-76;             // B [J m^6]
+    double voltage = 0.0;                // V [V] between slider and disk
 
     bool acts() const { return kind != AdhesionKind::None || voltage != 0.0; }
 };
@@ -59,14 +60,16 @@ public:
         {
             const double s = z0 / (gap + z0), s3 = s * s * s, s9 = s3 * s3 * s3;
             const double near = s * perZ0; // 1/(g + z0) [1/m]
-            return {-electric * near * near - scale * (s3 - s9), near * (2.0 * electric * near * near + scale * (3.0 * s3 - 9.0 * s9))};
+            return {-electric * near * near - scale * (s3 - s9),
+                    near * (2.0 * electric * near * near + scale * (3.0 * s3 - 9.0 * s9))};
         }
     };
     const Shifted& shifted() const { return shifted_; }
     /// Whether that is all of it.
     bool isShifted() const { return kind_ != AdhesionKind::VanDerWaals; }
 
-    /// Where the attraction is largest [m]. Nearer than there the law is stable by itself, df/dg <= 0; farther away it softens.
+    /// Where the attraction is largest [m]. Nearer than there the law is stable by itself, df/dg <= 0; farther away it
+    /// softens.
     double peakGap() const { return peakGap_; }
     /// The largest attraction, -f(peakGap) [Pa].
     double peakAttraction() const { return peakAttraction_; }
@@ -77,15 +80,15 @@ private:
 
     bool acts_;
     AdhesionKind kind_;
-    Shifted shifted_;                      // scale 8 dgamma/(3 z0), electric eps0 V^2/2; scale 0 unless lennard-jones
-    double attraction_ = 0.0;              // A/(6 pi) [J]
-    double repulsion_ = 0.0;               // B/(45 pi) [J m^6]
-    double tangentGap_ = 0.0;              // below it van der Waals goes on along its tangent [m]
-    double tangentPressure_ = 0.0;         // [Pa]
-    double tangentSlope_ = 0.0;            // [Pa/m]
-    double tangentEnergy_ = 0.0;           // [J/m^2]
-    double peakGap_ = 0.0;                 // [m]
-    double peakAttraction_ = 0.0;          // [Pa]
+    Shifted shifted_;              // scale 8 dgamma/(3 z0), electric eps0 V^2/2; scale 0 unless lennard-jones
+    double attraction_ = 0.0;      // A/(6 pi) [J]
+    double repulsion_ = 0.0;       // B/(45 pi) [J m^6]
+    double tangentGap_ = 0.0;      // below it van der Waals goes on along its tangent [m]
+    double tangentPressure_ = 0.0; // [Pa]
+    double tangentSlope_ = 0.0;    // [Pa/m]
+    double tangentEnergy_ = 0.0;   // [J/m^2]
+    double peakGap_ = 0.0;         // [m]
+    double peakAttraction_ = 0.0;  // [Pa]
 };
 
 } // namespace touchdown

@@ -13,8 +13,8 @@ constexpr std::size_t lanes = 8;
 constexpr int mostNearSteps = 50;
 constexpr double settledShare = 1e-4; // of the peak gap: the next step of Newton's method would be its square
 
-/// Of lanes on the near branch and what they start from: g - c f(g) = v. The left side rises and is concave, so that Newton's method
-/// passes the root at most once, to its left.
+/// Of lanes on the near branch and what they start from: g - c f(g) = v. The left side rises and is concave, so that
+/// Newton's method passes the root at most once, to its left.
 struct NearLanes {
     double v[lanes], gap[lanes], pressure[lanes], slope[lanes];
 };
@@ -43,8 +43,8 @@ TOUCHDOWN_VECTOR_CLONES void solveNear(const AdhesionLaw::Shifted& law, double c
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES void addPressures(const AdhesionLaw::Shifted& law, double peak, double attraction, std::size_t cells, const double* gap,
-                                          double* offset)
+TOUCHDOWN_VECTOR_CLONES void addPressures(const AdhesionLaw::Shifted& law, double peak, double attraction,
+                                          std::size_t cells, const double* gap, double* offset)
 {
     std::size_t at = 0;
     const auto visit = [&](std::size_t i) {
@@ -61,7 +61,10 @@ TOUCHDOWN_VECTOR_CLONES void addPressures(const AdhesionLaw::Shifted& law, doubl
 } // namespace
 
 AdhesiveCell::AdhesiveCell(const AdhesionLaw& law, double compliance, double hardness)
-    : law_(law), compliance_(compliance), closed_(law.pressure(0.0)), farLine_(law.peakGap() + compliance * law.peakAttraction())
+    : law_(law),
+      compliance_(compliance),
+      closed_(law.pressure(0.0)),
+      farLine_(law.peakGap() + compliance * law.peakAttraction())
 {
     if (hardness > 0.0) ceiling_ = closed_ + hardness;
 }
@@ -73,8 +76,9 @@ AdhesiveCell::Tangent AdhesiveCell::tangent(double gap, double pressure, double 
     if (v >= farLine_) return {State::Far, std::max(gap, law_.peakGap()), offset - law_.peakAttraction(), 0.0};
     if (v <= -c * ceiling_) return {State::Flowed, gap, ceiling_ + offset, 0.0};
     if (v <= -c * closed_) return {State::Contact, 0.0, pressure, 0.0};
-    // g - c f(g) = v, whose left side rises with a slope from 1 upwards: Newton's method within bounds, from the gap there is.
-    // What is returned lies on the law however far from the root; close to the solution one step is exact to rounding.
+    // g - c f(g) = v, whose left side rises with a slope from 1 upwards: Newton's method within bounds, from the gap
+    // there is. What is returned lies on the law however far from the root; close to the solution one step is exact to
+    // rounding.
     double lower = 0.0, upper = law_.peakGap();
     double g = std::clamp(gap, lower, upper);
     AdhesionLaw::Sample f = law_.sample(g);
@@ -91,7 +95,8 @@ AdhesiveCell::Tangent AdhesiveCell::tangent(double gap, double pressure, double 
     return {State::Near, g, f.pressure + offset, std::max(-f.derivative, 0.0)};
 }
 
-void AdhesiveCell::tangents(std::span<const double> gap, std::span<const double> pressure, std::span<const double> offset, Tangents& out) const
+void AdhesiveCell::tangents(std::span<const double> gap, std::span<const double> pressure,
+                            std::span<const double> offset, Tangents& out) const
 {
     const double c = compliance_, peak = law_.peakGap();
     const auto set = [&](std::size_t i) {
@@ -132,8 +137,10 @@ void AdhesiveCell::tangents(std::span<const double> gap, std::span<const double>
 
 void AdhesiveCell::offsets(std::span<const double> gap, std::span<double> offset) const
 {
-    if (law_.isShifted()) addPressures(law_.shifted(), law_.peakGap(), law_.peakAttraction(), gap.size(), gap.data(), offset.data());
-    else for (std::size_t i = 0; i < gap.size(); ++i) offset[i] = this->offset(gap[i]);
+    if (law_.isShifted())
+        addPressures(law_.shifted(), law_.peakGap(), law_.peakAttraction(), gap.size(), gap.data(), offset.data());
+    else
+        for (std::size_t i = 0; i < gap.size(); ++i) offset[i] = this->offset(gap[i]);
 }
 
 double AdhesiveCell::energy(double gap) const

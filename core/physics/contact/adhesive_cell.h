@@ -7,16 +7,16 @@
 //   far       g >= g_peak: q = f(g), which softens: only the half-space holds the cell
 //   flowed    g < 0, q = f(0) + H: the softer body has flowed
 //
-// The energy's part beyond g_peak is concave. Replaced by its tangent at a gap g_0 it becomes a law that falls everywhere:
-// q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its energy lies nowhere
-// below the true one, and touches it at g_0.
+// The energy's part beyond g_peak is concave. Replaced by its tangent at a gap g_0 it becomes a law that falls
+// everywhere: q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its
+// energy lies nowhere below the true one, and touches it at g_0.
 //
-// A pair (g, q) that is not on that law is judged by v = g - c q, c the cell's own compliance: with all other cells at rest
-// the cell moves along g - c q = v, which meets the law once.
+// A pair (g, q) that is not on that law is judged by v = g - c q, c the cell's own compliance: with all other cells at
+// rest the cell moves along g - c q = v, which meets the law once.
 #pragma once
 
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -50,7 +50,8 @@ public:
         std::vector<double> gap, pressure, stiffness;
         explicit Tangents(std::size_t cells = 0) : state(cells), gap(cells), pressure(cells), stiffness(cells) {}
     };
-    void tangents(std::span<const double> gap, std::span<const double> pressure, std::span<const double> offset, Tangents& out) const;
+    void tangents(std::span<const double> gap, std::span<const double> pressure, std::span<const double> offset,
+                  Tangents& out) const;
     void offsets(std::span<const double> gap, std::span<double> offset) const;
 
     /// phi(g), and for a gap that flowed into the body also the work against q [J/m^2].

@@ -21,7 +21,7 @@ std::string sentence(const char* format, Values... values)
     return text;
 }
 
-constexpr double nearMinimum = 0.2;   // error below which Newton's method is tried [-]
+constexpr double nearMinimum = 0.2; // error below which Newton's method is tried [-]
 constexpr int mostNewtonIterations = 12;
 constexpr int longestPause = 8;
 
@@ -33,7 +33,8 @@ UniformGrid fastGrid(const UniformGrid& grid)
     return {fast(grid.nx), fast(grid.ny), grid.dx, grid.dy, grid.x0, grid.y0};
 }
 
-/// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence coefficients.
+/// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence
+/// coefficients.
 double reachOf(HalfSpace& space)
 {
     std::vector<double> field(space.grid().cells(), space.edges() == HalfSpaceEdges::Free ? 1.0 : 0.0);
@@ -51,22 +52,26 @@ double reachOf(HalfSpace& space)
 } // namespace
 
 AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options)
-    : options_(options), cell_(AdhesionLaw(adhesion), space.ownCompliance(), options.hardness), reach_(reachOf(space)),
+    : options_(options),
+      cell_(AdhesionLaw(adhesion), space.ownCompliance(), options.hardness),
+      reach_(reachOf(space)),
       freeScale_(adhesion.equilibriumDistance)
 {
     const UniformGrid grid = space.grid();
     attraction_.assign(grid.cells(), 0.0);
     if (!adhesion.acts()) {
-        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations, options.hardness, options.goOn});
+        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations,
+                                                                 options.hardness, options.goOn});
         return;
     }
     periodic_.emplace(fastGrid(grid), space.modulus(), HalfSpaceEdges::Periodic);
     repeated_.assign(periodic_->grid().cells(), 0.0);
     space_.emplace(std::move(space));
     for (Solution* solution : {&now_, &kept_, &before_, &lower_})
-        for (auto* field : {&solution->separation, &solution->total, &solution->displacement}) field->assign(grid.cells(), 0.0);
-    for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &direction_, &image_, &work_, &totalBefore_,
-                        &displacementBefore_, &displacementEarlier_})
+        for (auto* field : {&solution->separation, &solution->total, &solution->displacement})
+            field->assign(grid.cells(), 0.0);
+    for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &direction_, &image_,
+                        &work_, &totalBefore_, &displacementBefore_, &displacementEarlier_})
         field->assign(grid.cells(), 0.0);
     softening_.assign(grid.cells(), 0.0);
     tangents_ = AdhesiveCell::Tangents(grid.cells());
@@ -89,8 +94,10 @@ std::optional<std::string> AdhesiveContact::objection(std::span<const double> se
     mean /= static_cast<double>(separation.size());
     if (!std::isfinite(mean)) return "The separation of the surfaces is not a finite number everywhere.";
     if (space_->edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
-        return sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space displaces nothing: give a "
-                        "greater separation.", -mean);
+        return sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space "
+                        "displaces nothing: give a "
+                        "greater separation.",
+                        -mean);
     return std::nullopt;
 }
 
@@ -107,8 +114,10 @@ AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation
     iterations_ = 0;
     stopped_ = false;
     std::copy(separation.begin(), separation.end(), now_.separation.begin());
-    if (solveFar(separation)) summary.converged = true;
-    else descendToMinimum(summary);
+    if (solveFar(separation))
+        summary.converged = true;
+    else
+        descendToMinimum(summary);
     summary.iterations = iterations_;
     if (!std::isfinite(summary.error)) {
         reset();
@@ -118,10 +127,12 @@ AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation
         return summary;
     }
     finish(before_, summary);
-    if (stopped_ && !summary.converged) summary.message = "The adhesive contact was stopped before it converged.";
+    if (stopped_ && !summary.converged)
+        summary.message = "The adhesive contact was stopped before it converged.";
     else if (!summary.converged)
-        summary.message = sentence("The adhesive contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_,
-                                   summary.error, options_.tolerance);
+        summary.message =
+            sentence("The adhesive contact did not converge in %d iterations: the error is %.2g, %.2g was asked.",
+                     iterations_, summary.error, options_.tolerance);
     return summary;
 }
 
@@ -173,7 +184,8 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     }
     if (!now_.displaced) displace();
     ahead_ = 0.0;
-    int untilNewton = 0, pause = 1; // descents before Newton's method is tried, more after each time that it does not help
+    int untilNewton = 0,
+        pause = 1; // descents before Newton's method is tried, more after each time that it does not help
     double movedBefore = 0.0;
     double least = infinity;
     for (;;) {
@@ -213,7 +225,8 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
 double AdhesiveContact::presentEnergy() const
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < now_.total.size(); ++i) sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gapAt(i));
+    for (std::size_t i = 0; i < now_.total.size(); ++i)
+        sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gapAt(i));
     return sum * space_->grid().cellArea();
 }
 
@@ -235,7 +248,8 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
         adhesion += attraction_[i];
         const double moved = now_.separation[i] - before.separation[i];
         work -= 0.5 * (now_.total[i] + before.total[i]) * moved;
-        neglected += (now_.displaced ? 0.0 : now_.total[i] * now_.total[i]) + (before.displaced ? 0.0 : before.total[i] * before.total[i]);
+        neglected += (now_.displaced ? 0.0 : now_.total[i] * now_.total[i]) +
+                     (before.displaced ? 0.0 : before.total[i] * before.total[i]);
         quadrature += (now_.total[i] - before.total[i]) * moved;
     }
     const double area = space_->grid().cellArea();
@@ -245,7 +259,8 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
     if (before.exists) {
         constexpr double rounding = 1e-12;
         summary.energyDrop = before.energy + work * area - now_.energy;
-        const double doubt = rounding * (std::abs(before.energy) + std::abs(now_.energy) + std::abs(work * area)) + 0.5 * reach_ * neglected * area;
+        const double doubt = rounding * (std::abs(before.energy) + std::abs(now_.energy) + std::abs(work * area)) +
+                             0.5 * reach_ * neglected * area;
         summary.jumped = summary.energyDrop > 0.25 * std::abs(quadrature * area) + doubt;
     }
     now_.exists = true;

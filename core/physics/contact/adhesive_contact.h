@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Elastic contact and adhesion as one pressure field. The total pressure q = p + f(g), contact p >= 0 and adhesion f, displaces
-// the half-space: g = s + C q, with g >= 0, p g = 0, s the separation of the undeformed surfaces. It is a stationary point of
+// Elastic contact and adhesion as one pressure field. The total pressure q = p + f(g), contact p >= 0 and adhesion f,
+// displaces the half-space: g = s + C q, with g >= 0, p g = 0, s the separation of the undeformed surfaces. It is a
+// stationary point of
 //
 //   Pi(g) = 1/2 (g - s) K (g - s) + sum phi(g) dA,   K = C^-1, f = -dphi/dg, under g >= 0,
 //
-// which has many minima, for phi is concave beyond the largest attraction. Wanted is the one into which the energy falls from
-// the last solution: cells snap in and off when their minimum ceases to exist, and not before.
+// which has many minima, for phi is concave beyond the largest attraction. Wanted is the one into which the energy
+// falls from the last solution: cells snap in and off when their minimum ceases to exist, and not before.
 //
-// Descent: the concave part of phi is replaced by its tangent at the present gaps (adhesive_cell.h), which lies above it, so
-// that the minimum of the convex rest has less energy (majorise and minimise; the concave-convex procedure of Yuille &
-// Rangarajan 2003). That minimum is sought in q, whose energy is convex with bounds: Newton's method on the cells between
-// their bounds, the steps by conjugate gradients, one convolution each, preconditioned by the stiffness of a periodic half-space
-// about as large as the grid; a step past the least energy on its way is cut to it. While the descent goes on without slowing, as
-// when a crack runs, the tangents are taken ahead of the present gaps; where that raises the energy it is taken back.
+// Descent: the concave part of phi is replaced by its tangent at the present gaps (adhesive_cell.h), which lies above
+// it, so that the minimum of the convex rest has less energy (majorise and minimise; the concave-convex procedure of
+// Yuille & Rangarajan 2003). That minimum is sought in q, whose energy is convex with bounds: Newton's method on the
+// cells between their bounds, the steps by conjugate gradients, one convolution each, preconditioned by the stiffness
+// of a periodic half-space about as large as the grid; a step past the least energy on its way is cut to it. While the
+// descent goes on without slowing, as when a crack runs, the tangents are taken ahead of the present gaps; where that
+// raises the energy it is taken back.
 //
-// Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself takes over
-// (adhesive_contact_newton.cpp): a step that does not halve the error, or that has no positive curvature and so leads to a saddle, is
-// taken back, and the descent goes on.
+// Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself
+// takes over (adhesive_contact_newton.cpp): a step that does not halve the error, or that has no positive curvature and
+// so leads to a saddle, is taken back, and the descent goes on.
 //
-// With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when nothing adheres, no gap is below that of the
-// largest attraction f_max and the deformation by f(s) could change no pressure by more than tolerance f_max.
+// With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when nothing adheres, no gap is
+// below that of the largest attraction f_max and the deformation by f(s) could change no pressure by more than
+// tolerance f_max.
 #pragma once
 
 #include <functional>
@@ -37,8 +40,8 @@
 namespace touchdown {
 
 struct AdhesiveContactOptions {
-    /// The largest deviation of a pressure from the law, against the largest pressure, and of a gap from s + C (p + f), of the
-    /// fields that are returned, against the largest displacement [-].
+    /// The largest deviation of a pressure from the law, against the largest pressure, and of a gap from s + C (p + f),
+    /// of the fields that are returned, against the largest displacement [-].
     double tolerance = 1e-8;
     int maximumIterations = 50000;
     double hardness = 0.0;        // H [Pa], cap of p; 0: none
@@ -52,11 +55,11 @@ struct AdhesiveContactSummary {
     double error = 0.0;         // as the tolerance measures it [-]
     double contactForce = 0.0;  // of p, >= 0 [N]
     double adhesionForce = 0.0; // of f [N]
-    /// What the energy fell by beyond the work done on the way from the last solution [J], that work taken by the trapezoidal
-    /// rule: what a snap sets free.
+    /// What the energy fell by beyond the work done on the way from the last solution [J], that work taken by the
+    /// trapezoidal rule: what a snap sets free.
     double energyDrop = 0.0;
-    /// The energy fell by more than a smooth way explains: by a fourth of the change of pressure times that of separation, where
-    /// a constant stiffness gives nothing and the end of a branch a sixth.
+    /// The energy fell by more than a smooth way explains: by a fourth of the change of pressure times that of
+    /// separation, where a constant stiffness gives nothing and the end of a branch a sixth.
     bool jumped = false;
     std::string message; // a sentence, when not converged
 };
@@ -66,8 +69,8 @@ class AdhesiveContact {
 public:
     AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options = {});
 
-    /// At the given separation [m] of the undeformed surfaces, one value for each cell. Allocates nothing after the first call
-    /// unless it fails. Refused input leaves the last solution as it is.
+    /// At the given separation [m] of the undeformed surfaces, one value for each cell. Allocates nothing after the
+    /// first call unless it fails. Refused input leaves the last solution as it is.
     AdhesiveContactSummary solve(std::span<const double> separation);
 
     std::span<const double> pressure() const { return elastic_ ? elastic_->pressure() : pressure_; } // p [Pa]
@@ -80,7 +83,8 @@ public:
 
     /// Forgets the last solution.
     void reset();
-    /// Keeps the last solution, in place of what was kept before; recall() returns to it, so that the next solve() starts there.
+    /// Keeps the last solution, in place of what was kept before; recall() returns to it, so that the next solve()
+    /// starts there.
     void remember() { kept_ = now_; }
     void recall() { now_ = kept_; }
 
@@ -122,13 +126,14 @@ private:
     std::vector<double> repeated_;          // on its grid
     AdhesiveContactOptions options_;
     AdhesiveCell cell_;
-    double reach_;       // the most that pressures up to 1 Pa displace [m/Pa]
-    double freeScale_;   // z0, to which changes of a gap are small or large [m]
+    double reach_;                         // the most that pressures up to 1 Pa displace [m/Pa]
+    double freeScale_;                     // z0, to which changes of a gap are small or large [m]
     Solution now_, kept_, before_, lower_; // lower_: the one of least energy on the descent
     std::vector<double> pressure_, attraction_, gap_;
     // Of the descent: the law's tangents at the present gaps s + C q, and the change that is made with them.
     AdhesiveCell::Tangents tangents_;
-    std::vector<double> present_, offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_, displacementBefore_, displacementEarlier_;
+    std::vector<double> present_, offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_,
+        displacementBefore_, displacementEarlier_;
     // Of Newton's method on the law: of the cells that soften, df/dg, else 0 [Pa/m].
     std::vector<double> softening_;
     std::optional<Gmres<double>> gmres_;

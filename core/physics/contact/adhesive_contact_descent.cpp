@@ -113,16 +113,18 @@ double AdhesiveContact::linearise()
 {
     for (std::size_t i = 0; i < present_.size(); ++i) present_[i] = gapAt(i);
     cell_.tangents(present_, now_.total, offset_, tangents_);
-    const Deviation deviation =
-        deviate({present_.size(), cell_.compliance(), space_->ownStiffness()}, {present_.data(), now_.total.data(), now_.displacement.data()},
-                {tangents_.gap.data(), tangents_.pressure.data(), tangents_.stiffness.data()}, weight_.data(), residual_.data());
+    const Deviation deviation = deviate({present_.size(), cell_.compliance(), space_->ownStiffness()},
+                                        {present_.data(), now_.total.data(), now_.displacement.data()},
+                                        {tangents_.gap.data(), tangents_.pressure.data(), tangents_.stiffness.data()},
+                                        weight_.data(), residual_.data());
     if (!std::isfinite(deviation.all)) return deviation.all;
     const double gapScale = std::max(deviation.displacement, cell_.compliance() * deviation.pressure);
     if (!(deviation.pressure > 0.0)) return std::max(deviation.ofPressure, deviation.ofGap) > 0.0 ? 1.0 : 0.0;
     return std::max(deviation.ofPressure / deviation.pressure, deviation.ofGap / gapScale);
 }
 
-// How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps themselves.
+// How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps
+// themselves.
 double AdhesiveContact::imbalance()
 {
     for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangents_.pressure[i] - now_.total[i];
@@ -131,7 +133,8 @@ double AdhesiveContact::imbalance()
     double error = 0.0, scale = 0.0;
     for (std::size_t i = 0; i < work_.size(); ++i) {
         const double u = now_.displacement[i] + work_[i];
-        const double sizes = std::abs(now_.separation[i]) + cell_.compliance() * std::abs(now_.total[i]); // that the law's gap is made of
+        const double sizes = std::abs(now_.separation[i]) +
+                             cell_.compliance() * std::abs(now_.total[i]); // that the law's gap is made of
         const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * sizes;
         error = std::max(error, std::abs(tangents_.gap[i] - now_.separation[i] - u) - rounding);
         scale = std::max(scale, std::abs(u));
@@ -144,7 +147,8 @@ bool AdhesiveContact::setTangents(bool first)
 {
     if (first) {
         // The surfaces moved while what adheres stayed: the first tangents touch at the gaps of the last solution.
-        for (std::size_t i = 0; i < offset_.size(); ++i) offset_[i] = cell_.offset(before_.separation[i] + before_.displacement[i]);
+        for (std::size_t i = 0; i < offset_.size(); ++i)
+            offset_[i] = cell_.offset(before_.separation[i] + before_.displacement[i]);
     } else if (ahead_ > 0.0) {
         // Ahead of the present gaps, no farther than at twice or half their distance.
         for (std::size_t i = 0; i < offset_.size(); ++i) {
@@ -163,7 +167,8 @@ double AdhesiveContact::descend(double error)
     displacementEarlier_ = now_.displacement;
     minimiseConvex(error);
     double moved = 0.0;
-    for (std::size_t i = 0; i < offset_.size(); ++i) moved = std::max(moved, std::abs(now_.displacement[i] - displacementEarlier_[i]));
+    for (std::size_t i = 0; i < offset_.size(); ++i)
+        moved = std::max(moved, std::abs(now_.displacement[i] - displacementEarlier_[i]));
     return moved;
 }
 
@@ -221,26 +226,31 @@ void AdhesiveContact::solveTangents()
         for (std::size_t i = 0; i < n; ++i) direction_[i] = image_[i] + turn * direction_[i];
     }
     for (std::size_t i = 0; i < n; ++i)
-        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]), cell_.highest(offset_[i]))
+        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]),
+                                                      cell_.highest(offset_[i]))
                                          : tangents_.pressure[i];
 }
 
-// The stiffness of the half-space as if the grid repeated, and for the mean what a uniform pressure meets; between it weights
-// that make the diagonal right where 1/D is added.
+// The stiffness of the half-space as if the grid repeated, and for the mean what a uniform pressure meets; between it
+// weights that make the diagonal right where 1/D is added.
 void AdhesiveContact::precondition(std::span<const double> in, std::span<double> out)
 {
-    const auto nx = static_cast<std::size_t>(space_->grid().nx), stride = static_cast<std::size_t>(periodic_->grid().nx);
+    const auto nx = static_cast<std::size_t>(space_->grid().nx),
+               stride = static_cast<std::size_t>(periodic_->grid().nx);
     double mean = 0.0;
     std::fill(repeated_.begin(), repeated_.end(), 0.0);
     for (std::size_t i = 0; i < in.size(); ++i) mean += work_[i] = weight_[i] * in[i];
     mean /= static_cast<double>(in.size());
-    for (std::size_t row = 0; row * nx < in.size(); ++row) std::copy_n(work_.data() + row * nx, nx, repeated_.data() + row * stride);
+    for (std::size_t row = 0; row * nx < in.size(); ++row)
+        std::copy_n(work_.data() + row * nx, nx, repeated_.data() + row * stride);
     periodic_->stress(repeated_, repeated_);
-    for (std::size_t row = 0; row * nx < in.size(); ++row) std::copy_n(repeated_.data() + row * stride, nx, work_.data() + row * nx);
+    for (std::size_t row = 0; row * nx < in.size(); ++row)
+        std::copy_n(repeated_.data() + row * stride, nx, work_.data() + row * nx);
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = weight_[i] * (work_[i] + mean / reach_);
 }
 
-// The energy that is convex in q has the slope g - g_law(q). Where it rises at the end of the step, the step ends at its least.
+// The energy that is convex in q has the slope g - g_law(q). Where it rises at the end of the step, the step ends at
+// its least.
 bool AdhesiveContact::cutStep()
 {
     const std::size_t n = offset_.size();
@@ -261,8 +271,10 @@ bool AdhesiveContact::cutStep()
     if (!(slopeLower < 0.0)) {
         // No descent: a step along the gradient instead, too short to pass the least energy.
         for (std::size_t i = 0; i < n; ++i) {
-            const double gap = now_.separation[i] + displacementBefore_[i] - cell_.gapUnder(totalBefore_[i], offset_[i]);
-            now_.total[i] = std::clamp(totalBefore_[i] - gap / reach_, cell_.lowest(offset_[i]), cell_.highest(offset_[i]));
+            const double gap =
+                now_.separation[i] + displacementBefore_[i] - cell_.gapUnder(totalBefore_[i], offset_[i]);
+            now_.total[i] =
+                std::clamp(totalBefore_[i] - gap / reach_, cell_.lowest(offset_[i]), cell_.highest(offset_[i]));
         }
         displace();
         return true;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int mostIterations = 12;     // more are needed where it is nearly singular: a cell is about to snap
 constexpr double residualShare = 0.03; // to which the linear system is solved
-constexpr double mostSoftening = 0.9; // of a cell against its own compliance, that its preconditioner knows [-]
+constexpr double mostSoftening = 0.9;  // of a cell against its own compliance, that its preconditioner knows [-]
 
 } // namespace
 
@@ -25,7 +25,9 @@ constexpr double mostSoftening = 0.9; // of a cell against its own compliance, t
 bool AdhesiveContact::snaps() const
 {
     for (std::size_t i = 0; i < present_.size(); ++i)
-        if (tangents_.state[i] == AdhesiveCell::State::Far && cell_.law().derivative(tangents_.gap[i]) >= space_->ownStiffness()) return true;
+        if (tangents_.state[i] == AdhesiveCell::State::Far &&
+            cell_.law().derivative(tangents_.gap[i]) >= space_->ownStiffness())
+            return true;
     return false;
 }
 
@@ -56,8 +58,10 @@ bool AdhesiveContact::newtonStep(double error)
     const auto preconditioned = [&](std::span<const double> in, std::span<double> out) {
         precondition(in, out);
         for (std::size_t i = 0; i < n; ++i) {
-            if (weight_[i] > 0.0) out[i] *= c;
-            else out[i] = in[i] / (1.0 - std::min(softening_[i] * c, mostSoftening));
+            if (weight_[i] > 0.0)
+                out[i] *= c;
+            else
+                out[i] = in[i] / (1.0 - std::min(softening_[i] * c, mostSoftening));
         }
     };
     std::fill(change_.begin(), change_.end(), 0.0);
@@ -68,14 +72,17 @@ bool AdhesiveContact::newtonStep(double error)
     totalBefore_ = now_.total;
     displacementBefore_ = now_.displacement;
     for (std::size_t i = 0; i < n; ++i)
-        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]), cell_.highest(offset_[i]))
+        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]),
+                                                      cell_.highest(offset_[i]))
                                          : now_.total[i] + change_[i];
     displace();
     double curvature = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
         const double moved = now_.displacement[i] - displacementBefore_[i];
         // In contact what remains of the gap is closed, against no law.
-        const double stiffness = tangents_.state[i] == Contact ? 0.0 : weight_[i] > 0.0 ? tangents_.stiffness[i] : -softening_[i];
+        const double stiffness = tangents_.state[i] == Contact ? 0.0
+                                 : weight_[i] > 0.0            ? tangents_.stiffness[i]
+                                                               : -softening_[i];
         curvature += moved * ((now_.total[i] - totalBefore_[i]) + stiffness * moved);
     }
     if (curvature > 0.0) {

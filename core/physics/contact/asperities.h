@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius, Gaussian heights, against a smooth
-// pad; and the liquid that forms menisci on them.
+// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius, Gaussian heights, against a
+// smooth pad; and the liquid that forms menisci on them.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ struct Asperities {
 
 /// Of each wetted asperity: 2 pi R gamma (1 + cos theta) while the liquid bridge stands.
 struct Meniscus {
-    double surfaceTension = 0.025;   // gamma of the lubricant [N/m]
-    double contactAngle = 0.0;       // theta [rad]
-    double filmThickness = 0.5e-9;   // mobile lubricant: a meniscus forms when a summit comes this near [m]
-    double breakingLength = 1.5e-9;  // it breaks when the summit's gap exceeds this [m], >= filmThickness
+    double surfaceTension = 0.025;  // gamma of the lubricant [N/m]
+    double contactAngle = 0.0;      // theta [rad]
+    double filmThickness = 0.5e-9;  // mobile lubricant: a meniscus forms when a summit comes this near [m]
+    double breakingLength = 1.5e-9; // it breaks when the summit's gap exceeds this [m], >= filmThickness
 };
 
 } // namespace touchdown

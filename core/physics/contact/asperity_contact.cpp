@@ -90,8 +90,8 @@ double AsperityContact::summitEnergy(double interference) const
 
 AsperityContact::Derivatives AsperityContact::integrate(double t) const
 {
-    // With v = u - t = w/sigma_s, W = eta int W_1(sigma_s v) phi(t + v) dv; derivatives to t fall on phi, and the first is
-    // taken by parts, so that P stands under the integral. v = x^2 makes P smooth at 0; the panels end at w_c.
+    // With v = u - t = w/sigma_s, W = eta int W_1(sigma_s v) phi(t + v) dv; derivatives to t fall on phi, and the first
+    // is taken by parts, so that P stands under the integral. v = x^2 makes P smooth at 0; the panels end at w_c.
     static const GaussLegendre<12> rule;
     constexpr double farthest = 12.0; // |u|, beyond which phi is below 1e-31
     constexpr double panel = 0.25;    // in x: two of phi's deviations at t = -16
@@ -127,7 +127,8 @@ AsperityContact::Derivatives AsperityContact::deep(double t) const
     const double wc = criticalInterference_;
     const double spread = upperEnd * sigma_;
     if (mean + spread < wc) {
-        // E[w^n] = mean^n (1 + sum over even k of binomial(n, k) (k - 1)!! t^-k), asymptotic; four terms leave 1e-11 at t = -16.
+        // E[w^n] = mean^n (1 + sum over even k of binomial(n, k) (k - 1)!! t^-k), asymptotic; four terms leave 1e-11 at
+        // t = -16.
         const auto moment = [&](double n) {
             double term = 1.0, sum = 1.0;
             for (int k = 2; k <= 8; k += 2) {

@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), for each unit of area. d is the
-// separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s (Asperities::planeHeight; for a
-// Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is pressed by w = z - (d - y_s); with the
-// density phi of Gaussian heights,
+// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), for each unit of area. d is
+// the separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s
+// (Asperities::planeHeight; for a Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is
+// pressed by w = z - (d - y_s); with the density phi of Gaussian heights,
 //
 //   p = eta int P(w) phi(z) dz over w > 0, likewise the contacts (P -> 1), their area (P -> A) and energy.
 //
 //   greenwood-williamson   P = (4/3) E* sqrt(R) w^(3/2), A = pi R w (Hertz)
-//   elastic-plastic        the same up to w_c = (pi K H/(2 E*))^2 R; beyond it the summit's volume is conserved under the
-//                          pressure K H: A = pi R (2 w - w_c), P = K H A; H = 2.8 Y, K = 0.454 + 0.41 nu, nu of the disk
-//                          (Chang, Etsion & Bogy 1987, 1988). P of one summit jumps at w_c from 2/3 to 1 of K H A, as
-//                          theirs does; p does not. It depends on d alone: unloading after flow is not theirs, nor ours.
+//   elastic-plastic        the same up to w_c = (pi K H/(2 E*))^2 R; beyond it the summit's volume is conserved under
+//   the
+//                          pressure K H: A = pi R (2 w - w_c), P = K H A; H = 2.8 Y, K = 0.454 + 0.41 nu, nu of the
+//                          disk (Chang, Etsion & Bogy 1987, 1988). P of one summit jumps at w_c from 2/3 to 1 of K H A,
+//                          as theirs does; p does not. It depends on d alone: unloading after flow is not theirs, nor
+//                          ours.
 //
-// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s, which meet the energy and its first
-// three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its error is below 1e-9
-// of p or p(0), whichever is larger. Left of the table every summit is pressed deep: there all are elastic or all flow, and the
-// moments of w are known. Only where some flow, because w_c happens to lie there, is the integral itself taken (5 us).
+// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s, which meet the energy and
+// its first three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its
+// error is below 1e-9 of p or p(0), whichever is larger. Left of the table every summit is pressed deep: there all are
+// elastic or all flow, and the moments of w are known. Only where some flow, because w_c happens to lie there, is the
+// integral itself taken (5 us).
 #pragma once
 
 #include <algorithm>
@@ -33,11 +36,11 @@ public:
     /// Radius, density, deviation and moduli are positive; so is the yield strength, where it is used.
     AsperityContact(const Asperities& asperities, const ElasticPair& pair);
 
-    double pressure(double separation) const;       // p >= 0 [Pa]
-    double stiffness(double separation) const;      // -dp/dd >= 0 [Pa/m]
+    double pressure(double separation) const;  // p >= 0 [Pa]
+    double stiffness(double separation) const; // -dp/dd >= 0 [Pa/m]
     /// W = the work of pressing from afar [J/m^2]; stored, but for what flow takes.
     double energy(double separation) const;
-    double contactArea(double separation) const;    // real over nominal [-]; summits are taken one by one: it may pass 1
+    double contactArea(double separation) const; // real over nominal [-]; summits are taken one by one: it may pass 1
     double contactDensity(double separation) const; // [1/m^2]
     /// Nothing touches from this separation on [m].
     double reach() const { return planeHeight_ + upperEnd * sigma_; }
@@ -72,18 +75,19 @@ private:
         return {table_[piece], at - static_cast<double>(piece)};
     }
 
-    double sigma_ = 0.0;                // sigma_s [m]
-    double inverseSigma_ = 0.0;         // [1/m]
-    double planeHeight_ = 0.0;          // y_s [m]
-    double density_ = 0.0;              // eta [1/m^2]
-    double radius_ = 0.0;               // R [m]
-    double hertz_ = 0.0;                // (4/3) E* sqrt(R) [N/m^(3/2)]
-    double flow_ = 0.0;                 // pi R K H [N/m]
-    double criticalInterference_ = 0.0; // w_c [m]
+    double sigma_ = 0.0;                                // sigma_s [m]
+    double inverseSigma_ = 0.0;                         // [1/m]
+    double planeHeight_ = 0.0;                          // y_s [m]
+    double density_ = 0.0;                              // eta [1/m^2]
+    double radius_ = 0.0;                               // R [m]
+    double hertz_ = 0.0;                                // (4/3) E* sqrt(R) [N/m^(3/2)]
+    double flow_ = 0.0;                                 // pi R K H [N/m]
+    double criticalInterference_ = 0.0;                 // w_c [m]
     std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
 
-/// y_s of an isotropic Gaussian surface with these summits [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy 1987).
+/// y_s of an isotropic Gaussian surface with these summits [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy
+/// 1987).
 inline double isotropicPlaneHeight(const Asperities& asperities)
 {
     return 0.045944 / (asperities.density * asperities.radius);

@@ -34,7 +34,8 @@ Scales scalesOf(const MultiAsperityCurve& curve)
     return scales;
 }
 
-/// The jump of the largest change of F_m, or where |F_m| first passes half its largest value; `otherwise` where it has none.
+/// The jump of the largest change of F_m, or where |F_m| first passes half its largest value; `otherwise` where it has
+/// none.
 double turningPlace(const MultiAsperity& model, const std::vector<MultiAsperityJump>& jumps,
                     const std::vector<MultiAsperityPoint>& way, double largest, double otherwise)
 {

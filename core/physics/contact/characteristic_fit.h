@@ -3,7 +3,8 @@
 // The five parameters of the simplified characteristic (core/physics/contact/ono_yamane.h) that best describe the full
 // multi-asperity model over one way in and out, and how well they do:
 //
-//   d_s, d_e    where the menisci gather and go: at the jump with the largest change of F_m, or where there is none, where F_m
+//   d_s, d_e    where the menisci gather and go: at the jump with the largest change of F_m, or where there is none,
+//   where F_m
 //               passes half its largest value
 //   f_m         the largest adhesion
 //   k_c, f_c0   least squares of F_cr over d <= d_s, both ways

@@ -50,7 +50,8 @@ constexpr int neighbours = 12;
 constexpr int columnOf[neighbours + 1] = {-2, -1, 0, 1, 2, -2, -1, 0, 1, 2, -2, -1, 0};
 constexpr int rowOf[neighbours + 1] = {-2, -2, -2, -2, -2, -1, -1, -1, -1, -1, 0, 0, 0};
 
-// The last row of L^-1 with A = L L^T over the cells of the set and the cell itself: y/sqrt(y_last) with A y = (0, .., 0, 1).
+// The last row of L^-1 with A = L L^T over the cells of the set and the cell itself: y/sqrt(y_last) with A y = (0, ..,
+// 0, 1).
 std::array<double, neighbours + 4> inverseRow(unsigned set, std::span<const double> compliance)
 {
     int member[neighbours + 1];
@@ -77,8 +78,8 @@ std::array<double, neighbours + 4> inverseRow(unsigned set, std::span<const doub
     return row;
 }
 
-TOUCHDOWN_VECTOR_CLONES void applyRows(Runs runs, const std::uint16_t* sets, const std::array<double, 16>* rows, std::ptrdiff_t stride,
-                                       const double* in, double* half, double* out)
+TOUCHDOWN_VECTOR_CLONES void applyRows(Runs runs, const std::uint16_t* sets, const std::array<double, 16>* rows,
+                                       std::ptrdiff_t stride, const double* in, double* half, double* out)
 {
     for (const auto [first, last] : runs)
         for (std::size_t at = first; at < last; ++at) {
@@ -146,7 +147,8 @@ void ContactCells::findSets()
     forEach([&](std::size_t i) { taken[i] = 1; });
     forEach([&](std::size_t i) {
         unsigned set = 0;
-        for (const int k : usable_) set |= static_cast<unsigned>(taken[static_cast<std::ptrdiff_t>(i) + rowOf[k] * stride_ + columnOf[k]]) << k;
+        for (const int k : usable_)
+            set |= static_cast<unsigned>(taken[static_cast<std::ptrdiff_t>(i) + rowOf[k] * stride_ + columnOf[k]]) << k;
         set_[i] = static_cast<std::uint16_t>(set);
     });
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The cells of a contact whose pressure is sought, as runs of neighbours in the order of storage, and what conjugate
-// gradients do on them alone. Fields are those of the whole grid; sums are taken in an order that depends on the cells only.
+// gradients do on them alone. Fields are those of the whole grid; sums are taken in an order that depends on the cells
+// only.
 //
-// Preconditioner: the factorised sparse approximate inverse of the cells' compliances (Kolotilina & Yeremin 1993), M = G^T G.
-// Row i of G serves cell i and those of the twelve cells before it, at most two rows and two columns away, that take part: it
-// is the last row of the inverse Cholesky factor of their compliances. These depend on distances alone, so that rows are
-// looked up by which of the twelve take part. The array counts as one line, so that neighbours reach round the ends of rows:
-// there cells are coupled that are apart, which costs nothing but a little of its worth; M is positive definite whatever the cells.
+// Preconditioner: the factorised sparse approximate inverse of the cells' compliances (Kolotilina & Yeremin 1993), M =
+// G^T G. Row i of G serves cell i and those of the twelve cells before it, at most two rows and two columns away, that
+// take part: it is the last row of the inverse Cholesky factor of their compliances. These depend on distances alone,
+// so that rows are looked up by which of the twelve take part. The array counts as one line, so that neighbours reach
+// round the ends of rows: there cells are coupled that are apart, which costs nothing but a little of its worth; M is
+// positive definite whatever the cells.
 #pragma once
 
 #include <array>
@@ -28,8 +30,8 @@ public:
     void add(std::size_t cell);
     std::size_t count() const { return count_; }
 
-    /// Values that a field given to precondition() needs before its first cell and after its last; there and wherever no
-    /// cell is, it must be zero.
+    /// Values that a field given to precondition() needs before its first cell and after its last; there and wherever
+    /// no cell is, it must be zero.
     std::size_t margin() const { return margin_; }
     /// out = M in. Returns the sum of out.
     double precondition(const double* in, double* out);
@@ -62,12 +64,12 @@ private:
 
     std::vector<Run> runs_;
     std::size_t count_ = 0, margin_;
-    std::vector<Row> rows_;                    // by the set of neighbours that take part, as bits
-    std::vector<unsigned char> takesPart_;     // with the margin before
-    std::vector<std::uint16_t> set_;           // of each cell, by index
+    std::vector<Row> rows_;                // by the set of neighbours that take part, as bits
+    std::vector<unsigned char> takesPart_; // with the margin before
+    std::vector<std::uint16_t> set_;       // of each cell, by index
     bool setsHold_ = false;
-    std::vector<double> half_, whole_;         // G in; G^T G in, with the margin before and after
-    std::vector<int> usable_;                  // neighbours
+    std::vector<double> half_, whole_; // G in; G^T G in, with the margin before and after
+    std::vector<int> usable_;          // neighbours
     std::ptrdiff_t stride_;
 };
 

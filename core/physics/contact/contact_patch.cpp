@@ -12,10 +12,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr int scanLines = 512;  // over the width
-constexpr int scanPoints = 512; // over the length at least
+constexpr int scanLines = 512;     // over the width
+constexpr int scanPoints = 512;    // over the length at least
 constexpr double mostNumber = 1e9; // of cells along a side, that they can be counted
-constexpr double aside = 1e-12; // from a break, relative to the length: on which side of it a value is taken
+constexpr double aside = 1e-12;    // from a break, relative to the length: on which side of it a value is taken
 
 UniformGrid gridOf(double x0, double y0, double length, double width, double cell)
 {
@@ -119,7 +119,8 @@ private:
     double base_ = 0.0; // of the lowest point [m]
 };
 
-std::vector<Box> regions(const SliderScan& scan, double length, double width, int lines, double lowestY, const std::function<bool()>& goOn)
+std::vector<Box> regions(const SliderScan& scan, double length, double width, int lines, double lowestY,
+                         const std::function<bool()>& goOn)
 {
     std::vector<Box> done, open;
     for (int row = 0; row < lines; ++row) {
@@ -166,14 +167,15 @@ ContactPatch spherePatch(double length, double width, double cell, double radius
         for (int i = 0; i < grid.nx; ++i) {
             const double x = grid.x(i) - 0.5 * grid.nx * grid.dx;
             const double y = grid.y(j) - 0.5 * grid.ny * grid.dy;
-            patch.height[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(i)] =
+            patch
+                .height[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(i)] =
                 (x * x + y * y) / (2.0 * radius);
         }
     return patch;
 }
 
-SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll, double cell,
-                            double reach, int mostCells, const std::function<bool()>& goOn)
+SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll,
+                            double cell, double reach, int mostCells, const std::function<bool()>& goOn)
 {
     const SliderScan scan(surface, length, width, pitch, roll, reach);
     SliderPatches result;
@@ -185,10 +187,12 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
             return static_cast<int>(std::clamp(std::floor(steps * side / of / cell) - 1.0, 0.0, mostNumber));
         };
         const auto high = [&](int steps, double side, int of) {
-            return static_cast<int>(std::min({std::ceil(steps * side / of / cell) + 1.0, std::floor(side / cell + 1e-9), mostNumber}));
+            return static_cast<int>(
+                std::min({std::ceil(steps * side / of / cell) + 1.0, std::floor(side / cell + 1e-9), mostNumber}));
         };
         const int x0 = low(box.x0, length, scanPoints), y0 = low(box.y0, width, scanLines);
-        boxes.push_back({x0, y0, std::max(high(box.x1, length, scanPoints), x0 + 1), std::max(high(box.y1, width, scanLines), y0 + 1)});
+        boxes.push_back({x0, y0, std::max(high(box.x1, length, scanPoints), x0 + 1),
+                         std::max(high(box.y1, width, scanLines), y0 + 1)});
     }
     mergeNear(boxes);
 
@@ -197,8 +201,7 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
         if (nx > mostCells || ny > mostCells) {
             result.patches.clear();
             result.problem = "a region of " + micrometres(nx * cell) + " by " + micrometres(ny * cell) +
-                             " can touch, which is more than " + std::to_string(mostCells) +
-                             " cells along or across";
+                             " can touch, which is more than " + std::to_string(mostCells) + " cells along or across";
             return result;
         }
         ContactPatch patch;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which parts of a pad can touch the disk, and how high they stand: uniform patches of cells, each one a half-space of its own
-// for core/physics/contact/elastic_contact.h.
+// Which parts of a pad can touch the disk, and how high they stand: uniform patches of cells, each one a half-space of
+// its own for core/physics/contact/elastic_contact.h.
 //
 //   flat      a rectangle, height 0
 //   sphere    the paraboloid r^2/(2 R) over a rectangle around its lowest point
-//   slider    the regions of an air bearing surface at a given pitch and roll that lie within `reach` of its lowest point,
-//             h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines whose pieces between
-//             two breaks of the recess are smooth, boxed, and merged where boxes come nearer than the smaller one is long.
+//   slider    the regions of an air bearing surface at a given pitch and roll that lie within `reach` of its lowest
+//   point,
+//             h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines whose pieces
+//             between two breaks of the recess are smooth, boxed, and merged where boxes come nearer than the smaller
+//             one is long.
 //
-// Patches are solved as if each were alone: the load F on one lowers the disk at a distance r by F/(pi E* r) (Boussinesq;
-// Johnson 1985, equation 3.22a), which is left out.
+// Patches are solved as if each were alone: the load F on one lowers the disk at a distance r by F/(pi E* r)
+// (Boussinesq; Johnson 1985, equation 3.22a), which is left out.
 #pragma once
 
 #include <functional>
@@ -38,10 +40,10 @@ struct SliderPatches {
     std::string problem;               // a sentence, when there are too many cells; then no patches
 };
 
-/// `surface` is valid, length and width of the slider positive, cell > 0, reach >= 0; at most `mostCells` along or across a patch.
-/// `goOn` is asked at each line and row; where it says false there are no patches.
-SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll, double cell,
-                            double reach, int mostCells, const std::function<bool()>& goOn = {});
+/// `surface` is valid, length and width of the slider positive, cell > 0, reach >= 0; at most `mostCells` along or
+/// across a patch. `goOn` is asked at each line and row; where it says false there are no patches.
+SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll,
+                            double cell, double reach, int mostCells, const std::function<bool()>& goOn = {});
 
 /// The shortest distance of two patches' boxes, 0 where they meet [m].
 double patchDistance(const UniformGrid& a, const UniformGrid& b);

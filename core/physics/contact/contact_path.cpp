@@ -7,7 +7,8 @@
 
 namespace touchdown {
 
-ContactJump locateJump(const ContactPath& path, double from, double forceAtFrom, double to, double resolution, double smallest)
+ContactJump locateJump(const ContactPath& path, double from, double forceAtFrom, double to, double resolution,
+                       double smallest)
 {
     assert(resolution > 0.0);
     path.remember();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coulomb friction at the slider's underside, half its thickness b below the mass centre. v is the disk's velocity relative
-// to the slider, x towards the trailing edge:
+// Coulomb friction at the slider's underside, half its thickness b below the mass centre. v is the disk's velocity
+// relative to the slider, x towards the trailing edge:
 //
 //   F = mu N tanh(v/v_r)   on the slider, in the direction in which the disk runs
 //   M = -(b/2) F           about the mass centre, nose up: friction presses the nose down
 //
-// N is the real contact force alone: adhesion does not rub. v_r > 0 makes the sign smooth where the disk starts and stops; at
-// |v| > 10 v_r, F is mu N to 1e-8.
+// N is the real contact force alone: adhesion does not rub. v_r > 0 makes the sign smooth where the disk starts and
+// stops; at |v| > 10 v_r, F is mu N to 1e-8.
 #pragma once
 
 #include <cmath>

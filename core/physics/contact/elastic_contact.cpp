@@ -15,10 +15,10 @@ namespace touchdown {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int fewestCells = 16;       // along a side of a grid that has a coarser one
+constexpr int fewestCells = 16; // along a side of a grid that has a coarser one
 constexpr double coarseTolerance = 1e-2;
 constexpr int mostCoarseIterations = 30;
-constexpr int mostCarried = 32;       // solutions whose displacement comes from the one before
+constexpr int mostCarried = 32; // solutions whose displacement comes from the one before
 
 /// What a field's gap and error take over all cells; by eight cells side by side, whatever the width of vectors.
 struct Extremes {
@@ -27,7 +27,8 @@ struct Extremes {
     double all = 0.0;                              // finite if all numbers are
 };
 
-TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, const double* s, const double* u, const double* p, double* gap)
+TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, const double* s, const double* u,
+                                         const double* p, double* gap)
 {
     constexpr std::size_t lanes = 8;
     double lowest[lanes], highest[lanes], peak[lanes] = {}, all[lanes] = {};
@@ -71,15 +72,16 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
     : space_(std::move(space)), options_(options), cells_(space_)
 {
     const std::size_t cells = space_.grid().cells();
-    for (auto* field : {&pressure_, &displacement_, &gap_, &lastPressure_, &lastDisplacement_, &pressureBefore_, &displacementBefore_, &constant_,
-                        &change_, &direction_, &image_})
+    for (auto* field : {&pressure_, &displacement_, &gap_, &lastPressure_, &lastDisplacement_, &pressureBefore_,
+                        &displacementBefore_, &constant_, &change_, &direction_, &image_})
         field->assign(cells, 0.0);
     residual_.assign(cells + 2 * cells_.margin(), 0.0);
     const UniformGrid& grid = space_.grid();
     if (grid.nx % 2 != 0 || grid.ny % 2 != 0 || std::min(grid.nx, grid.ny) < fewestCells) return;
     const UniformGrid coarse{grid.nx / 2, grid.ny / 2, 2.0 * grid.dx, 2.0 * grid.dy, grid.x0, grid.y0};
-    coarser_ = std::make_unique<ElasticContact>(HalfSpace(coarse, space_.modulus(), space_.edges(), options.goOn),
-                                                ElasticContactOptions{coarseTolerance, mostCoarseIterations, options.hardness, options.goOn});
+    coarser_ = std::make_unique<ElasticContact>(
+        HalfSpace(coarse, space_.modulus(), space_.edges(), options.goOn),
+        ElasticContactOptions{coarseTolerance, mostCoarseIterations, options.hardness, options.goOn});
     coarseSeparation_.assign(coarse.cells(), 0.0);
 }
 
@@ -128,8 +130,10 @@ ElasticContactSummary ElasticContact::solve(std::span<const double> separation)
         return summary;
     }
     if (space_.edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
-        return refuse(sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space displaces nothing: "
-                               "give a load, or a greater separation.", -mean));
+        return refuse(sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic "
+                               "half-space displaces nothing: "
+                               "give a load, or a greater separation.",
+                               -mean));
     return iterate(separation, std::nullopt);
 }
 
@@ -137,8 +141,10 @@ ElasticContactSummary ElasticContact::solveLoad(std::span<const double> separati
 {
     assert(separation.size() == pressure_.size());
     const UniformGrid& grid = space_.grid();
-    if (!std::isfinite(sum(separation))) return refuse("The separation of the surfaces is not a finite number everywhere.");
-    if (!(load > 0.0) || !std::isfinite(load)) return refuse(sentence("A load of %g N cannot be held: it must be positive.", load));
+    if (!std::isfinite(sum(separation)))
+        return refuse("The separation of the surfaces is not a finite number everywhere.");
+    if (!(load > 0.0) || !std::isfinite(load))
+        return refuse(sentence("A load of %g N cannot be held: it must be positive.", load));
     const double most = options_.hardness * static_cast<double>(grid.cells()) * grid.cellArea();
     if (options_.hardness > 0.0 && load > most)
         return refuse(sentence("A load of %g N cannot be held: the hardness times the area is %g N.", load, most));
@@ -171,12 +177,14 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
             descend(total);
         }
     }
-    if (!std::isfinite(summary.error)) return refuse("The numbers of the contact are too large or too small to compute with.");
+    if (!std::isfinite(summary.error))
+        return refuse("The numbers of the contact are too large or too small to compute with.");
     summary.load = sum(pressure_) * space_.grid().cellArea();
-    if (stopped_ && !summary.converged) summary.message = "The contact was stopped before it converged.";
+    if (stopped_ && !summary.converged)
+        summary.message = "The contact was stopped before it converged.";
     else if (!summary.converged)
-        summary.message = sentence("The contact did not converge in %d iterations: the error is %.2g, %.2g was asked.", iterations_, summary.error,
-                                   options_.tolerance);
+        summary.message = sentence("The contact did not converge in %d iterations: the error is %.2g, %.2g was asked.",
+                                   iterations_, summary.error, options_.tolerance);
     return summary;
 }
 
@@ -222,7 +230,8 @@ void ElasticContact::startFromCoarser(std::span<const double> separation, std::o
     }
     coarser_->reset();
     coarser_->iterate(coarseSeparation_, total ? std::optional(*total / 4.0) : std::nullopt);
-    for (std::size_t i = 0; i < pressure_.size(); ++i) pressure_[i] = coarser_->pressure_[i / nx / 2 * coarseX + i % nx / 2];
+    for (std::size_t i = 0; i < pressure_.size(); ++i)
+        pressure_[i] = coarser_->pressure_[i / nx / 2 * coarseX + i % nx / 2];
     displacementHolds_ = false;
 }
 
@@ -233,7 +242,8 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const std::size_t cells = pressure_.size();
     double approach = 0.0;
     if (load) {
-        // The mean, from one of them on: what all have in common, a pad far away, must not cost digits of where they differ.
+        // The mean, from one of them on: what all have in common, a pad far away, must not cost digits of where they
+        // differ.
         double first = 0.0, beyondFirst = 0.0, atLeast = -infinity, atMost = infinity;
         std::size_t between = 0;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -248,12 +258,17 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
                 ++between;
             }
         }
-        if (between > 0) approach = first + beyondFirst / static_cast<double>(between);
-        else if (!std::isfinite(atLeast)) approach = atMost;
-        else if (!std::isfinite(atMost)) approach = atLeast;
-        else approach = 0.5 * (atLeast + atMost);
+        if (between > 0)
+            approach = first + beyondFirst / static_cast<double>(between);
+        else if (!std::isfinite(atLeast))
+            approach = atMost;
+        else if (!std::isfinite(atMost))
+            approach = atLeast;
+        else
+            approach = 0.5 * (atLeast + atMost);
     }
-    const Extremes extremes = setGaps(cells, approach, separation.data(), displacement_.data(), pressure_.data(), gap_.data());
+    const Extremes extremes =
+        setGaps(cells, approach, separation.data(), displacement_.data(), pressure_.data(), gap_.data());
     double worst = 0.0;
     bounded_ = true;
     cells_.clear();
@@ -264,7 +279,8 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
         worst = std::max(worst, std::abs(gap_[i]));
         cells_.add(i);
     }
-    // Where the displacement is nearly the same everywhere, as under a uniform pressure that repeats, a cell's own is the measure.
+    // Where the displacement is nearly the same everywhere, as under a uniform pressure that repeats, a cell's own is
+    // the measure.
     const double scale = std::max(extremes.highest - extremes.lowest, 0.1 * extremes.peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;

@@ -4,20 +4,20 @@
 // g = s + u(p), s the separation of the undeformed surfaces. With a hardness H: p <= H, and where p = H the gap may be
 // negative: there the softer body has flowed (elastic - perfectly plastic, Almqvist et al. 2007).
 //
-// The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). Conjugate gradients on FFT
-// convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that spare most convolutions.
-// Theirs change the cells in contact at every step and convolve twice for it; here a few steps are taken on the same cells,
-// and then cells whose pressure left the bounds are fixed there and cells whose gap has the wrong sign are freed (primal-dual
-// active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned (contact_cells.h). If the
-// energy rises often, changes that raise it are cut to the point of least energy on their way, and replaced by a short step along
-// the gradient where there is none.
+// The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). Conjugate gradients
+// on FFT convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that spare most
+// convolutions. Theirs change the cells in contact at every step and convolve twice for it; here a few steps are taken
+// on the same cells, and then cells whose pressure left the bounds are fixed there and cells whose gap has the wrong
+// sign are freed (primal-dual active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned
+// (contact_cells.h). If the energy rises often, changes that raise it are cut to the point of least energy on their
+// way, and replaced by a short step along the gradient where there is none.
 //
-// It starts from the last solution, at a given separation from the point of least energy on the line through the last two.
-// Without a last solution it starts from the one on a grid of cells twice as large, and so on, where their numbers are even and not
-// below sixteen.
+// It starts from the last solution, at a given separation from the point of least energy on the line through the last
+// two. Without a last solution it starts from the one on a grid of cells twice as large, and so on, where their numbers
+// are even and not below sixteen.
 //
-// A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear less
-// than H, as Polonsky & Keer's.
+// A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear
+// less than H, as Polonsky & Keer's.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,8 @@ namespace touchdown {
 
 struct ElasticContactOptions {
     /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to 1e-9 of itself.
+    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to 1e-9
+    /// of itself.
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
@@ -43,11 +44,11 @@ struct ElasticContactOptions {
 
 struct ElasticContactSummary {
     bool converged = false;
-    int iterations = 0;           // each one convolution on the grid itself; 0 where nothing could touch
-    double error = 0.0;           // as the tolerance measures it [-]
-    double load = 0.0;            // [N]
-    double approach = 0.0;        // load control: what was added to the separation [m]
-    std::string message;          // a sentence, when not converged
+    int iterations = 0;    // each one convolution on the grid itself; 0 where nothing could touch
+    double error = 0.0;    // as the tolerance measures it [-]
+    double load = 0.0;     // [N]
+    double approach = 0.0; // load control: what was added to the separation [m]
+    std::string message;   // a sentence, when not converged
 };
 
 /// Holds the pressure of its last solution, from which the next one starts.
@@ -56,15 +57,15 @@ public:
     explicit ElasticContact(HalfSpace space, const ElasticContactOptions& options = {});
 
     /// At the given separation [m] of the undeformed surfaces, one value for each cell, negative where they overlap.
-    /// Costs nothing where no separation is negative. Allocates nothing unless it fails. A periodic half-space gives no way to its
-    /// mean pressure: without a hardness the separation's mean must be positive.
+    /// Costs nothing where no separation is negative. Allocates nothing unless it fails. A periodic half-space gives no
+    /// way to its mean pressure: without a hardness the separation's mean must be positive.
     ElasticContactSummary solve(std::span<const double> separation);
     /// At a given load [N], > 0: finds the uniform approach by which the separation must change, too.
     ElasticContactSummary solveLoad(std::span<const double> separation, double load);
 
     std::span<const double> pressure() const { return pressure_; } // [Pa]
     std::span<const double> gap() const { return gap_; }           // of the deformed surfaces [m]
-    double contactArea() const;                                     // [m^2]
+    double contactArea() const;                                    // [m^2]
     HalfSpace& space() { return space_; }
     /// Forgets the last solution: the next starts from nothing.
     void reset();
@@ -89,13 +90,13 @@ private:
     std::vector<double> lastPressure_, lastDisplacement_; // of the solution before the last
     std::vector<double> pressureBefore_, displacementBefore_;
     std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
-    bool displacementHolds_ = true; // displacement_ is of pressure_
-    int solved_ = 0;                // solutions behind this one, at most two count
-    int carried_ = 0;               // solutions since both displacements were those of their pressures but for rounding
-    bool bounded_ = true;           // pressure_ is within its bounds
+    bool displacementHolds_ = true;                                        // displacement_ is of pressure_
+    int solved_ = 0;      // solutions behind this one, at most two count
+    int carried_ = 0;     // solutions since both displacements were those of their pressures but for rounding
+    bool bounded_ = true; // pressure_ is within its bounds
     std::unique_ptr<ElasticContact> coarser_; // of half the cells along each side, where there are many
     std::vector<double> coarseSeparation_;
-    double wrongGap_ = 0.0;         // that the tolerance allows [m]
+    double wrongGap_ = 0.0; // that the tolerance allows [m]
     int iterations_ = 0, rises_ = 0;
     bool stopped_ = false;
 };

@@ -18,7 +18,8 @@ struct ElasticPair {
 inline double contactModulus(const ElasticPair& pair)
 {
     const auto compliance = [](double modulus, double poisson) { return (1.0 - poisson * poisson) / modulus; };
-    return 1.0 / (compliance(pair.diskModulus, pair.diskPoissonRatio) + compliance(pair.sliderModulus, pair.sliderPoissonRatio));
+    return 1.0 / (compliance(pair.diskModulus, pair.diskPoissonRatio) +
+                  compliance(pair.sliderModulus, pair.sliderPoissonRatio));
 }
 
 } // namespace touchdown

@@ -14,9 +14,12 @@ UniformGrid paddedGrid(const UniformGrid& grid)
     return {paddedSize(grid.nx), paddedSize(grid.ny), grid.dx, grid.dy, grid.x0, grid.y0};
 }
 
-// a ln(b + r) + b ln(a + r) without the terms in a or b alone, which cancel between the corners; odd in a and in b. The cells'
-// values are its second differences, smaller by the square of the distance in cells: hence the long numbers.
-long double corner(long double a, long double b) { return a * std::asinh(b / std::abs(a)) + b * std::asinh(a / std::abs(b)); }
+// a ln(b + r) + b ln(a + r) without the terms in a or b alone, which cancel between the corners; odd in a and in b. The
+// cells' values are its second differences, smaller by the square of the distance in cells: hence the long numbers.
+long double corner(long double a, long double b)
+{
+    return a * std::asinh(b / std::abs(a)) + b * std::asinh(a / std::abs(b));
+}
 
 // The domain's mean of a transform over its m_x m_y wave numbers: the kernel's value at distance 0.
 double kernelAtOrigin(std::span<const double> transform, int mx, int my)
@@ -32,7 +35,10 @@ double kernelAtOrigin(std::span<const double> transform, int mx, int my)
 } // namespace
 
 HalfSpace::HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges, const std::function<bool()>& goOn)
-    : grid_(grid), stiffnessGrid_(edges == HalfSpaceEdges::Free ? paddedGrid(grid) : grid), modulus_(modulus), edges_(edges),
+    : grid_(grid),
+      stiffnessGrid_(edges == HalfSpaceEdges::Free ? paddedGrid(grid) : grid),
+      modulus_(modulus),
+      edges_(edges),
       compliance_(grid.nx, grid.ny, stiffnessGrid_.nx, stiffnessGrid_.ny)
 {
     assert(grid.nx >= 1 && grid.ny >= 1 && grid.dx > 0.0 && grid.dy > 0.0 && modulus > 0.0);
@@ -63,7 +69,8 @@ std::vector<double> HalfSpace::freeTransform(const std::function<bool()>& goOn) 
         if (goOn && !goOn()) return std::vector<double>(width * static_cast<std::size_t>(my / 2 + 1), 0.0);
         setCorners(above, j);
         for (std::size_t i = 0; i < width; ++i)
-            kernel.push_back(static_cast<double>((above[i + 1] - above[i]) - (below[i + 1] - below[i])) / (std::numbers::pi * modulus_));
+            kernel.push_back(static_cast<double>((above[i + 1] - above[i]) - (below[i + 1] - below[i])) /
+                             (std::numbers::pi * modulus_));
         below.swap(above);
     }
     PlaneConvolution::transformKernel(kernel, mx, my);

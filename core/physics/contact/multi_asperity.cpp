@@ -50,7 +50,8 @@ struct MultiAsperity::Path {
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
-    /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest adhesion).
+    /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest
+    /// adhesion).
     double foldingHeight() const
     {
         const double peak =
@@ -58,13 +59,14 @@ struct MultiAsperity::Path {
         return peak > 1.0 ? std::min(farthest, std::sqrt(2.0 * std::log(peak))) * model.sigma_ : 0.0;
     }
 
-    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it says true. Pieces end at the bend; in
-    /// the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a piece, but for folds
-    /// too shallow to count.
+    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it says true. Pieces end at the
+    /// bend; in the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a
+    /// piece, but for folds too shallow to count.
     template <typename Visit>
     void walk(double end, Visit visit) const;
 
-    /// The place in the piece from a to b where d'(s) turns negative: a minimum of d on the way in, a maximum on the way out.
+    /// The place in the piece from a to b where d'(s) turns negative: a minimum of d on the way in, a maximum on the
+    /// way out.
     double fold(double a, double b) const
     {
         for (int i = 0; i < 200; ++i) {
@@ -179,8 +181,9 @@ MultiAsperity::MultiAsperity(const Asperities& asperities, const Meniscus& menis
       density_(asperities.density)
 {
     assert(padArea > 0.0 && film_ >= 0.0 && bridge_ >= film_ && meniscus.surfaceTension >= 0.0);
-    // Mean distance of the points of a unit square, inverted: 4 [ln(1 + sqrt 2) - (sqrt 2 - 1)/3]; u = p sqrt(A)/(pi E*) times
-    // it (Love 1929; Johnson 1985, section 3.3). A circle is 1.2 % softer, 3 pi^(3/2)/16 = 1.0441 (Johnson, equation 3.29).
+    // Mean distance of the points of a unit square, inverted: 4 [ln(1 + sqrt 2) - (sqrt 2 - 1)/3]; u = p sqrt(A)/(pi
+    // E*) times it (Love 1929; Johnson 1985, section 3.3). A circle is 1.2 % softer, 3 pi^(3/2)/16 = 1.0441 (Johnson,
+    // equation 3.29).
     const double square = 4.0 * (std::log(1.0 + std::numbers::sqrt2) - (std::numbers::sqrt2 - 1.0) / 3.0);
     bulkStiffness_ = std::numbers::pi / square * contactModulus(pair) * std::sqrt(padArea);
     const double oneMeniscus =

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Multi-asperity contact and meniscus adhesion with bulk deformation, after Ono and Yamane as Chen & Bogy describe them:
-// forces as functions of the spacing, given the asperities' radius, density and height deviation, the pad's area and the
-// lubricant's surface energy; the contact area does not change; menisci alone adhere. The equations were not available:
-// these are a reading.
+// Multi-asperity contact and meniscus adhesion with bulk deformation, after Ono and Yamane as Chen & Bogy describe
+// them: forces as functions of the spacing, given the asperities' radius, density and height deviation, the pad's area
+// and the lubricant's surface energy; the contact area does not change; menisci alone adhere. The equations were not
+// available: these are a reading.
 //
 //   s = d + F_c/k_b                    local separation of pad and the disk's mean plane; the bulk gives way to F_c
 //   F_c = F_cr + F_m
@@ -11,14 +11,14 @@
 //   F_m = -eta A Q((zeta - y_s)/sigma_s) 2 pi R gamma (1 + cos theta), Q(x) the share of Gaussian heights above x
 //   k_b = 1.0566 E* sqrt(A)            mean displacement of a square under uniform pressure (Love 1929)
 //
-// Heights are above the disk's mean plane, those of the summits lie about y_s. A summit of height z wets when its gap s - z
-// falls to the film's thickness t and dries when it passes the bridge's length h_b. So the wetted ones are always those above
-// one height zeta, which s drags along with play:
+// Heights are above the disk's mean plane, those of the summits lie about y_s. A summit of height z wets when its gap s
+// - z falls to the film's thickness t and dries when it passes the bridge's length h_b. So the wetted ones are always
+// those above one height zeta, which s drags along with play:
 //
 //   zeta <- min(max(zeta, s - h_b), s - t).
 //
-// (s, zeta) is the whole state. d moves s quasi-statically: s follows until the spacing is met. Where menisci gather faster
-// than the bulk can bear, d(s) folds, and s jumps at fixed d: touch-down on the way in, take-off on the way out.
+// (s, zeta) is the whole state. d moves s quasi-statically: s follows until the spacing is met. Where menisci gather
+// faster than the bulk can bear, d(s) folds, and s jumps at fixed d: touch-down on the way in, take-off on the way out.
 #pragma once
 
 #include <cstdint>
@@ -34,12 +34,12 @@ struct MultiAsperityState {
 };
 
 struct MultiAsperityForces {
-    double contact = 0.0;      // F_cr >= 0 [N]
-    double adhesion = 0.0;     // F_m <= 0 [N]
-    double contactArea = 0.0;  // of all summits [m^2]
-    double contacts = 0.0;     // number of pressed summits
-    double menisci = 0.0;      // number of wetted summits
-    double storedEnergy = 0.0; // of the pressed summits and of the bulk [J]
+    double contact = 0.0;                               // F_cr >= 0 [N]
+    double adhesion = 0.0;                              // F_m <= 0 [N]
+    double contactArea = 0.0;                           // of all summits [m^2]
+    double contacts = 0.0;                              // number of pressed summits
+    double menisci = 0.0;                               // number of wetted summits
+    double storedEnergy = 0.0;                          // of the pressed summits and of the bulk [J]
     double total() const { return contact + adhesion; } // F_c [N]
 };
 

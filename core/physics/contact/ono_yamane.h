@@ -71,12 +71,18 @@ public:
     /// The separations between which the region's law holds [m].
     Interval interval(ContactRegion region) const { return row(region).interval; }
     /// The region beyond the lower (upper) end of this one's interval.
-    ContactRegion beyond(ContactRegion region, bool upper) const { return upper ? row(region).above : row(region).below; }
+    ContactRegion beyond(ContactRegion region, bool upper) const
+    {
+        return upper ? row(region).above : row(region).below;
+    }
 
     /// The region of separation d on a branch.
     ContactRegion region(ContactBranch branch, double d) const;
     /// The branch on which a region lies.
-    static ContactBranch branch(ContactRegion region) { return region == ContactRegion::Apart ? ContactBranch::TouchDown : ContactBranch::TakeOff; }
+    static ContactBranch branch(ContactRegion region)
+    {
+        return region == ContactRegion::Apart ? ContactBranch::TouchDown : ContactBranch::TakeOff;
+    }
     /// The branch at separation d after `previous`: what the paper's program asks once per step.
     ContactBranch nextBranch(ContactBranch previous, double d) const;
 

@@ -36,8 +36,8 @@ Bumps::Bumps(const DiskSurface& surface)
     for (std::size_t i = 0; i < surface.bumpHeights.size(); ++i)
         bumps_.push_back({surface.bumpHeights[i], 0.5 * surface.bumpLengths[i], 0.5 * widths[i], surface.bumpX[i],
                           surface.bumpY[i]});
-    // Where bumps meet, all that meet one of them add up to no more than the sum of their heights. A bump longer than half
-    // the track meets its own copies.
+    // Where bumps meet, all that meet one of them add up to no more than the sum of their heights. A bump longer than
+    // half the track meets its own copies.
     const auto copies = [&](const Bump& b) {
         return std::ceil(2.0 * reach_ * b.halfLength / track_) * std::ceil(2.0 * reach_ * b.halfWidth / trackWidth_);
     };

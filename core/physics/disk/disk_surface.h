@@ -26,26 +26,26 @@ struct DiskSurface {
 
     // Rough: Gaussian heights with a given spectrum, periodic with `track` and `trackWidth`.
     RoughnessSpectrum spectrum = RoughnessSpectrum::Gaussian;
-    double rms = 0.2e-9;              // [m]
-    double correlationLength = 2e-6;  // gaussian, exponential: the autocorrelation falls to 1/e [m]
-    double hurst = 0.8;               // self-affine [-]
-    double rollOff = 16e-6;           // self-affine: longest wavelength of the power law; the spectrum is flat beyond [m]
-    double cutOff = 1e-6;             // self-affine: shortest wavelength [m]
+    double rms = 0.2e-9;             // [m]
+    double correlationLength = 2e-6; // gaussian, exponential: the autocorrelation falls to 1/e [m]
+    double hurst = 0.8;              // self-affine [-]
+    double rollOff = 16e-6; // self-affine: longest wavelength of the power law; the spectrum is flat beyond [m]
+    double cutOff = 1e-6;   // self-affine: shortest wavelength [m]
     int seed = 1;
-    double cell = 0.25e-6;            // of the generated map [m]
-    double track = 1e-3;              // period along the motion [m]
-    double trackWidth = 32e-6;        // period across [m]
+    double cell = 0.25e-6;     // of the generated map [m]
+    double track = 1e-3;       // period along the motion [m]
+    double trackWidth = 32e-6; // period across [m]
 
     // File: a profile (along the track, the same across) or a map, columns of text, wave.def or HDF5.
     std::string file;
 
     // Bumps and pits: lists of one length; periodic with `track` and `trackWidth`.
     BumpShape bumpShape = BumpShape::Ellipsoid;
-    std::vector<double> bumpHeights;  // [m]; negative: a pit
-    std::vector<double> bumpLengths;  // full extent at the base along x [m]
-    std::vector<double> bumpWidths;   // across; empty: as long [m]
-    std::vector<double> bumpX;        // of the centre [m]
-    std::vector<double> bumpY;        // [m]
+    std::vector<double> bumpHeights; // [m]; negative: a pit
+    std::vector<double> bumpLengths; // full extent at the base along x [m]
+    std::vector<double> bumpWidths;  // across; empty: as long [m]
+    std::vector<double> bumpX;       // of the centre [m]
+    std::vector<double> bumpY;       // [m]
 
     bool operator==(const DiskSurface&) const = default;
 };

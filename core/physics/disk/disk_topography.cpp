@@ -60,7 +60,8 @@ UniformGrid askedTrack(const DiskSurface& s)
 
 } // namespace
 
-DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file, const std::function<bool()>& goOn)
+DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file,
+                               const std::function<bool()>& goOn)
 {
     assert(diskSurfaceProblems(surface).empty());
     // What a flat disk or a measured one says of the track counts for nothing and may be anything.
@@ -110,7 +111,8 @@ void DiskTopography::cellMeans(const CellGrid& grid, double shiftX, double shift
     cellMeans(grid, shiftX, shiftY, out, work);
 }
 
-void DiskTopography::cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const
+void DiskTopography::cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
+                               std::vector<double>& work) const
 {
     std::ranges::fill(out, 0.0);
     for (const PeriodicSpline& map : maps_) map.addMeans(grid, shiftX, shiftY, out, work);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The disk's surface as all that samples it see it: film, contact patch, plots. w(x, y) [m] above the mean plane, in the
-// disk's coordinates, is the sum of
+// The disk's surface as all that samples it see it: film, contact patch, plots. w(x, y) [m] above the mean plane, in
+// the disk's coordinates, is the sum of
 //
 //   waves      analytic; they run on without end;
-//   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which lie at
-//              multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map repeats. Halfway
-//              between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its amplitude;
+//   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which lie
+//   at
+//              multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map repeats.
+//              Halfway between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its
+//              amplitude;
 //   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
 //
-// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits, wherever
-// the points lie: their positions, and on its own the shift, are rounded to 2^-30 of a cell, or to what numbers of their size
-// can hold, if that is more.
+// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits,
+// wherever the points lie: their positions, and on its own the shift, are rounded to 2^-30 of a cell, or to what
+// numbers of their size can hold, if that is more.
 #pragma once
 
 #include <cstddef>
@@ -30,16 +32,17 @@
 
 namespace touchdown {
 
-/// Does not change after construction: any number of threads may read it. Nothing but the constructor and what takes work space
-/// allocates.
+/// Does not change after construction: any number of threads may read it. Nothing but the constructor and what takes
+/// work space allocates.
 class DiskTopography {
 public:
     /// Flat.
     DiskTopography() : DiskTopography(DiskSurface{}) {}
     /// `surface` without problems (core/physics/disk/disk_surface_check.h); `file` for the kinds that read one.
-    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map. `goOn` is asked meanwhile; where it says
-    /// false there is no roughness.
-    explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {}, const std::function<bool()>& goOn = {});
+    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map. `goOn` is asked meanwhile;
+    /// where it says false there is no roughness.
+    explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {},
+                            const std::function<bool()>& goOn = {});
 
     bool flat() const;
 
@@ -51,14 +54,16 @@ public:
     /// 0.5 % of their height. What is shorter than a cell is averaged out, not aliased into a height that is not there.
     void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// The same, again and again: `work` is allocated by the first call.
-    void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out, std::vector<double>& work) const;
+    void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
+                   std::vector<double>& work) const;
 
-    /// No w is higher, or lower [m]. True bounds, a little beyond the extremes themselves: adequate to rule contact out.
+    /// No w is higher, or lower [m]. True bounds, a little beyond the extremes themselves: adequate to rule contact
+    /// out.
     double highest() const { return highest_; }
     double lowest() const { return lowest_; }
 
-    /// One period of the surface, the cells' centres on the points of its map: what plots and statistics look at. The finest
-    /// map's where there are two; of waves alone, the asked track with the asked cell.
+    /// One period of the surface, the cells' centres on the points of its map: what plots and statistics look at. The
+    /// finest map's where there are two; of waves alone, the asked track with the asked cell.
     UniformGrid period() const { return period_; }
     /// Whether all of it repeats with period(): waves do not in general.
     bool repeats() const { return repeats_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Velocity of the disk under the slider. With X = L/2 - x, Y = W/2 - y, a = R - Y cos phi - X sin phi, b = X cos phi - Y sin phi:
-// size omega sqrt(a^2 + b^2), local skew psi = phi - atan(b/a), (U, V) = size (cos psi, -sin psi).
+// Velocity of the disk under the slider. With X = L/2 - x, Y = W/2 - y, a = R - Y cos phi - X sin phi, b = X cos phi -
+// Y sin phi: size omega sqrt(a^2 + b^2), local skew psi = phi - atan(b/a), (U, V) = size (cos psi, -sin psi).
 #pragma once
 
 #include <cstdint>

@@ -150,8 +150,8 @@ double drawnPower(const Mode& mode, const std::complex<double>& pair)
     return mode.real ? pair.real() * pair.real() : 0.5 * std::norm(pair);
 }
 
-/// By how much alpha the power of each mode, expected P, is to be changed to P (1 + alpha P), for the total to be the expected
-/// one. Given the total, the powers of normal modes are expected to be just that.
+/// By how much alpha the power of each mode, expected P, is to be changed to P (1 + alpha P), for the total to be the
+/// expected one. Given the total, the powers of normal modes are expected to be just that.
 double correction(int seed, Array& map, const GoOn& goOn)
 {
     NormalPairs normal(seed);
@@ -171,7 +171,8 @@ double correction(int seed, Array& map, const GoOn& goOn)
     return std::clamp(missing / weighted, -0.5 / largest, 1.0 / largest);
 }
 
-/// From the power of each mode to one realisation of its amplitude: complex and normal; the transform of something real.
+/// From the power of each mode to one realisation of its amplitude: complex and normal; the transform of something
+/// real.
 void drawAmplitudes(int seed, Array& map, const GoOn& goOn)
 {
     const double alpha = correction(seed, map, goOn);

@@ -5,17 +5,19 @@
 //
 //   gaussian      R(r) = sigma^2 exp(-r^2/lc^2)
 //   exponential   R(r) = sigma^2 exp(-r/lc)
-//   self-affine   C(q) = C0 for q < q_r, C0 (q/q_r)^(-2-2H) for q_r <= q <= q_c, 0 beyond (Persson et al. 2005), q_r and q_c
+//   self-affine   C(q) = C0 for q < q_r, C0 (q/q_r)^(-2-2H) for q_r <= q <= q_c, 0 beyond (Persson et al. 2005), q_r
+//   and q_c
 //                 2 pi over the roll-off and cut-off wavelengths; C0 from sigma.
 //
 // The first two are made from their autocovariance, repeated with the period (circulant embedding, Dietrich & Newsam
-// 1997): the heights at the points have exactly that covariance, and so what waves shorter than two cells would have held is
-// folded to longer ones, as in a measurement at those points. The third has no waves so short.
+// 1997): the heights at the points have exactly that covariance, and so what waves shorter than two cells would have
+// held is folded to longer ones, as in a measurement at those points. The third has no waves so short.
 //
-// Each realisation has the exact RMS about its mean, 0; left alone, over n correlated patches it would scatter by 1/sqrt(2 n)
-// of itself, 1 % and more. To that end the power P of each wave is multiplied by 1 + alpha P, one alpha for all: what powers
-// of normal waves are expected to be, given their sum. The few strong waves that make the RMS scatter are changed, by a few
-// per cent, and the many weak ones are left alone: the density stays within the scatter of the request.
+// Each realisation has the exact RMS about its mean, 0; left alone, over n correlated patches it would scatter by
+// 1/sqrt(2 n) of itself, 1 % and more. To that end the power P of each wave is multiplied by 1 + alpha P, one alpha for
+// all: what powers of normal waves are expected to be, given their sum. The few strong waves that make the RMS scatter
+// are changed, by a few per cent, and the many weak ones are left alone: the density stays within the scatter of the
+// request.
 #pragma once
 
 #include <functional>
@@ -29,8 +31,8 @@ namespace touchdown {
 int mapColumns(const DiskSurface& surface);
 int mapRows(const DiskSurface& surface);
 
-/// Heights [m], row by row, x fastest. The same seed gives the same bits, on every run. Made in place: beside the result no
-/// second map is in memory. `goOn` is asked at each row; where it says false the heights mean nothing.
+/// Heights [m], row by row, x fastest. The same seed gives the same bits, on every run. Made in place: beside the
+/// result no second map is in memory. `goOn` is asked at each row; where it says false the heights mean nothing.
 std::vector<double> generateRoughness(const DiskSurface& surface, const std::function<bool()>& goOn = {});
 
 /// What the density of a profile along the track may be expected to be.
@@ -44,11 +46,12 @@ class RequestedSpectrum {
 public:
     explicit RequestedSpectrum(const DiskSurface& surface);
 
-    /// Of the mean over all rows at wave number q = 2 pi/wavelength > 0 [rad/m], or of the mean over that many wave numbers
-    /// of the period about q. The limits are those of a chi-square variable with 2 modes (sum C)^2/sum C^2 degrees of
-    /// freedom, the sums over the waves across that share q (its quantiles after Wilson & Hilferty 1931).
+    /// Of the mean over all rows at wave number q = 2 pi/wavelength > 0 [rad/m], or of the mean over that many wave
+    /// numbers of the period about q. The limits are those of a chi-square variable with 2 modes (sum C)^2/sum C^2
+    /// degrees of freedom, the sums over the waves across that share q (its quantiles after Wilson & Hilferty 1931).
     RequestedPsd profile(double q, int modes = 1) const;
-    /// C at a wave vector of that size [m^4]: of the self-affine spectrum as made, of the others without what is folded.
+    /// C at a wave vector of that size [m^4]: of the self-affine spectrum as made, of the others without what is
+    /// folded.
     double density(double q) const;
 
 private:

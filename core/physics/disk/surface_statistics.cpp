@@ -114,7 +114,8 @@ struct Moments {
     }
 };
 
-SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic, const std::function<bool()>& goOn = {})
+SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic,
+                               const std::function<bool()>& goOn = {})
 {
     assert(grid.cells() > 0);
     SurfaceStatistics s;

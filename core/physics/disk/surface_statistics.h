@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of a surface, from its heights. Power spectral densities are one-sided, over the wave number q = 2 pi/wavelength
-// along the track: the integral of the density over q > 0 is the variance.
+// Statistics of a surface, from its heights. Power spectral densities are one-sided, over the wave number q = 2
+// pi/wavelength along the track: the integral of the density over q > 0 is the variance.
 #pragma once
 
 #include <functional>
@@ -30,12 +30,13 @@ struct SurfaceStatistics {
     ProfilePsd psd;
 };
 
-/// Of heights on the cells of `grid`, row by row. `periodic`: they repeat in both directions; else the spectrum is taken with
-/// a Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are alike.
+/// Of heights on the cells of `grid`, row by row. `periodic`: they repeat in both directions; else the spectrum is
+/// taken with a Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are
+/// alike.
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic);
 
-/// Of one period of a surface; row by row, so that it is not in memory twice. `goOn` is asked at each; where it says false the
-/// statistics mean nothing.
+/// Of one period of a surface; row by row, so that it is not in memory twice. `goOn` is asked at each; where it says
+/// false the statistics mean nothing.
 SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn = {});
 
 /// The density averaged over bins of equal ratio, at most `perDecade` of them in each decade: for plots.

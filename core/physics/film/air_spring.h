@@ -24,7 +24,10 @@ struct AirSpring {
     /// The smooth law, for a spring that carries [N]; z != 0.
     double force(double z) const { return stiffness * staticSpacing * staticSpacing * (staticSpacing - z) / (z * z); }
     /// dF/dz of the smooth law [N/m]; z != 0.
-    double tangent(double z) const { return stiffness * staticSpacing * staticSpacing * (z - 2.0 * staticSpacing) / (z * z * z); }
+    double tangent(double z) const
+    {
+        return stiffness * staticSpacing * staticSpacing * (z - 2.0 * staticSpacing) / (z * z * z);
+    }
     /// [J]; finite and >= 0 when held, for any z.
     double potential(double z, PotentialBelowCutoff below = PotentialBelowCutoff::Held) const;
 };

@@ -18,7 +18,8 @@ double conduction(double recess)
     return gap * gap;
 }
 
-/// A sliver of deep gap would take in a whole cell's flow at once, and the solvers' sweeps hardly follow; the rest of it is let go.
+/// A sliver of deep gap would take in a whole cell's flow at once, and the solvers' sweeps hardly follow; the rest of
+/// it is let go.
 constexpr double mostShare = 4.0;
 
 /// Of the half cells along one axis, by cell: their area and their conduction times area.
@@ -35,7 +36,8 @@ struct CellConduction {
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
                 for (std::uint32_t k = gaps.rows[r].pieces; k < gaps.rows[r].pieceEnd; ++k) {
                     const GapPiece& piece = gaps.pieces[k];
-                    add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent, piece.recess);
+                    add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent,
+                        piece.recess);
                 }
         }
         for (const CutPlace& place : faces.cut) {

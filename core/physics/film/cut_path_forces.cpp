@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the pressure between two cell centres adds to the cells' own, and the shear of its gradient. Profile of a constant flow F
-// (path_flow.h), from the downstream end with pressure p2: where a piece of length l begins downstream the pressure is a p2 + b F,
+// What the pressure between two cell centres adds to the cells' own, and the shear of its gradient. Profile of a
+// constant flow F (path_flow.h), from the downstream end with pressure p2: where a piece of length l begins downstream
+// the pressure is a p2 + b F,
 //
 //   its mean over the piece a phi p2 + (b phi + r chi) F,   at the other end a <- a exp(-q), b <- b exp(-q) + r phi,
 //
-// and at the upstream end it is p1, which tells F. The excess is the sum of l mean less what the two sides have at the cells'
-// pressures; the shear is -(h/2)(p2 - p1) times the width, h weighted by resistance.
+// and at the upstream end it is p1, which tells F. The excess is the sum of l mean less what the two sides have at the
+// cells' pressures; the shear is -(h/2)(p2 - p1) times the width, h weighted by resistance.
 #include <algorithm>
 
 #include "core/numerics/vector_clones.h"
@@ -78,8 +79,8 @@ struct RowLanes {
     const double *before, *beyond, *upstream, *downstream, *width, *direction; // [Pa], [m], [m], [-]
 };
 
-/// In place of the sums: the excess in `byEnd`, the drag in `R`, with their derivatives at constant end pressures; and in the first
-/// parts of `a` and `b`, the excess's derivatives by the pressures upstream and downstream.
+/// In place of the sums: the excess in `byEnd`, the drag in `R`, with their derivatives at constant end pressures; and
+/// in the first parts of `a` and `b`, the excess's derivatives by the pressures upstream and downstream.
 template <bool layers, typename Number>
 TOUCHDOWN_VECTOR_CLONES void finish(const ForceLanes<Number> path, const RowLanes row, const double* open,
                                     std::size_t rows)

@@ -18,11 +18,16 @@ struct PathLanes {
     Lanes<Number> I, R, decay, before, after;
 
     PathLanes(double* first, std::size_t rows)
-        : I(first, rows), R(first + I.parts * rows, rows), decay(first + 2 * I.parts * rows, rows),
-          before(first + 3 * I.parts * rows, rows), after(first + 4 * I.parts * rows, rows)
+        : I(first, rows),
+          R(first + I.parts * rows, rows),
+          decay(first + 2 * I.parts * rows, rows),
+          before(first + 3 * I.parts * rows, rows),
+          after(first + 4 * I.parts * rows, rows)
+    {}
+    PathIntegral<Number> get(std::size_t k) const
     {
+        return {I.get(k), R.get(k), decay.get(k), before.get(k), after.get(k)};
     }
-    PathIntegral<Number> get(std::size_t k) const { return {I.get(k), R.get(k), decay.get(k), before.get(k), after.get(k)}; }
 };
 
 /// The same piece of many rows.
@@ -46,8 +51,8 @@ TOUCHDOWN_VECTOR_CLONES void setGaps(const Attitude& attitude, std::size_t rows,
 }
 
 template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const PieceLanes piece, double* open, std::size_t rows,
-                                       double viscosity)
+TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const PieceLanes piece, double* open,
+                                       std::size_t rows, double viscosity)
 {
     const double *gap = piece.gap, *G = piece.mobility, *by = piece.mobilityBy, *x = piece.x, *y = piece.y;
     const double *extent = piece.extent, *lead = piece.lead, *feed = piece.feed, *speed = piece.speed;
@@ -75,8 +80,8 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const Piece
 
 /// In place of the sums.
 template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void finish(const PathLanes<Number> path, const double* open, const double* width, const double* share,
-                                    const double* direction, std::size_t rows)
+TOUCHDOWN_VECTOR_CLONES void finish(const PathLanes<Number> path, const double* open, const double* width,
+                                    const double* share, const double* direction, std::size_t rows)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
@@ -121,7 +126,8 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
             rows.push_back({r, face, gaps.rows[r].pieceEnd - gaps.rows[r].pieces});
     std::stable_sort(rows.begin(), rows.end(), [](const Entry& a, const Entry& b) { return a.depth < b.depth; });
     for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
-        const std::size_t depth = rows[first].depth, most = std::max<std::size_t>(1, Work::pieces / std::max<std::size_t>(1, depth));
+        const std::size_t depth = rows[first].depth,
+                          most = std::max<std::size_t>(1, Work::pieces / std::max<std::size_t>(1, depth));
         while (end < rows.size() && rows[end].depth == depth && end - first < most) ++end;
         groups_.push_back({recess_.size(), first, end - first, depth});
         for (std::size_t n = 0; n < depth; ++n)
@@ -188,8 +194,8 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
                 const std::size_t in = n * rows + k;
                 if constexpr (parts == 2) work.mobilityBy_[in] *= work.gap_[in];
                 if constexpr (parts == 4)
-                    work.mobilityBy_[in] = work.mobilityBy_[in] * work.mean_[k] +
-                                           table.gapDerivative(work.product_[in], work.gap_[in]);
+                    work.mobilityBy_[in] =
+                        work.mobilityBy_[in] * work.mean_[k] + table.gapDerivative(work.product_[in], work.gap_[in]);
             }
         const PathLanes<Number> path(work.path_.data(), rows);
         std::fill_n(work.path_.begin(), 5 * parts * rows, 0.0);
@@ -197,8 +203,9 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
         for (std::size_t n = 0; n < group.depth; ++n) {
             const std::size_t in = n * rows, from = group.piece + in;
             addPieces<Number>(path,
-                              {&work.gap_[in], &work.mobility_[in], &work.mobilityBy_[in], &x_[from], &y_[from], &extent_[from],
-                               &lead_[from], &feed_[from], &speed_[group.row], gaps_->length, 0.5 * gaps_->width},
+                              {&work.gap_[in], &work.mobility_[in], &work.mobilityBy_[in], &x_[from], &y_[from],
+                               &extent_[from], &lead_[from], &feed_[from], &speed_[group.row], gaps_->length,
+                               0.5 * gaps_->width},
                               work.open_.data(), rows, viscosity);
         }
         finish<Number>(path, work.open_.data(), &width_[group.row], &share_[group.row], &direction_[group.row], rows);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The paths through the faces of one axis that an edge or a wall meets, laid out for vectors: rows of as many pieces stand side by
-// side, each from its upstream end, so that one pass adds the same piece of many rows (core/physics/film/path_flow.h).
+// The paths through the faces of one axis that an edge or a wall meets, laid out for vectors: rows of as many pieces
+// stand side by side, each from its upstream end, so that one pass adds the same piece of many rows
+// (core/physics/film/path_flow.h).
 #pragma once
 
 #include <cstdint>
@@ -31,15 +32,15 @@ public:
     /// `speed`: that of the disk along the axis by face, halved [m/s]; the gaps must last.
     CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed);
 
-    /// What each cut face passes at these pressures (padded) above a disk of these heights under the faces, in the order of
-    /// FilmGaps: as numbers, with the derivative by the mean pressure along the path (Dual<1>), or with those by height, pitch and
-    /// roll (Dual<3>).
+    /// What each cut face passes at these pressures (padded) above a disk of these heights under the faces, in the
+    /// order of FilmGaps: as numbers, with the derivative by the mean pressure along the path (Dual<1>), or with those
+    /// by height, pitch and roll (Dual<3>).
     template <typename Number>
     void flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
                const FlowTable& table, double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const;
 
-    /// Forces at each cut face in the same way: as numbers, or with derivatives by the pressure below, above, and by height, pitch
-    /// and roll (Dual<5>). Without layers, the excess is zero.
+    /// Forces at each cut face in the same way: as numbers, or with derivatives by the pressure below, above, and by
+    /// height, pitch and roll (Dual<5>). Without layers, the excess is zero.
     template <typename Number>
     void forces(bool layers, std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
                 const FlowTable& table, double viscosity, Work& work, std::vector<CutForces<Number>>& out) const;
@@ -57,10 +58,10 @@ private:
     const FilmGaps* gaps_ = nullptr;
     std::size_t axis_ = 0;
     std::vector<Group> groups_;
-    std::vector<double> recess_, x_, y_, extent_, lead_, feed_;         // by group, piece of the row, row [m]
-    std::vector<std::uint32_t> face_;                             // by row, among the cut ones
-    std::vector<double> speed_, width_, share_, direction_;       // by row [m/s], [m], of the face [-], -1: against the axis
-    std::vector<double> upstream_, downstream_;                   // by row, of the path on either side of the face [m]
+    std::vector<double> recess_, x_, y_, extent_, lead_, feed_; // by group, piece of the row, row [m]
+    std::vector<std::uint32_t> face_;                           // by row, among the cut ones
+    std::vector<double> speed_, width_, share_, direction_; // by row [m/s], [m], of the face [-], -1: against the axis
+    std::vector<double> upstream_, downstream_;             // by row, of the path on either side of the face [m]
 };
 
 class CutPaths::Work {

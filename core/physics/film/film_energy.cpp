@@ -12,8 +12,8 @@ namespace touchdown {
 
 namespace {
 
-/// ln(x) of positive normal numbers, absolute error below 1e-15, without branches or calls. x = 2^k m, m from sqrt(1/2) to sqrt(2),
-/// ln(m) = 2 artanh(s), s = (m - 1)/(m + 1), by its series.
+/// ln(x) of positive normal numbers, absolute error below 1e-15, without branches or calls. x = 2^k m, m from sqrt(1/2)
+/// to sqrt(2), ln(m) = 2 artanh(s), s = (m - 1)/(m + 1), by its series.
 inline double logarithm(double x)
 {
     constexpr std::uint64_t low = std::bit_cast<std::uint64_t>(0.70710678118654757), bias = 1023;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Energy of the film's air, which keeps its temperature. With psi(p) = p ln(p/p0) - p + p0 it can do the work sum psi V. Mass balance
-// d(V p)/dt + R = 0 of the cells times ln(p/p0), summed, is
+// Energy of the film's air, which keeps its temperature. With psi(p) = p ln(p/p0) - p + p0 it can do the work sum psi
+// V. Mass balance d(V p)/dt + R = 0 of the cells times ln(p/p0), summed, is
 //
 //   d(sum psi V)/dt = - sum (p - p0) dV/dt - sum ln(p/p0) R,   - sum ln(p/p0) R = input - dissipation,
 //
-// the work of slider and disk on the volumes and what flows bring. A face that passes F = A p1 - B p2 (path_flow.h) dissipates, with
-// x = ln(p1/p2),
+// the work of slider and disk on the volumes and what flows bring. A face that passes F = A p1 - B p2 (path_flow.h)
+// dissipates, with x = ln(p1/p2),
 //
 //   F x - (A - B)(p1 - p2) = A p1 (x - 1 + exp(-x)) + B p2 (exp(x) - 1 - x) >= 0,
 //
-// where it is smooth the integral of Q h^3 (grad p)^2/(12 mu p). The rest is what the disk puts in by moving along, U h grad p/2, with
-// what the complete flux scheme corrects. The power that goes straight from the disk into Couette's shear is in neither.
+// where it is smooth the integral of Q h^3 (grad p)^2/(12 mu p). The rest is what the disk puts in by moving along, U h
+// grad p/2, with what the complete flux scheme corrects. The power that goes straight from the disk into Couette's
+// shear is in neither.
 #pragma once
 
 #include <span>
@@ -32,13 +33,13 @@ public:
     /// The film must last.
     explicit FilmEnergy(const GasFilm& film);
 
-    /// At the pressures (padded) in which a step of time ended, or in a steady state. The flows are those of the film's last
-    /// residual, which the step's last small change of the pressures has not in it; what flows bring in all is from what the cells
-    /// store. Allocates nothing.
+    /// At the pressures (padded) in which a step of time ended, or in a steady state. The flows are those of the film's
+    /// last residual, which the step's last small change of the pressures has not in it; what flows bring in all is
+    /// from what the cells store. Allocates nothing.
     FilmEnergyState at(std::span<const double> p);
 
-    /// Work of the disk's surface on the air from one state to the next: sum of A (p - p0) times what it rises, by the trapezoidal
-    /// rule; all padded [J].
+    /// Work of the disk's surface on the air from one state to the next: sum of A (p - p0) times what it rises, by the
+    /// trapezoidal rule; all padded [J].
     double surfaceWork(std::span<const double> p1, std::span<const double> p2, std::span<const double> height1,
                        std::span<const double> height2) const;
     /// The same of the volumes of the cells, whatever made them smaller [J].

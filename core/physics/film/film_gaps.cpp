@@ -24,7 +24,10 @@ class Sampler {
 
 public:
     /// Gaps that differ so much that flows do.
-    static bool isStep(double lowest, double highest) { return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift); }
+    static bool isStep(double lowest, double highest)
+    {
+        return highest - lowest >= 0.3 * (std::max(0.0, lowest) + typicalLift);
+    }
 
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
 
@@ -62,7 +65,8 @@ public:
                 from = to;
             }
         }
-        const bool gentle = !isStep(lowest_, highest_) && largestJump_ <= std::max(0.5 * (highest_ - lowest_), alikeRange);
+        const bool gentle =
+            !isStep(lowest_, highest_) && largestJump_ <= std::max(0.5 * (highest_ - lowest_), alikeRange);
         if (!gentle) {
             joinRows(firstRow, end - start);
             return true;
@@ -90,8 +94,10 @@ private:
     void breaks(int axis, double across, double from, double to)
     {
         breaks_.clear();
-        if (axis == 0) recess_.breaksAlongX(across, from, to, breaks_);
-        else recess_.breaksAlongY(across, from, to, breaks_);
+        if (axis == 0)
+            recess_.breaksAlongX(across, from, to, breaks_);
+        else
+            recess_.breaksAlongY(across, from, to, breaks_);
     }
 
     void addPieces(int axis, double across, double start, double end, double face)
@@ -136,13 +142,18 @@ private:
     /// A gap as it may be in flight [m].
     static double gap(double recess) { return std::max(0.0, recess) + typicalLift; }
     /// Whether one number can stand for a range of recesses.
-    static bool areAlike(double lowest, double highest) { return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange; }
+    static bool areAlike(double lowest, double highest)
+    {
+        return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange;
+    }
 
-    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike, from the face outwards. Its gap h
-    /// resists as they do in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
+    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike, from the face outwards.
+    /// Its gap h resists as they do in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second
+    /// order.
     void joinSamples()
     {
-        const auto above = std::find_if(samples_.begin(), samples_.end(), [](const GapPiece& s) { return s.start >= 0.0; });
+        const auto above =
+            std::find_if(samples_.begin(), samples_.end(), [](const GapPiece& s) { return s.start >= 0.0; });
         const std::size_t first = gaps_.pieces.size();
         joinAlike(std::make_reverse_iterator(above), samples_.rend());
         std::reverse(gaps_.pieces.begin() + static_cast<std::ptrdiff_t>(first), gaps_.pieces.end());
@@ -177,8 +188,8 @@ private:
         a.recess -= 2.0 * share * (1.0 - share) * difference * difference / gap(a.recess);
     }
 
-    /// Makes one of the face's rows where the pieces of all are alike: side by side they let through the mean of h^3, that of
-    /// mean(h) + variance(h)/mean(h).
+    /// Makes one of the face's rows where the pieces of all are alike: side by side they let through the mean of h^3,
+    /// that of mean(h) + variance(h)/mean(h).
     void joinRows(std::size_t firstRow, double pathLength)
     {
         const std::size_t count = gaps_.rows.size() - firstRow;
@@ -205,7 +216,8 @@ private:
             for (std::uint32_t r = 0; r < count; ++r) {
                 const GapPiece& piece = gaps_.pieces[first.pieces + r * depth + k];
                 const double share = gaps_.rows[firstRow + r].width / width;
-                for (double GapPiece::*member : {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
+                for (double GapPiece::*member :
+                     {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
                     mean.*member += share * piece.*member;
                 square += share * piece.recess * piece.recess;
             }
@@ -221,8 +233,8 @@ private:
     FilmGaps& gaps_;
     std::vector<double> breaks_, ends_;
     std::vector<GapPiece> samples_;
-    double mean_ = 0.0;                                          // recess of the last row [m]
-    double lowest_ = 0.0, highest_ = 0.0, largestJump_ = 0.0;    // of the face [m]
+    double mean_ = 0.0;                                       // recess of the last row [m]
+    double lowest_ = 0.0, highest_ = 0.0, largestJump_ = 0.0; // of the face [m]
     bool stepBelow_ = false, stepAbove_ = false;
 };
 
@@ -276,11 +288,13 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
                 const double end = start + f.pathLength[line];
                 const std::size_t at = pad.at(i, j), before = at - pad.step(axis);
                 const std::uint32_t firstRow = static_cast<std::uint32_t>(rows.size());
-                const bool smooth = axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
+                const bool smooth =
+                    axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
                 if (smooth || !sampler.divideFace(axis, start, end, lines[line], low, high)) {
                     f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], middle) : recess.at(middle, f.pathMid[line]);
                     f.rise[at] = meanRecess[at] - meanRecess[before];
-                    if (Sampler::isStep(std::min(meanRecess[at], meanRecess[before]), std::max(meanRecess[at], meanRecess[before]))) {
+                    if (Sampler::isStep(std::min(meanRecess[at], meanRecess[before]),
+                                        std::max(meanRecess[at], meanRecess[before]))) {
                         // A ramp, or an edge at the very end of the path, which is beside it.
                         const double inset = 1e-6 * f.pathLength[line];
                         f.rise[at] = axis == 0 ? recess.at(end - inset, middle) - recess.at(start + inset, middle)
@@ -340,7 +354,8 @@ void FilmGaps::setCutCells()
             addHalf(cutBelow, cutBelow ? &*place : nullptr, true);
             addHalf(cutAbove, cutAbove ? &*above : nullptr, false);
             const std::uint32_t last = static_cast<std::uint32_t>(pieces.size());
-            cutCells.push_back({at, static_cast<std::uint32_t>(rows.size()), static_cast<std::uint32_t>(rows.size()) + 1});
+            cutCells.push_back(
+                {at, static_cast<std::uint32_t>(rows.size()), static_cast<std::uint32_t>(rows.size()) + 1});
             rows.push_back({1.0, first, last});
             double volume = 0.0, area = 0.0;
             for (std::uint32_t k = first; k < last; ++k) {

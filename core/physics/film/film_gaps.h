@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess of a surface as the film's cells see it. A path runs from one cell centre to the next, across their face; flow
-// through it meets the gaps on its way in series, and paths side by side in parallel. Where the recess is smooth, one
-// sample in the middle stands for the whole face. Where an edge or a wall meets it, the face is divided into rows, each row at
-// its breaks into pieces, exactly where the recess jumps: this is what makes the load converge on grids that ignore the
-// rails.
+// The recess of a surface as the film's cells see it. A path runs from one cell centre to the next, across their face;
+// flow through it meets the gaps on its way in series, and paths side by side in parallel. Where the recess is smooth,
+// one sample in the middle stands for the whole face. Where an edge or a wall meets it, the face is divided into rows,
+// each row at its breaks into pieces, exactly where the recess jumps: this is what makes the load converge on grids
+// that ignore the rails.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ struct GapPiece {
     double recess; // [m]
     double x, y;   // where it was taken [m]
     double start;  // of a path's piece, from the face [m]; none lies on both sides
-    double lead = 0.0, feed = 0.0; // of the flow across, the part between face and start, along the piece; as lengths [m]
+    double lead = 0.0,
+           feed = 0.0; // of the flow across, the part between face and start, along the piece; as lengths [m]
 };
 
 /// A face that an edge or a wall meets, or such a cell (whose pieces are one row).
@@ -37,7 +38,7 @@ struct CutPlace {
     std::uint32_t rows, rowEnd; // in `rows`
 };
 struct GapRow {
-    double width;                  // [m]
+    double width;                   // [m]
     std::uint32_t pieces, pieceEnd; // in `pieces`
 };
 
@@ -51,9 +52,9 @@ struct FilmGaps {
 
     /// Per axis and face: middle of the path, its length, the width of the face, the recess there.
     struct Faces {
-        std::vector<double> recess;  // padded [m]
-        std::vector<double> rise;    // of the recess from end to end of a smooth path, padded [m]
-        std::vector<double> pathMid; // along the axis, by line [m]; nx + 1 or ny + 1
+        std::vector<double> recess;     // padded [m]
+        std::vector<double> rise;       // of the recess from end to end of a smooth path, padded [m]
+        std::vector<double> pathMid;    // along the axis, by line [m]; nx + 1 or ny + 1
         std::vector<double> pathLength; // by line [m]
         std::vector<double> upperShare; // by line: (face - lower centre)/path length [-]
         std::vector<CutPlace> cut;

@@ -44,7 +44,8 @@ std::vector<double> edgeDensity(const AirBearingSurface& surface, int axis, doub
             double from = axis == 0 ? a.x : a.y, to = axis == 0 ? b.x : b.y;
             if (from > to) std::swap(from, to);
             const double length = (axis == 0 ? std::abs(a.y - b.y) : std::abs(a.x - b.x)) / across;
-            const double first = std::clamp(from / bin - 1.0, 0.0, bins - 1.0), last = std::clamp(to / bin + 1.0, 0.0, bins - 1.0);
+            const double first = std::clamp(from / bin - 1.0, 0.0, bins - 1.0),
+                         last = std::clamp(to / bin + 1.0, 0.0, bins - 1.0);
             for (std::size_t m = static_cast<std::size_t>(first); m <= static_cast<std::size_t>(last); ++m)
                 density[m] += length / (to - from + 3.0 * bin);
         }
@@ -79,8 +80,8 @@ std::vector<double> byPosition(const std::vector<double>& lines, const std::vect
     return density;
 }
 
-/// By position: sum over the other direction of |d2p/dx2|/p. An error of the pressure on its way downstream stays the same
-/// part of it, so that parts count, not pascals.
+/// By position: sum over the other direction of |d2p/dx2|/p. An error of the pressure on its way downstream stays the
+/// same part of it, so that parts count, not pascals.
 std::vector<double> bendDensity(const CellGrid& grid, int axis, std::span<const double> pressure, double ambient)
 {
     const int n = axis == 0 ? grid.nx() : grid.ny(), nAcross = axis == 0 ? grid.ny() : grid.nx();
@@ -100,7 +101,8 @@ std::vector<double> bendDensity(const CellGrid& grid, int axis, std::span<const 
         for (int j = 0; j < nAcross; ++j) {
             const std::size_t a = static_cast<std::size_t>(j);
             const double p = value(i, j);
-            const double second = ((value(i + 1, j) - p) / above - (p - value(i - 1, j)) / below) / (0.5 * (below + above));
+            const double second =
+                ((value(i + 1, j) - p) / above - (p - value(i - 1, j)) / below) / (0.5 * (below + above));
             bend[k] += std::abs(second) / p * (acrossLines[a + 1] - acrossLines[a]);
         }
     }
@@ -145,7 +147,9 @@ CellGrid uniformGrid(double length, double width, int nx, int ny)
 CellGrid gradedGrid(const AirBearingSurface& surface, double length, double width, int nx, int ny)
 {
     const auto axis = [&](int which, double extent, double across, int n) {
-        AxisWish wish{.start = 0.0, .end = extent, .density = edgeDensity(surface, which, extent, across),
+        AxisWish wish{.start = 0.0,
+                      .end = extent,
+                      .density = edgeDensity(surface, which, extent, across),
                       .marks = edgeMarks(surface, which, extent, across)};
         normalise(wish.density, 1.0 / 3.0);
         for (double& d : wish.density) d = 0.5 + 0.5 * d;
@@ -158,7 +162,9 @@ CellGrid adaptedGrid(const AirBearingSurface& surface, double length, double wid
                      const KnownFilm& known)
 {
     const auto axis = [&](int which, double extent, double across, int n) {
-        AxisWish wish{.start = 0.0, .end = extent, .density = bendDensity(known.grid, which, known.pressure, known.ambient),
+        AxisWish wish{.start = 0.0,
+                      .end = extent,
+                      .density = bendDensity(known.grid, which, known.pressure, known.ambient),
                       .marks = edgeMarks(surface, which, extent, across)};
         normalise(wish.density, 1.0 / 3.0);
         std::vector<double> slope = slopeDensity(known.grid, which, known.gap, known.draggedGap);
@@ -205,8 +211,9 @@ std::vector<double> transfer(const CellGrid& from, std::span<const double> field
     result.reserve(to.cells());
     for (const Place& y : py)
         for (const Place& x : px)
-            result.push_back((1.0 - y.share) * ((1.0 - x.share) * value(x.low, y.low) + x.share * value(x.low + 1, y.low)) +
-                             y.share * ((1.0 - x.share) * value(x.low, y.low + 1) + x.share * value(x.low + 1, y.low + 1)));
+            result.push_back(
+                (1.0 - y.share) * ((1.0 - x.share) * value(x.low, y.low) + x.share * value(x.low + 1, y.low)) +
+                y.share * ((1.0 - x.share) * value(x.low, y.low + 1) + x.share * value(x.low + 1, y.low + 1)));
     return result;
 }
 

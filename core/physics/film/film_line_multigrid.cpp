@@ -9,15 +9,15 @@ namespace touchdown {
 
 namespace {
 
-constexpr int coarsestAlong = 16;      // along the longer axis, or
-constexpr int coarsestAcross = 4;      // along the shorter one
-constexpr int coarsestSweeps = 16;     // there, which solve nearly exactly
-constexpr int coarsestCycles = 4;      // there, to begin with
-constexpr int sweeps = 2;              // of one relaxation
-constexpr int deferrals = 4;           // of the complete flux scheme's correction, in one relaxation
-constexpr double keptGuess = 0.1;      // residual of a guess that climbing the levels would spoil [-]
-constexpr double enoughGain = 0.2;     // of a cycle, for operators to be kept [-]
-constexpr double toleratedLoss = 4.0;  // against the best residual, for a cycle to be kept [-]
+constexpr int coarsestAlong = 16;     // along the longer axis, or
+constexpr int coarsestAcross = 4;     // along the shorter one
+constexpr int coarsestSweeps = 16;    // there, which solve nearly exactly
+constexpr int coarsestCycles = 4;     // there, to begin with
+constexpr int sweeps = 2;             // of one relaxation
+constexpr int deferrals = 4;          // of the complete flux scheme's correction, in one relaxation
+constexpr double keptGuess = 0.1;     // residual of a guess that climbing the levels would spoil [-]
+constexpr double enoughGain = 0.2;    // of a cycle, for operators to be kept [-]
+constexpr double toleratedLoss = 4.0; // against the best residual, for a cycle to be kept [-]
 
 void copy(std::span<const double> from, std::span<double> to) { std::copy(from.begin(), from.end(), to.begin()); }
 
@@ -34,8 +34,12 @@ void negate(std::span<const double> from, std::span<double> to)
 } // namespace
 
 FilmLineMultigrid::Level::Level(FilmGaps levelGaps, const FilmSetting& setting)
-    : gaps(std::move(levelGaps)), film(gaps, setting), lines(gaps.pad), toCoarser(gaps.grid),
-      complete(setting.scheme == ConvectionScheme::CompleteFlux), pressure(gaps.pad.size(), setting.air.pressure)
+    : gaps(std::move(levelGaps)),
+      film(gaps, setting),
+      lines(gaps.pad),
+      toCoarser(gaps.grid),
+      complete(setting.scheme == ConvectionScheme::CompleteFlux),
+      pressure(gaps.pad.size(), setting.air.pressure)
 {
     if (complete) flows.resize(gaps.pad.size());
     for (auto* field : {&residual, &right, &correction, &change}) field->assign(gaps.pad.size(), 0.0);
@@ -127,7 +131,8 @@ void FilmLineMultigrid::climb(FilmSolution& result)
         Level& finer = levels_[l - 1];
         copy(level.pressure, level.change); // the rings too, so that their difference is zero
         finer.toCoarser.mean(finer.pressure, level.change);
-        for (std::size_t at = 0; at < level.change.size(); ++at) level.change[at] = level.pressure[at] - level.change[at];
+        for (std::size_t at = 0; at < level.change.size(); ++at)
+            level.change[at] = level.pressure[at] - level.change[at];
         finer.toCoarser.interpolate(level.change, finer.change);
         addBounded(finer.pressure, finer.change);
     }
@@ -176,8 +181,10 @@ void FilmLineMultigrid::Level::relax(int count, bool fromZero)
         return;
     }
     for (int d = 0; d < deferrals; ++d) {
-        if (d == 0 && fromZero) copy(right, residual);
-        else leave();
+        if (d == 0 && fromZero)
+            copy(right, residual);
+        else
+            leave();
         std::fill(change.begin(), change.end(), 0.0);
         for (int k = 0; k < count; ++k) lines.sweep(residual, change);
         add(change, correction);
@@ -202,10 +209,7 @@ double FilmLineMultigrid::residualOf(Level& level)
     return residualNorm(level.film, level.residual);
 }
 
-double FilmLineMultigrid::longerShift(double shift) const
-{
-    return shift == 0.0 ? 10.0 * passage() : 8.0 * shift;
-}
+double FilmLineMultigrid::longerShift(double shift) const { return shift == 0.0 ? 10.0 * passage() : 8.0 * shift; }
 
 double FilmLineMultigrid::shorterShift(double shift, double gain) const
 {

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The steady film at a fixed attitude by alternating-direction line sweeps with full multigrid (Brandt 1977; for air bearings
-// Lu 1997), the method of the established programs: Newton's discrete solution by another path.
+// The steady film at a fixed attitude by alternating-direction line sweeps with full multigrid (Brandt 1977; for air
+// bearings Lu 1997), the method of the established programs: Newton's discrete solution by another path.
 //
-// Every second line of a grid makes the next coarser one; each level samples the surface for itself and has its own film.
-// The pressure starts on the coarsest level and is handed on from level to level, with one V cycle on each. A cycle seeks
-// the correction v of the pressure,
+// Every second line of a grid makes the next coarser one; each level samples the surface for itself and has its own
+// film. The pressure starts on the coarsest level and is handed on from level to level, with one V cycle on each. A
+// cycle seeks the correction v of the pressure,
 //
 //   J v = -R(p):  relax; sum what is left of the outflow over the coarse cells; correct there; interpolate; relax.
 //
-// Relaxation is zebra lines along x, then along y, with the derivatives of the flow that the convection scheme passes; a
-// coarse level takes its own at the mean of the finer one's pressure. One linearisation serves a whole visit of a level, so
-// that the full approximation of coarse levels comes down to their corrections; it is kept for further cycles until one
-// gains too little. Linearising at each relaxation saves no cycle and costs twice the time.
+// Relaxation is zebra lines along x, then along y, with the derivatives of the flow that the convection scheme passes;
+// a coarse level takes its own at the mean of the finer one's pressure. One linearisation serves a whole visit of a
+// level, so that the full approximation of coarse levels comes down to their corrections; it is kept for further cycles
+// until one gains too little. Linearising at each relaxation saves no cycle and costs twice the time.
 //
-// What the complete flux scheme adds couples nine cells and more, and is deferred: lines solve the five-point part for what
-// the whole J leaves of the residual, several times at each relaxation. Deferred once per relaxation it takes up to twice as
-// many cycles. Coarse levels do without, with exponential fitting.
+// What the complete flux scheme adds couples nine cells and more, and is deferred: lines solve the five-point part for
+// what the whole J leaves of the residual, several times at each relaxation. Deferred once per relaxation it takes up
+// to twice as many cycles. Coarse levels do without, with exponential fitting.
 //
-// No pressure rises or falls by more than a factor of three in a cycle, so that none becomes negative. A cycle that makes
-// things much worse is taken back, and repeated with a step in time in place of the steady state.
+// No pressure rises or falls by more than a factor of three in a cycle, so that none becomes negative. A cycle that
+// makes things much worse is taken back, and repeated with a step in time in place of the steady state.
 #pragma once
 
 #include <deque>
@@ -36,8 +36,7 @@ class FilmLineMultigrid {
 public:
     FilmLineMultigrid(const Recess& recess, const CellGrid& grid, const FilmSetting& setting)
         : FilmLineMultigrid(recess, FilmGaps(recess, grid), setting)
-    {
-    }
+    {}
     /// `finest`: the recess as the finest grid sees it.
     FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting);
     FilmLineMultigrid(FilmLineMultigrid&&) = default; // moved, the levels stay where they are
@@ -47,8 +46,9 @@ public:
     GasFilm& film() { return levels_.front().film; }
     void setAttitude(const Attitude& attitude);
 
-    /// Solves R(p) = 0 from the guess p (padded). `iterations` are V cycles on the finest grid, `solves` those on all. A
-    /// guess that is nearly right is kept; with another one the levels are climbed. Without convergence, p is the best seen.
+    /// Solves R(p) = 0 from the guess p (padded). `iterations` are V cycles on the finest grid, `solves` those on all.
+    /// A guess that is nearly right is kept; with another one the levels are climbed. Without convergence, p is the
+    /// best seen.
     FilmSolution solve(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor = {});
 
 private:
@@ -57,7 +57,8 @@ private:
 
         /// At the pressure, with a step in time of 1/shift.
         void linearise(double shift);
-        /// Sweeps over the lines; as often again for each deferral of a complete flux scheme. `fromZero`: the correction is.
+        /// Sweeps over the lines; as often again for each deferral of a complete flux scheme. `fromZero`: the
+        /// correction is.
         void relax(int sweeps, bool fromZero);
         /// residual = right - J correction.
         void leave();

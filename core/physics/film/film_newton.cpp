@@ -19,7 +19,11 @@ void addBounded(std::span<double> p, std::span<const double> step)
 }
 
 FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
-    : film_(film), stencil_(film.pad()), multigrid_(film.pad()), gmres_(film.pad().size()), diagonal_(film.pad().size(), 0.0)
+    : film_(film),
+      stencil_(film.pad()),
+      multigrid_(film.pad()),
+      gmres_(film.pad().size()),
+      diagonal_(film.pad().size(), 0.0)
 {
     work_.resize(film.pad().size());
     for (auto* pair : {&effective_, &convection_})
@@ -29,12 +33,13 @@ FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
 void FilmLinearSolver::prepare(double shift)
 {
     shift_ = shift;
-    for (std::size_t at = 0; at < diagonal_.size(); ++at) diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
+    for (std::size_t at = 0; at < diagonal_.size(); ++at)
+        diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
     const auto& faces = film_.faces();
     film_.setStencil(stencil_);
     for (std::size_t axis = 0; axis < 2; ++axis)
-        stencil_.addStored(axis, film_.storagePerTime(), film_.volumes(), {faces[axis].effective, faces[axis].convection},
-                           effective_[axis], convection_[axis]);
+        stencil_.addStored(axis, film_.storagePerTime(), film_.volumes(),
+                           {faces[axis].effective, faces[axis].convection}, effective_[axis], convection_[axis]);
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
                             FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
                            diagonal_);
@@ -58,7 +63,9 @@ GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double>
         film_.applyJacobian(v, out, work_);
         addShift(v, out);
     };
-    const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
+    const auto precondition = [this](std::span<const double> v, std::span<double> out) {
+        multigrid_.precondition(v, out);
+    };
     return gmres_.solve(apply, precondition, b, x, options);
 }
 
@@ -71,8 +78,8 @@ void FilmLinearSolver::prepareTransposed()
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            diagonal_[at] = (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]) +
-                            film_.storagePerTime() * film_.volumes()[at];
+            diagonal_[at] =
+                (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]) + film_.storagePerTime() * film_.volumes()[at];
         }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         for (std::size_t at = 0; at < pad.size(); ++at) convection_[axis][at] = -faces[axis].convection[at];
@@ -82,20 +89,26 @@ void FilmLinearSolver::prepareTransposed()
                            diagonal_);
 }
 
-GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options)
+GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x,
+                                              const GmresOptions& options)
 {
     const auto apply = [this](std::span<const double> v, std::span<double> out) {
         film_.applyTransposedJacobian(v, out, work_);
     };
-    const auto precondition = [this](std::span<const double> v, std::span<double> out) { multigrid_.precondition(v, out); };
+    const auto precondition = [this](std::span<const double> v, std::span<double> out) {
+        multigrid_.precondition(v, out);
+    };
     return gmres_.solve(apply, precondition, b, x, options);
 }
 
 FilmNewton::FilmNewton(GasFilm& film)
-    : film_(film), linear_(film), residual_(film.pad().size()), step_(film.pad().size()), right_(film.pad().size()),
+    : film_(film),
+      linear_(film),
+      residual_(film.pad().size()),
+      step_(film.pad().size()),
+      right_(film.pad().size()),
       best_(film.pad().size())
-{
-}
+{}
 
 FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor)
 {
@@ -119,10 +132,12 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         linear_.prepare(shift);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(step_.begin(), step_.end(), 0.0);
-        // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks for.
+        // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks
+        // for.
         const double deserved = std::clamp(0.1 * std::sqrt(result.residual), 1e-4, 0.03);
         const double forcing = std::max(deserved, std::min(0.1, 0.3 * options.tolerance / result.residual));
-        const GmresResult linear = linear_.solve(right_, step_, {.tolerance = forcing, .maximumIterations = 60, .goOn = goOn});
+        const GmresResult linear =
+            linear_.solve(right_, step_, {.tolerance = forcing, .maximumIterations = 60, .goOn = goOn});
         if (result.cancelled) return result;
         result.solves += linear.iterations;
         addBounded(p, step_);
@@ -130,7 +145,8 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         const double residual = residualNorm(film_, residual_);
         ++result.iterations;
         // The first steps may make the sum of residuals larger while the pressure finds its shape.
-        const bool acceptable = std::isfinite(residual) && residual < (accepted < 3 && shift == 0.0 ? 20.0 : 1.5) * result.residual;
+        const bool acceptable =
+            std::isfinite(residual) && residual < (accepted < 3 && shift == 0.0 ? 20.0 : 1.5) * result.residual;
         if (acceptable) {
             ++accepted;
             // Three steps that hardly help: let the film settle for a few passages of the disk.

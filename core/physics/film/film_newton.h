@@ -18,16 +18,16 @@
 namespace touchdown {
 
 struct FilmOptions {
-    double tolerance = 1e-7;  // of the residual: sum of the cells' |R|, against the flow through the film [-]
+    double tolerance = 1e-7; // of the residual: sum of the cells' |R|, against the flow through the film [-]
     int maximumIterations = 60;
 };
 
 struct FilmSolution {
     bool converged = false;
     bool cancelled = false;
-    int iterations = 0;       // Newton steps, or multigrid cycles
-    int solves = 0;           // preconditioned iterations
-    double residual = 0.0;    // reached [-]
+    int iterations = 0;    // Newton steps, or multigrid cycles
+    int solves = 0;        // preconditioned iterations
+    double residual = 0.0; // reached [-]
 };
 
 /// Told at each iteration and within its linear solution: number, residual. Return false to stop.
@@ -40,9 +40,11 @@ public:
 
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
-    /// out = J v to single precision (film_stencil.h), of what was prepared; padded, zero rings. Cells store as the film does now.
+    /// out = J v to single precision (film_stencil.h), of what was prepared; padded, zero rings. Cells store as the
+    /// film does now.
     void apply(std::span<const double> v, std::span<double> out) const;
-    /// v = roughly J^-1 b, padded: along x, then along y (Multigrid::solveFactors); so, and by coarser grids; by a full cycle.
+    /// v = roughly J^-1 b, padded: along x, then along y (Multigrid::solveFactors); so, and by coarser grids; by a full
+    /// cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
     void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
     void cycle(std::span<const double> b, std::span<double> v) { multigrid_.precondition(b, v); }

@@ -7,13 +7,18 @@ using Complex = std::complex<double>;
 
 namespace {
 
-// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again and again.
+// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again
+// and again.
 constexpr int restart = 50;
 
 } // namespace
 
 FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
-    : film_(film), multigrid_(film.pad()), gmres_(film.pad().size(), restart), diagonal_(film.pad().size()), right_(film.pad().size())
+    : film_(film),
+      multigrid_(film.pad()),
+      gmres_(film.pad().size(), restart),
+      diagonal_(film.pad().size()),
+      right_(film.pad().size())
 {
     work_.resize(film.pad().size());
     film.attitudeColumns(p, columns_);
@@ -32,8 +37,12 @@ void FilmOscillation::setRate(Complex s)
 
 void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& converged)
 {
-    const auto apply = [this, s](std::span<const Complex> v, std::span<Complex> out) { film_.applyJacobian(v, out, work_, s); };
-    const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) { multigrid_.precondition(v, out); };
+    const auto apply = [this, s](std::span<const Complex> v, std::span<Complex> out) {
+        film_.applyJacobian(v, out, work_, s);
+    };
+    const auto precondition = [this](std::span<const Complex> v, std::span<Complex> out) {
+        multigrid_.precondition(v, out);
+    };
     const GmresOptions options{.tolerance = 1e-8, .maximumIterations = 200, .goOn = goOn_};
     converged = gmres_.solve(apply, precondition, right_, response, options).converged && converged;
 }

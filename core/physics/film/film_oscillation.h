@@ -4,10 +4,10 @@
 //
 //   (J + s S) dp + (dR/da + s T) da = 0
 //
-// J the film's Jacobian, a the attitude. S and T are what the residual answers to a rate of storage d(p V)/dt = s (V dp + p dV/da
-// da) in the cells: itself, and with the complete flux scheme what it feeds the flow along each path. The dynamic stiffness is
-// what the film answers: Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure and attitude;
-// Z(i omega) = K + i omega C.
+// J the film's Jacobian, a the attitude. S and T are what the residual answers to a rate of storage d(p V)/dt = s (V dp
+// + p dV/da da) in the cells: itself, and with the complete flux scheme what it feeds the flow along each path. The
+// dynamic stiffness is what the film answers: Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure
+// and attitude; Z(i omega) = K + i omega C.
 #pragma once
 
 #include <array>
@@ -28,10 +28,12 @@ public:
     /// The film must be linearised at p (padded), its steady state, without storage.
     FilmOscillation(const GasFilm& film, std::span<const double> p);
 
-    /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces' derivatives.
-    /// `converged` turns false where a linear system was not solved. Each of the first `columns` takes one, the others stay zero.
+    /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces'
+    /// derivatives. `converged` turns false where a linear system was not solved. Each of the first `columns` takes
+    /// one, the others stay zero.
     ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
-                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged, std::size_t columns = 3);
+                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged,
+                             std::size_t columns = 3);
     /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
     std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
                                                const std::array<std::vector<double>, 3>& byPressure, bool& converged);

@@ -14,8 +14,8 @@ struct StencilRow {
     std::array<const float*, 2> storedBelow, storedAbove;
 };
 
-TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const StencilRow row, double rate, const double* volume,
-                                      const double* v, double* out)
+TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const StencilRow row, double rate,
+                                      const double* volume, const double* v, double* out)
 {
     const auto [c0, c1, c2, c3, c4, c5, c6, c7] = row.beside;
     const float *sum = row.sum, *xBelow = row.storedBelow[0], *xAbove = row.storedAbove[0];
@@ -37,9 +37,9 @@ TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const S
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES void addStoredRow(std::size_t count, std::size_t step, double rate, const double* volume, const float* below,
-                                          const float* above, const double* effective, const double* convection,
-                                          double* effectiveOut, double* convectionOut)
+TOUCHDOWN_VECTOR_CLONES void addStoredRow(std::size_t count, std::size_t step, double rate, const double* volume,
+                                          const float* below, const float* above, const double* effective,
+                                          const double* convection, double* effectiveOut, double* convectionOut)
 {
     const double* volumeBelow = volume - step;
 #pragma GCC ivdep
@@ -60,11 +60,13 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
         for (auto& field : *pair) field.assign(pad.size(), 0.0f);
 }
 
-void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume, std::span<double> out) const
+void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume,
+                        std::span<double> out) const
 {
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        StencilRow row{{}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
+        StencilRow row{
+            {}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
         for (std::size_t k = 0; k < beside.size(); ++k) row.beside[k] = &beside[k][at];
         applyRow(static_cast<std::size_t>(pad.nx), pad.stride(), row, rate, &volume[at], &v[at], &out[at]);
     }
@@ -75,9 +77,9 @@ void FilmStencil::addStored(std::size_t axis, double rate, std::span<const doubl
 {
     for (int j = 0; j < pad.ny + (axis == 1); ++j) {
         const std::size_t at = pad.at(0, j);
-        addStoredRow(static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)), rate, &volume[at],
-                     &storedBelow[axis][at], &storedAbove[axis][at], &own.effective[at], &own.convection[at], &effective[at],
-                     &convection[at]);
+        addStoredRow(static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)), rate,
+                     &volume[at], &storedBelow[axis][at], &storedAbove[axis][at], &own.effective[at],
+                     &own.convection[at], &effective[at], &convection[at]);
     }
 }
 

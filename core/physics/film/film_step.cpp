@@ -10,18 +10,20 @@ namespace touchdown {
 
 namespace {
 
-constexpr double linearShare = 0.4;       // of what may be left, for the rest of the linear systems
+constexpr double linearShare = 0.4;           // of what may be left, for the rest of the linear systems
 constexpr double firstErrorPerChange = 0.001; // of a step that had no parabola to begin with, cautiously
 constexpr int mostRepeats = 4, longestUnmeasured = 40;
-constexpr double mostOfMeasured = 4.0;      // change of a step against the one of which kappa was measured
-constexpr double bending = 3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
+constexpr double mostOfMeasured = 4.0; // change of a step against the one of which kappa was measured
+constexpr double bending =
+    3.0; // by how much a change against ambient changes the Jacobian: of gaps whose pressure it is all in [-]
 
 } // namespace
 
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_}) field->assign(size, 0.0);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_})
+        field->assign(size, 0.0);
     for (auto* vectors : {&directions_, &images_})
         for (auto& vector : *vectors) vector.assign(size, 0.0);
     for (Past& past : past_)
@@ -79,8 +81,8 @@ void FilmStepper::remember()
     std::rotate(past_.begin(), past_.end() - 1, past_.end());
     Past& last = past_[0];
     last.dt = dt_;
-    const long long closed = setContents(p_.size(), film_.volumes().data(), p_.data(), past_[1].content.data(), last.pressure.data(),
-                                         last.content.data());
+    const long long closed = setContents(p_.size(), film_.volumes().data(), p_.data(), past_[1].content.data(),
+                                         last.pressure.data(), last.content.data());
     if (past_[0].dt > 0.0) closings_ += closed;
     converged_ = false;
 }
@@ -99,7 +101,8 @@ void FilmStepper::setHistory(double dt)
     film_.setStorage(perTime_, history_);
 }
 
-/// Through the last four contents over the new volumes (Lagrange's polynomials), or as many as there are; each at most doubled or halved.
+/// Through the last four contents over the new volumes (Lagrange's polynomials), or as many as there are; each at most
+/// doubled or halved.
 void FilmStepper::guess(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;
@@ -114,8 +117,8 @@ void FilmStepper::guess(double dt)
     }
     if (extrapolated_ && h3 > 0.0) {
         const double factor = dt * (dt + h1) * (dt + h1 + h2); // times p[t1, t2, t3, t4]
-        third = {factor / (h1 * (h1 + h2) * (h1 + h2 + h3)), -factor / (h1 * h2 * (h2 + h3)), factor / ((h1 + h2) * h2 * h3),
-                 -factor / ((h1 + h2 + h3) * (h2 + h3) * h3)};
+        third = {factor / (h1 * (h1 + h2) * (h1 + h2 + h3)), -factor / (h1 * h2 * (h2 + h3)),
+                 factor / ((h1 + h2) * h2 * h3), -factor / ((h1 + h2 + h3) * (h2 + h3) * h3)};
     }
     extrapolate(p_.size(), parabola, third,
                 {past_[0].content.data(), past_[1].content.data(), past_[2].content.data(), past_[3].content.data()},
@@ -143,15 +146,18 @@ void FilmStepper::linearise(FilmStepResult& result)
 void FilmStepper::setTimeError(const FilmStepResult& result)
 {
     if (result.iterations > 0 || !fresh_) return;
-    const double square = unforeseenSquares(change_, p_, foreseen_, film_.volumes()) / static_cast<double>(film_.pad().cells());
+    const double square =
+        unforeseenSquares(change_, p_, foreseen_, film_.volumes()) / static_cast<double>(film_.pad().cells());
     timeError_ = (extrapolated_ ? errorPerChange_ : firstErrorPerChange) * std::sqrt(square) / film_.ambient();
 }
 
 std::optional<double> FilmStepper::iterate(FilmStepResult& result)
 {
     const auto approximate = [&](std::span<double> out) {
-        if (solver_ == Solver::Factors) linear_.relax(right_, out);
-        else linear_.cycle(right_, out);
+        if (solver_ == Solver::Factors)
+            linear_.relax(right_, out);
+        else
+            linear_.cycle(right_, out);
         ++result.solves;
     };
     // What is smooth first: factors would leave some of it in each step, always to the same side.
@@ -236,15 +242,17 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     ++age_;
 
     FilmStepResult result;
-    if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats) linearise(result);
-    else film_.residual(p_, residual_);
+    if (std::abs(linearisedPerTime_ - perTime_) > 0.3 * perTime_ || repeats_ >= mostRepeats)
+        linearise(result);
+    else
+        film_.residual(p_, residual_);
     if (++unmeasured_ > longestUnmeasured) solver_ = Solver::Factors;
     double before = 0.0; // size of the last change
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);
         if (age_ > 0) {
-            // What flows make of J has shrunk with the gaps since, about in proportion; what is stored is up to date. Half of it, as a
-            // power, serves best.
+            // What flows make of J has shrunk with the gaps since, about in proportion; what is stored is up to date.
+            // Half of it, as a power, serves best.
             scaleToVolumes(change_.size(), linearisedVolume_.data(), film_.volumes().data(), change_.data());
             setTimeError(result);
         }
@@ -263,14 +271,17 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
         double kappa = known ? kappaPerStep_ * age_ : 1.0;
         if (second) kappa = before > 0.0 ? now / before : 0.0;
         // A Jacobian of the guess itself leaves what is of second order.
-        else if (age_ == 0) kappa = std::min(1.0, bending * now);
+        else if (age_ == 0)
+            kappa = std::min(1.0, bending * now);
         result.error = std::max(rest, kappa * now);
         result.timeError = timeError_;
         converged_ = result.converged = result.error <= allowed();
         if (converged_) break;
         if (known) ++repeats_;
-        if (second && now > 0.3 * before) linearise(result);
-        else film_.residual(p_, residual_);
+        if (second && now > 0.3 * before)
+            linearise(result);
+        else
+            film_.residual(p_, residual_);
         before = now;
     }
     if (!converged_) linearisedPerTime_ = 0.0; // the next try begins anew

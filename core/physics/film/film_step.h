@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V, and d(V p)/dt by backward
-// differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which halves the error of BDF2 and takes
-// nine tenths of its damping. The first step is one of Euler, whose error is small enough for second order. Each step is solved by
-// Newton's method from a cubic through the last four contents over the new volumes, as fast motions keep the air where it is, with the
-// Jacobian J of an earlier step. What the step adds to a parabola tells the error of its discretisation in time (2/11 of it for BDF2:
-// Milne's device), and that tells how far to solve.
+// The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V, and d(V p)/dt by
+// backward differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which halves
+// the error of BDF2 and takes nine tenths of its damping. The first step is one of Euler, whose error is small enough
+// for second order. Each step is solved by Newton's method from a cubic through the last four contents over the new
+// volumes, as fast motions keep the air where it is, with the Jacobian J of an earlier step. What the step adds to a
+// parabola tells the error of its discretisation in time (2/11 of it for BDF2: Milne's device), and that tells how far
+// to solve.
 //
-// A step ends when what its last change leaves is estimated small enough (Hairer & Wanner 1996, IV.8): the linear system's
-// rest, known from how fast its iterations contract, and kappa times the change, kappa = |second change|/|first change| of a
-// step, what is wrong with J. It grows about in proportion to J's age, also from one J to the next: it is measured where a second
-// change is needed, and now and then besides. So most steps need one residual.
+// A step ends when what its last change leaves is estimated small enough (Hairer & Wanner 1996, IV.8): the linear
+// system's rest, known from how fast its iterations contract, and kappa times the change, kappa = |second
+// change|/|first change| of a step, what is wrong with J. It grows about in proportion to J's age, also from one J to
+// the next: it is measured where a second change is needed, and now and then besides. So most steps need one residual.
 //
-// The linear systems: half a cycle of multigrid for what is smooth, factors along x and y for the rest, which lead where storage
-// does, as in short steps; where these contract slowly, full cycles.
+// The linear systems: half a cycle of multigrid for what is smooth, factors along x and y for the rest, which lead
+// where storage does, as in short steps; where these contract slowly, full cycles.
 #pragma once
 
 #include <algorithm>
@@ -41,11 +42,11 @@ struct FilmStepOptions {
 
 struct FilmStepResult {
     bool converged = false;
-    int iterations = 0;      // of Newton's method
+    int iterations = 0; // of Newton's method
     int linearisations = 0;
-    int solves = 0;          // preconditioned iterations
-    double error = 0.0;      // left, estimated as `tolerance` measures it [-]
-    double timeError = 0.0;  // of discretisation in time, estimated the same way; in the first steps too small [-]
+    int solves = 0;         // preconditioned iterations
+    double error = 0.0;     // left, estimated as `tolerance` measures it [-]
+    double timeError = 0.0; // of discretisation in time, estimated the same way; in the first steps too small [-]
 };
 
 /// A step may be tried with several attitudes and lengths before one is accepted. Allocates at construction alone.
@@ -57,8 +58,8 @@ public:
     void start(std::span<const double> p);
     /// Solves for the pressures `dt` [s] after the last accepted ones, the slider at `attitude`.
     FilmStepResult step(double dt, const Attitude& attitude);
-    /// Moves the solution of the last step along to a nearby attitude, where the film's own equations change it by `change`
-    /// (padded) [Pa].
+    /// Moves the solution of the last step along to a nearby attitude, where the film's own equations change it by
+    /// `change` (padded) [Pa].
     void follow(const Attitude& attitude, std::span<const double> change);
     /// Makes the last step's pressures the ones to go on from; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
@@ -69,8 +70,8 @@ public:
     long long closings() const { return closings_; }
     /// What may be left of the last step, as `tolerance` measures it [-].
     double allowed() const { return std::max(options_.tolerance, std::min(1e-3, options_.share * timeError_)); }
-    /// What the last step's error of discretisation in time, estimated, amounts to: force [N], pitch and roll torque about the slider's
-    /// centre [N m]; zero as long as there is no parabola.
+    /// What the last step's error of discretisation in time, estimated, amounts to: force [N], pitch and roll torque
+    /// about the slider's centre [N m]; zero as long as there is no parabola.
     std::array<double, 3> timeErrorLoad() const;
     /// Of the film at the last step's attitude and length, with what its cells store.
     FilmLinearSolver& linear() { return linear_; }
@@ -82,8 +83,8 @@ private:
     void linearise(FilmStepResult& result);
     /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
-    /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make of the
-    /// residual, which is about the change that is left; nothing where they contract too slowly.
+    /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make
+    /// of the residual, which is about the change that is left; nothing where they contract too slowly.
     std::optional<double> iterate(FilmStepResult& result);
     void setTimeError(const FilmStepResult& result);
     double size(std::span<const double> change) const;
@@ -99,27 +100,27 @@ private:
     FilmLinearSolver linear_;
     std::array<Past, 4> past_; // from the last accepted one back
     std::vector<double> p_, residual_, right_, change_, rest_, history_;
-    std::vector<double> foreseen_; // contents by a parabola [Pa m^3]
+    std::vector<double> foreseen_;         // contents by a parabola [Pa m^3]
     std::vector<double> linearisedVolume_; // of the cells at the last linearisation [m^3]
     static constexpr std::size_t mostDirections = 8;
     std::array<std::vector<double>, mostDirections> directions_, images_;
     std::array<double, mostDirections> squares_{}; // of the images
-    double dt_ = 0.0;                // of the last step [s]
-    double perTime_ = 0.0;           // of V p in the storage [1/s]
-    double linearisedPerTime_ = 0.0; // at the last linearisation; zero: none yet
-    int age_ = 0;                    // of the Jacobian, in steps
-    double kappaPerStep_ = 0.0;      // of age, as last measured [-],
-    double largestMeasured_ = 0.0;   // for first changes up to this [-],
-    int unmeasured_ = 0;             // so many steps ago
-    int repeats_ = 0;                // iterations that a fresher Jacobian would have saved
-    double timeError_ = 0.0;         // of the last step [-]
-    bool fresh_ = false;             // it began with a guess,
-    bool extrapolated_ = false;      // at least a parabola
-    double errorPerChange_ = 0.0;    // of it [-]
+    double dt_ = 0.0;                              // of the last step [s]
+    double perTime_ = 0.0;                         // of V p in the storage [1/s]
+    double linearisedPerTime_ = 0.0;               // at the last linearisation; zero: none yet
+    int age_ = 0;                                  // of the Jacobian, in steps
+    double kappaPerStep_ = 0.0;                    // of age, as last measured [-],
+    double largestMeasured_ = 0.0;                 // for first changes up to this [-],
+    int unmeasured_ = 0;                           // so many steps ago
+    int repeats_ = 0;                              // iterations that a fresher Jacobian would have saved
+    double timeError_ = 0.0;                       // of the last step [-]
+    bool fresh_ = false;                           // it began with a guess,
+    bool extrapolated_ = false;                    // at least a parabola
+    double errorPerChange_ = 0.0;                  // of it [-]
     Solver solver_ = Solver::Factors;
-    double contraction_ = 0.0;       // of its corrections, as far as known [-]
+    double contraction_ = 0.0; // of its corrections, as far as known [-]
     long long closings_ = 0;
-    bool converged_ = false;         // the last step, and p_ solves it
+    bool converged_ = false; // the last step, and p_ solves it
 };
 
 } // namespace touchdown

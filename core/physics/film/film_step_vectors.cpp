@@ -33,7 +33,8 @@ TOUCHDOWN_VECTOR_CLONES double unforeseenSquares(std::span<const double> change,
 }
 
 TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, const std::array<double, 3>& share, const double* volume,
-                                          const double* content1, const double* content2, const double* content3, double* history)
+                                          const double* content1, const double* content2, const double* content3,
+                                          double* history)
 {
     const auto [last, before, beforeThat] = share;
 #pragma GCC ivdep
@@ -43,9 +44,10 @@ TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, const std::array<do
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, const std::array<double, 3>& parabola, const std::array<double, 4>& third,
-                                         const std::array<const double*, 4>& content, const double* last, const double* volume,
-                                         double* p, double* foreseen)
+TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, const std::array<double, 3>& parabola,
+                                         const std::array<double, 4>& third,
+                                         const std::array<const double*, 4>& content, const double* last,
+                                         const double* volume, double* p, double* foreseen)
 {
     const auto [m1, m2, m3, m4] = content;
     const auto [a1, a2, a3] = parabola;
@@ -62,8 +64,8 @@ TOUCHDOWN_VECTOR_CLONES void extrapolate(std::size_t count, const std::array<dou
     }
 }
 
-TOUCHDOWN_VECTOR_CLONES long long setContents(std::size_t count, const double* volume, const double* p, const double* before,
-                                              double* pressure, double* content)
+TOUCHDOWN_VECTOR_CLONES long long setContents(std::size_t count, const double* volume, const double* p,
+                                              const double* before, double* pressure, double* content)
 {
     long long closed = 0;
 #pragma GCC ivdep

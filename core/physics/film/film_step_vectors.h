@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a step of the film does cell by cell, on padded arrays of one size: pressures p [Pa], volumes V [m^3], contents V p [Pa m^3].
+// What a step of the film does cell by cell, on padded arrays of one size: pressures p [Pa], volumes V [m^3], contents
+// V p [Pa m^3].
 #pragma once
 
 #include <array>
@@ -18,12 +19,15 @@ double unforeseenSquares(std::span<const double> change, std::span<const double>
 /// history = the shares [1/s] of three contents, from the last one back; none where there is no volume.
 void setHistories(std::size_t count, const std::array<double, 3>& share, const double* volume, const double* content1,
                   const double* content2, const double* content3, double* history);
-/// Pressures from the last four contents by the weights of a parabola and of the third difference, over the volume; at most doubled or
-/// halved against the last ones. `foreseen` is the content by the parabola alone. Without a volume they are the last pressures.
+/// Pressures from the last four contents by the weights of a parabola and of the third difference, over the volume; at
+/// most doubled or halved against the last ones. `foreseen` is the content by the parabola alone. Without a volume they
+/// are the last pressures.
 void extrapolate(std::size_t count, const std::array<double, 3>& parabola, const std::array<double, 4>& third,
-                 const std::array<const double*, 4>& content, const double* last, const double* volume, double* p, double* foreseen);
+                 const std::array<const double*, 4>& content, const double* last, const double* volume, double* p,
+                 double* foreseen);
 /// Keeps pressures and contents; returns how many cells have no content that had some before.
-long long setContents(std::size_t count, const double* volume, const double* p, const double* before, double* pressure, double* content);
+long long setContents(std::size_t count, const double* volume, const double* p, const double* before, double* pressure,
+                      double* content);
 /// change *= sqrt(volume at the linearisation/volume now), within a factor of two.
 void scaleToVolumes(std::size_t count, const double* before, const double* now, double* change);
 /// out -= part v

@@ -19,11 +19,12 @@ namespace {
 /// From 2^-14 to 2^20 times p0 lambda0: Kn from 16000 to 1e-6.
 constexpr int octavesBelow = 14, octavesAbove = 20;
 
-/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; the number of w outside the table, whose
-/// results mean nothing.
+/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; the number of w outside the table,
+/// whose results mean nothing.
 template <int shift>
-TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, const double* coefficients, std::uint64_t firstPiece,
-                                               std::uint64_t pieces, double* mobility, double* derivative)
+TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, const double* coefficients,
+                                               std::uint64_t firstPiece, std::uint64_t pieces, double* mobility,
+                                               double* derivative)
 {
     std::uint64_t outside = 0;
     // Whole pieces are fetched one by one, which is faster than gathering their coefficients lane by lane.
@@ -35,7 +36,8 @@ TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, c
         const std::size_t count = std::min(most, n - first);
 #pragma GCC ivdep
         for (std::size_t k = 0; k < count; ++k) {
-            const std::uint64_t number = std::bit_cast<std::uint64_t>(w[first + k]) >> shift, place = number - firstPiece;
+            const std::uint64_t number = std::bit_cast<std::uint64_t>(w[first + k]) >> shift,
+                                place = number - firstPiece;
             const bool inside = place < pieces;
             distance[k] = w[first + k] - std::bit_cast<double>(number << shift);
             at[k] = inside ? 4 * place : 0;
@@ -104,7 +106,8 @@ void Mobility::at(std::span<const double> w, std::span<double> mobility, std::sp
         outside = evaluate<pieceShift>(w.size(), w.data(), &pieces_[0].c0, firstPiece_, pieces_.size(), mobility.data(),
                                        derivative.data());
     else if (model_ == SlipModel::FukuiKanekoFit)
-        outside = evaluateFit(w.size(), w.data(), inverseKnudsen(1.0) / unit_, perFlowRate(), mobility.data(), derivative.data());
+        outside = evaluateFit(w.size(), w.data(), inverseKnudsen(1.0) / unit_, perFlowRate(), mobility.data(),
+                              derivative.data());
     if (outside == 0) return;
     for (std::size_t k = 0; k < w.size(); ++k) {
         const Value value = at(w[k]);
@@ -152,7 +155,8 @@ void FlowTable::at(std::span<const double> w, std::span<const double> gap, std::
     }
 }
 
-/// Weight of the wide gap's model: 3 s^2 - 2 s^3 with s the fraction of the blend, so that G is continuously differentiable.
+/// Weight of the wide gap's model: 3 s^2 - 2 s^3 with s the fraction of the blend, so that G is continuously
+/// differentiable.
 FlowTable::Value FlowTable::narrow(double w, double gap) const
 {
     const Value low = narrow_.at(w);

@@ -11,16 +11,16 @@ namespace touchdown {
 namespace {
 
 /// Gaps at a row of places, none below zero, where the lift is base - pitch x.
-TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x, const double* recess,
-                                     double* gap)
+TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x,
+                                     const double* recess, double* gap)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
 }
 
 /// Change of the gap along each path of a row against the gap; lift falls by slope times length.
-TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise, const double* gap,
-                                      double* tilt)
+TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise,
+                                      const double* gap, double* tilt)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -73,11 +73,13 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     for (int j = 0; j <= pad.ny + 1; ++j) {
         const std::size_t row = pad.at(-PaddedGrid::rings, j);
         const std::vector<std::size_t>& stepped = gaps_.steppedCells;
-        steppedRows_.push_back(static_cast<std::size_t>(std::lower_bound(stepped.begin(), stepped.end(), row) - stepped.begin()));
+        steppedRows_.push_back(
+            static_cast<std::size_t>(std::lower_bound(stepped.begin(), stepped.end(), row) - stepped.begin()));
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
             const auto isBefore = [](const CutPlace& place, std::size_t at) { return place.at < at; };
-            cutRows_[axis].push_back(static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), row, isBefore) - cut.begin()));
+            cutRows_[axis].push_back(
+                static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), row, isBefore) - cut.begin()));
         }
     }
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -212,7 +214,8 @@ void GasFilm::setAttitude(const Attitude& attitude)
     totalVolume_ = ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
     const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
     const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
-    flowScale_ = 0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;
+    flowScale_ =
+        0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;
 }
 
 void GasFilm::setStorage(double perTime, std::span<const double> history)

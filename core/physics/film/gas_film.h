@@ -4,15 +4,15 @@
 //
 //   div( Q p h^3 grad p/(12 mu) - p h U/2 ) = d(p h)/dt,   p = p0 on the slider's outline.
 //
-// Finite volumes: the net outflow of each cell is R(p) = 0. A face passes what a path from one cell centre to the next does
-// (core/physics/film/path_flow.h): a path that an edge or a wall crosses goes through its pieces; a smooth one has the gap at its
-// middle. The scheme decides on smooth faces between upwind, hybrid, power law and exponential fitting (convection.h);
-// the complete flux scheme adds what the flow across each path changes along it, and is second order. That correction d is
-// limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone would send: a change of third order where the
-// pressure is smooth, and no cell is emptied below zero.
+// Finite volumes: the net outflow of each cell is R(p) = 0. A face passes what a path from one cell centre to the next
+// does (core/physics/film/path_flow.h): a path that an edge or a wall crosses goes through its pieces; a smooth one has
+// the gap at its middle. The scheme decides on smooth faces between upwind, hybrid, power law and exponential fitting
+// (convection.h); the complete flux scheme adds what the flow across each path changes along it, and is second order.
+// That correction d is limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone would send: a change of
+// third order where the pressure is smooth, and no cell is emptied below zero.
 //
-// In time, cells store R = V dp/dt + p dV/dt besides, by a formula alpha V p - history; the complete flux scheme counts it among
-// what feeds and drains the flow along a path.
+// In time, cells store R = V dp/dt + p dV/dt besides, by a formula alpha V p - history; the complete flux scheme counts
+// it among what feeds and drains the flow along a path.
 //
 // No air where the gap is closed: such faces pass nothing, and a cell without an open face keeps its pressure.
 #pragma once
@@ -25,8 +25,8 @@
 
 #include "core/numerics/convection.h"
 #include "core/numerics/dual.h"
-#include "core/physics/film/cut_paths.h"
 #include "core/physics/disk/disk_velocity.h"
+#include "core/physics/film/cut_paths.h"
 #include "core/physics/film/film_forces.h"
 #include "core/physics/film/film_gaps.h"
 #include "core/physics/film/film_stencil.h"
@@ -44,19 +44,19 @@ struct FilmSetting {
 
 /// The flow through the faces across one axis, linearised. Padded arrays, by face.
 struct FilmFaces {
-    std::vector<double> flow;          // without what the flow across adds [Pa m^3/s]
-    std::vector<double> inflow;        // what the upstream cell would send without the other one [Pa m^3/s]
-    std::vector<double> lower, upper;  // the flow's derivatives by the pressures below and above [m^3/s]
+    std::vector<double> flow;               // without what the flow across adds [Pa m^3/s]
+    std::vector<double> inflow;             // what the upstream cell would send without the other one [Pa m^3/s]
+    std::vector<double> lower, upper;       // the flow's derivatives by the pressures below and above [m^3/s]
     std::vector<double> share, inflowShare; // derivatives of the limited correction by the full one, by the inflow [-]
-    std::vector<double> below, above;  // moments times share: by the slopes; zero unless the scheme is complete flux [m]
+    std::vector<double> below, above; // moments times share: by the slopes; zero unless the scheme is complete flux [m]
     std::vector<double> ownLower, ownUpper; // what the correction's own change adds to `lower` and `upper` [m^3/s]
-    std::vector<double> diffusion;     // K, for multigrid [m^3/s]
-    std::vector<double> effective;     // E >= |convection|/2 [m^3/s]
-    std::vector<double> convection;    // lower + upper [m^3/s]
+    std::vector<double> diffusion;          // K, for multigrid [m^3/s]
+    std::vector<double> effective;          // E >= |convection|/2 [m^3/s]
+    std::vector<double> convection;         // lower + upper [m^3/s]
 };
 
-/// What the flows through smooth faces across one axis, and the part of their corrections that the correction's own change makes,
-/// answer to the gap in the middle of the path and to its rise along the path. Padded, by face.
+/// What the flows through smooth faces across one axis, and the part of their corrections that the correction's own
+/// change makes, answer to the gap in the middle of the path and to its rise along the path. Padded, by face.
 struct GapSlopes {
     std::vector<double> flowByGap, flowByRise, ownByGap, ownByRise; // [Pa m^2/s]
 };
@@ -95,15 +95,15 @@ public:
     /// Of the air under the slider [m^3].
     double totalVolume() const { return totalVolume_; }
 
-    /// The disk's surface under each cell: mean height above the mean plane, less what contact presses it down [m]; padded, its
-    /// rings are not read. Empty: flat. Taken by setAttitude, and must last unchanged until the next one. A smooth face has the mean
-    /// of its two cells' heights, and their difference in the tilt of its gap; all pieces of a cut place have that of their face, or
-    /// of their cell.
+    /// The disk's surface under each cell: mean height above the mean plane, less what contact presses it down [m];
+    /// padded, its rings are not read. Empty: flat. Taken by setAttitude, and must last unchanged until the next one. A
+    /// smooth face has the mean of its two cells' heights, and their difference in the tilt of its gap; all pieces of a
+    /// cut place have that of their face, or of their cell.
     void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 
-    /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime zero,
-    /// nothing. The history (padded) is read at each residual and must last.
+    /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime
+    /// zero, nothing. The history (padded) is read at each residual and must last.
     void setStorage(double perTime, std::span<const double> history);
     double storagePerTime() const { return storagePerTime_; }
     std::span<const double> storageHistory() const { return history_; }
@@ -117,7 +117,8 @@ public:
     std::span<const double> halfSpeeds(std::size_t axis) const { return axes_[axis].speed; }
     /// The linearisation without what the cells store, and what their faces pass on of that.
     void setStencil(FilmStencil& out) const;
-    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of setStorage.
+    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of
+    /// setStorage.
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
     template <typename T>
@@ -139,30 +140,31 @@ public:
     /// Mean gap over each cell [m]; padded.
     double meanGap(int i, int j) const;
 
-    /// What the pressure above ambient amounts to: force [N], pitch and roll torque about the slider's centre [N m]. A cell
-    /// counts its pressure times its area; across a face that an edge or a wall meets, what a thin layer along the motion has
-    /// above or below the two cells' pressures is added.
+    /// What the pressure above ambient amounts to: force [N], pitch and roll torque about the slider's centre [N m]. A
+    /// cell counts its pressure times its area; across a face that an edge or a wall meets, what a thin layer along the
+    /// motion has above or below the two cells' pressures is added.
     std::array<double, 3> load(std::span<const double> p) const;
-    /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x, y [N].
+    /// Shear on the slider: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and Poiseuille -(h/2) dp/dx; along x,
+    /// y [N].
     std::array<double, 2> shear(std::span<const double> p) const;
     /// Load and shear at less than the cost of both.
     std::array<double, 5> loadAndShear(std::span<const double> p) const;
     /// Load and shear with their derivatives.
     struct ForceDerivatives {
-        std::array<double, 5> value{};                      // load, then shear
-        std::array<std::vector<double>, 5> byPressure;      // padded [N/Pa], [N m/Pa]
-        std::array<std::array<double, 3>, 5> byAttitude{};  // at constant pressure [N/m, N m/m], [N/rad, N m/rad]
+        std::array<double, 5> value{};                     // load, then shear
+        std::array<std::vector<double>, 5> byPressure;     // padded [N/Pa], [N m/Pa]
+        std::array<std::array<double, 3>, 5> byAttitude{}; // at constant pressure [N/m, N m/m], [N/rad, N m/rad]
     };
     void forceDerivatives(std::span<const double> p, ForceDerivatives& out) const;
     FilmForces forces(std::span<const double> p) const;
 
 private:
     struct AxisState {
-        std::vector<double> gap;   // at smooth faces; zero at cut ones [m]
-        std::vector<double> tilt;  // change of the gap along the path against it, -1 to 1 [-]
-        std::vector<double> speed; // of the disk along the axis, halved [m/s]
-        std::vector<double> width; // of the face by cross index [m]
-        std::vector<double> perWidth; // 1/width of the cells by line along the axis [1/m]
+        std::vector<double> gap;        // at smooth faces; zero at cut ones [m]
+        std::vector<double> tilt;       // change of the gap along the path against it, -1 to 1 [-]
+        std::vector<double> speed;      // of the disk along the axis, halved [m/s]
+        std::vector<double> width;      // of the face by cross index [m]
+        std::vector<double> perWidth;   // 1/width of the cells by line along the axis [1/m]
         std::vector<double> cutSurface; // height of the disk under the cut faces, in their order [m]
         std::vector<std::array<double, 2>>
             cutArms; // of the cut faces' forces, for pitch and roll torque about the centre [m]
@@ -195,8 +197,8 @@ private:
     }
     /// Height of the disk under a cell [m].
     double surfaceAt(std::size_t at) const { return surface_.empty() ? 0.0 : surface_[at]; }
-    /// Takes the disk's height off the recess of a row of faces, and its rise along their paths off that of the recess. On the
-    /// outline, the height of the cell inside.
+    /// Takes the disk's height off the recess of a row of faces, and its rise along their paths off that of the recess.
+    /// On the outline, the height of the cell inside.
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
     /// The gap of a piece above this height of the disk [m].
@@ -212,7 +214,8 @@ private:
     void setCouettePlaces();
     /// 2 a lambda p [Pa m].
     double slipLength() const;
-    /// Puts gaps and pressures of a row of cells into forceWork_, or of the pieces of cut cells from this one on, and how many.
+    /// Puts gaps and pressures of a row of cells into forceWork_, or of the pieces of cut cells from this one on, and
+    /// how many.
     void setCellRow(int j, std::span<const double> p) const;
     std::size_t setCutPieces(std::size_t first, std::span<const double> p) const;
     void addCouetteSlopes(std::span<const double> p, ForceDerivatives& out) const;
@@ -244,7 +247,8 @@ private:
     {
         return flows.stored.empty() ? noStorage_.data() : &flows.stored[gaps_.pad.at(0, j)];
     }
-    /// Slopes of the flow along each axis in a row of cells: what leaves the one way came the other, or out of what was stored.
+    /// Slopes of the flow along each axis in a row of cells: what leaves the one way came the other, or out of what was
+    /// stored.
     template <typename T>
     void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
                    T* slopeY) const;
@@ -263,17 +267,17 @@ private:
     FlowTable table_;
     Attitude attitude_;
     double flowScale_ = 0.0, totalVolume_ = 0.0;
-    double storagePerTime_ = 0.0;       // [1/s]
-    std::span<const double> history_;   // [Pa m^3/s]
-    std::span<const double> surface_;   // [m]
+    double storagePerTime_ = 0.0;         // [1/s]
+    std::span<const double> history_;     // [Pa m^3/s]
+    std::span<const double> surface_;     // [m]
     std::array<double, 2> motionShare_{}; // square of the disk's direction along x, y under the centre [-]
     std::array<AxisState, 2> axes_;
     std::array<FilmFaces, 2> faces_;
     std::vector<double> volume_, area_;
-    std::vector<double> noStorage_;        // of a row
-    std::vector<std::size_t> steppedRows_; // the first stepped cell of each row, and the end
+    std::vector<double> noStorage_;                   // of a row
+    std::vector<std::size_t> steppedRows_;            // the first stepped cell of each row, and the end
     std::array<std::vector<std::size_t>, 2> cutRows_; // the first cut face of each row, and the end
-    std::vector<double> centreX_; // of the cells' columns [m]
+    std::vector<double> centreX_;                     // of the cells' columns [m]
     std::vector<CutCell> cutCells_;
     CutPieces cutPieces_;
     std::array<std::vector<double>, 2> couette_; // of the cells that are not cut, as of CutPieces; padded [N m]
@@ -305,7 +309,8 @@ private:
         std::vector<double> stored;
     };
     RowWork rows_;
-    std::array<std::vector<double>, 2> slope_; // of the flows along each axis at the last linearisation; padded [Pa m^2/s]
+    std::array<std::vector<double>, 2>
+        slope_;             // of the flows along each axis at the last linearisation; padded [Pa m^2/s]
     double massFlow_ = 0.0; // into the film at the last residual [Pa m^3/s]
 };
 

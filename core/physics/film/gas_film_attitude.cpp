@@ -117,8 +117,7 @@ void GasFilm::addCutCorrections(std::size_t axis, std::size_t k, std::span<const
         const std::size_t at = gaps_.faces[axis].cut[n].at;
         const PathFlow<ByAttitude>& flow = cutFlows[n];
         const double inflow = axes_[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
-        out[at] -= f.share[at] *
-                       (slope_[axis][at - step] * flow.below.by[k] + slope_[axis][at] * flow.above.by[k]) +
+        out[at] -= f.share[at] * (slope_[axis][at - step] * flow.below.by[k] + slope_[axis][at] * flow.above.by[k]) +
                    f.inflowShare[at] * inflow;
     }
 }

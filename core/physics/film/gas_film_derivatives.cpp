@@ -28,8 +28,8 @@ TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const do
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * v[k];
 }
 
-/// A row of cells: what leaves the one way came the other, or out of what was stored. Both slopes in full would take a cell's
-/// storage from it twice: each axis counts what is its own of the motion's square.
+/// A row of cells: what leaves the one way came the other, or out of what was stored. Both slopes in full would take a
+/// cell's storage from it twice: each axis counts what is its own of the motion's square.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross,
                                          double shareX, double shareY, const T* flowX, const T* flowY,
@@ -53,9 +53,9 @@ TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below,
 
 /// Besides, adds the corrections' own change, by the cells below and above.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void
-completeRow(std::size_t count, const double* below, const double* above, const double* ownLower, const double* ownUpper,
-            const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
+                                         const double* ownLower, const double* ownUpper, const T* slopeBelow,
+                                         const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
@@ -133,8 +133,8 @@ template void GasFilm::setSlopes(int, const double*, const double*, const double
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
                                   std::span<double>) const;
 
-/// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the faces
-/// above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
+/// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the
+/// faces above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Flows through faces with their derivatives by the pressure and by the attitude, in passes: the mobility from its table; all
-// that runs on vectors; and for cut faces, what their pieces amount to.
+// Flows through faces with their derivatives by the pressure and by the attitude, in passes: the mobility from its
+// table; all that runs on vectors; and for cut faces, what their pieces amount to.
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +24,8 @@ namespace {
 using ByPressure = Dual<1>;
 
 /// Face number k of a row, `at` in padded arrays.
-void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<double>& flow, bool against, double p1,
-             double p2)
+void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<double>& flow, bool against,
+             double p1, double p2)
 {
     f.flow[at] = flow.A * p1 - flow.B * p2;
     f.inflow[at] = against ? flow.B * p2 : flow.A * p1;
@@ -33,8 +33,8 @@ void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const 
     m.above[k] = flow.above;
 }
 
-void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<ByPressure>& flow, bool against,
-             double p1, double p2)
+void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const PathFlow<ByPressure>& flow,
+             bool against, double p1, double p2)
 {
     const double A = flow.A.value, B = flow.B.value;
     setFace(f, m, at, k, PathFlow<double>{A, B, flow.K.value, flow.below.value, flow.above.value}, against, p1, p2);
@@ -52,7 +52,8 @@ void setFace(FilmFaces& f, FaceMoments& m, std::size_t at, std::size_t k, const 
 }
 
 /// Mean pressure times gap; any number where the gap is closed.
-TOUCHDOWN_VECTOR_CLONES void setProducts(std::size_t count, const double* below, const double* above, const double* gap, double* out)
+TOUCHDOWN_VECTOR_CLONES void setProducts(std::size_t count, const double* below, const double* above, const double* gap,
+                                         double* out)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) out[k] = 0.5 * (below[k] + above[k]) * (gap[k] > closedGap ? gap[k] : 1e-6);
@@ -73,13 +74,14 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, FaceMoments& momen
     for (std::size_t k = 0; k < row.count; ++k) {
         Number mobility(G[k]);
         if constexpr (!std::is_same_v<Number, double>) mobility.by[0] = byProduct[k] * gap[k];
-        const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k],
-                                                         Number(gap[k]), Number(tilt[k]), mobility);
+        const PathFlow<Number> flow = smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity,
+                                                         speed[k], Number(gap[k]), Number(tilt[k]), mobility);
         setFace(faces, moments, first + k, k, flow, speed[k] < 0.0, p[k], p[k + step]);
     }
 }
 
-/// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the gap.
+/// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the
+/// gap.
 template <ConvectionScheme scheme, typename FaceRow>
 TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope,
                                              const double* byGap, const FaceRow& row)
@@ -127,8 +129,19 @@ GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const dou
     const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
     setProducts(count, below, above, gap, rowProduct_.data());
     table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByProduct_);
-    FaceRow row{first, count, step, p, a.gap, a.tilt, a.speed, paths.pathLength, paths.upperShare, a.width, mobility_,
-                mobilityByProduct_, setting_.air.viscosity};
+    FaceRow row{first,
+                count,
+                step,
+                p,
+                a.gap,
+                a.tilt,
+                a.speed,
+                paths.pathLength,
+                paths.upperShare,
+                a.width,
+                mobility_,
+                mobilityByProduct_,
+                setting_.air.viscosity};
     if (axis == 0) {
         std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
         row.width = rowWidth_;
@@ -146,10 +159,13 @@ void GasFilm::setCutFlows(std::span<const double> p)
 {
     const auto set = [&](auto& flows) {
         for (std::size_t axis = 0; axis < 2; ++axis)
-            cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_, flows[axis]);
+            cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_,
+                                  flows[axis]);
     };
-    if constexpr (std::is_same_v<Number, double>) set(cutFlows_);
-    else set(cutFlowsByPressure_);
+    if constexpr (std::is_same_v<Number, double>)
+        set(cutFlows_);
+    else
+        set(cutFlowsByPressure_);
 }
 
 template <ConvectionScheme scheme, typename Number>
@@ -165,8 +181,10 @@ void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
             setFace(faces_[axis], moments, at, at - row.first, flows[n], row.speed[at] < 0.0, p[at - row.step], p[at]);
         }
     };
-    if constexpr (std::is_same_v<Number, double>) setCut(cutFlows_[axis]);
-    else setCut(cutFlowsByPressure_[axis]);
+    if constexpr (std::is_same_v<Number, double>)
+        setCut(cutFlows_[axis]);
+    else
+        setCut(cutFlowsByPressure_[axis]);
 }
 
 template <typename Number>

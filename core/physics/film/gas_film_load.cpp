@@ -143,8 +143,8 @@ void GasFilm::addCellLoads(std::span<const double> p, std::array<double, 5>& sum
     }
 }
 
-/// A step across the motion's path makes a layer that may be thinner than a cell; where none is, kinks at edges and bends
-/// between cells cancel in the sum of cells. So of the excess only the part along the motion counts.
+/// A step across the motion's path makes a layer that may be thinner than a cell; where none is, kinks at edges and
+/// bends between cells cancel in the sum of cells. So of the excess only the part along the motion counts.
 void GasFilm::addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum) const
 {
     for (std::size_t axis = 0; axis < 2; ++axis) {

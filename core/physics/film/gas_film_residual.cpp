@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film's residual and its linearisation, row by row, so that what one part leaves is still at hand for the next: a row of
-// cells has its slopes when the faces above are there, the faces below it are complete when it has its slopes, and the row
-// below then has its sum.
+// The film's residual and its linearisation, row by row, so that what one part leaves is still at hand for the next: a
+// row of cells has its slopes when the faces above are there, the faces below it are complete when it has its slopes,
+// and the row below then has its sum.
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +25,8 @@ TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const 
 
 /// The flows of a row of faces less the limited corrections, and what the linear maps need of these.
 template <bool derived>
-TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, const FaceMoments& moments, const double* before,
-                                      const double* after, FilmFaces& faces, double* out)
+TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, const FaceMoments& moments,
+                                      const double* before, const double* after, FilmFaces& faces, double* out)
 {
     const double *in = faces.flow.data() + first, *inflow = faces.inflow.data() + first;
     const double *below = moments.below.data(), *above = moments.above.data();
@@ -87,7 +87,8 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
         if (j < pad.ny) {
             setFaceRow<Number>(0, j, p);
             setFaceRow<Number>(1, j + 1, p);
-            if (storagePerTime_ != 0.0) setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], stored(j));
+            if (storagePerTime_ != 0.0)
+                setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], stored(j));
             const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
             if (complete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
             finish(0, j);
@@ -97,10 +98,11 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
         }
         finish(1, j);
         if (j > 0)
-            divergence<double>(j - 1, row(rows_.flow[0], j - 1), row(rows_.flow[1], j - 1), row(rows_.flow[1], j), stored(j - 1),
-                               out);
+            divergence<double>(j - 1, row(rows_.flow[0], j - 1), row(rows_.flow[1], j - 1), row(rows_.flow[1], j),
+                               stored(j - 1), out);
         if (j > 0 && j < pad.ny) continue;
-        for (std::size_t k = 0; k < nx; ++k) massFlow_ += std::max(0.0, (j == 0 ? 1.0 : -1.0) * row(rows_.flow[1], j)[k]);
+        for (std::size_t k = 0; k < nx; ++k)
+            massFlow_ += std::max(0.0, (j == 0 ? 1.0 : -1.0) * row(rows_.flow[1], j)[k]);
     }
 }
 

@@ -21,10 +21,13 @@ struct SlopeRow {
 struct StencilFaces {
     const double *lower, *upper, *below, *above, *ownLower, *ownUpper;
     StencilFaces(const FilmFaces& f, std::size_t at)
-        : lower(&f.lower[at]), upper(&f.upper[at]), below(&f.below[at]), above(&f.above[at]), ownLower(&f.ownLower[at]),
+        : lower(&f.lower[at]),
+          upper(&f.upper[at]),
+          below(&f.below[at]),
+          above(&f.above[at]),
+          ownLower(&f.ownLower[at]),
           ownUpper(&f.ownUpper[at])
-    {
-    }
+    {}
 };
 
 /// What leaves the one way came the other.
@@ -41,8 +44,8 @@ TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, std::size_t step, co
 }
 
 /// With the slopes of the flow along x in this row (sx), along y in the rows below (s), here (h), above (n).
-TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFaces x, StencilFaces y, SlopeRow sx, SlopeRow s,
-                                    SlopeRow h, SlopeRow n, std::array<float*, 8> c, float* sum)
+TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFaces x, StencilFaces y, SlopeRow sx,
+                                    SlopeRow s, SlopeRow h, SlopeRow n, std::array<float*, 8> c, float* sum)
 {
     float *c0 = c[0], *c1 = c[1], *c2 = c[2], *c3 = c[3], *c4 = c[4], *c5 = c[5], *c6 = c[6], *c7 = c[7];
 #pragma GCC ivdep
@@ -67,7 +70,8 @@ TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFa
         c5[k] = static_cast<float>(northWest);
         c6[k] = static_cast<float>(north);
         c7[k] = static_cast<float>(northEast);
-        sum[k] = static_cast<float>(own + (southWest + south + southEast) + (west + east) + (northWest + north + northEast));
+        sum[k] =
+            static_cast<float>(own + (southWest + south + southEast) + (west + east) + (northWest + north + northEast));
     }
 }
 
@@ -92,7 +96,9 @@ void GasFilm::setStencil(FilmStencil& out) const
         double* first = stencilRows_.data() + 3 * place * up + PaddedGrid::rings;
         return SlopeRow{first, first + up, first + 2 * up};
     };
-    const auto along = [&](std::size_t axis, int j) { return rows(axis == 0 ? 0 : static_cast<std::size_t>(1 + (j + 3) % 3)); };
+    const auto along = [&](std::size_t axis, int j) {
+        return rows(axis == 0 ? 0 : static_cast<std::size_t>(1 + (j + 3) % 3));
+    };
     const auto setSlopes = [&](std::size_t axis, int j) {
         const SlopeRow row = along(axis, j);
         const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
@@ -122,8 +128,8 @@ void GasFilm::setStencil(FilmStencil& out) const
         setSlopes(1, j + 1);
         std::array<float*, 8> beside;
         for (std::size_t k = 0; k < beside.size(); ++k) beside[k] = &out.beside[k][at];
-        setRow(nx, up, StencilFaces(faces_[0], at), StencilFaces(faces_[1], at), along(0, j), along(1, j - 1), along(1, j),
-               along(1, j + 1), beside, &out.sum[at]);
+        setRow(nx, up, StencilFaces(faces_[0], at), StencilFaces(faces_[1], at), along(0, j), along(1, j - 1),
+               along(1, j), along(1, j + 1), beside, &out.sum[at]);
     }
 }
 

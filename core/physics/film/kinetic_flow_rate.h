@@ -6,9 +6,9 @@
 //   D -> 0         Q_P -> -ln(D)/sqrt(pi) + constant            free molecules
 //   D -> infinity  Q_P -> D/6 + 1.0162 + 1.0653/D               slip flow
 //
-// The kinetic values are those of the variational principle of Cercignani & Pagani 1966 with the trial velocity A + B x^2,
-// which Fukui & Kaneko 1990 tabulate. They lie up to 0.2 % below the exact solution of the BGK equation (near D = 10), and
-// the fit within 0.9 % of them.
+// The kinetic values are those of the variational principle of Cercignani & Pagani 1966 with the trial velocity A + B
+// x^2, which Fukui & Kaneko 1990 tabulate. They lie up to 0.2 % below the exact solution of the BGK equation (near D =
+// 10), and the fit within 0.9 % of them.
 #pragma once
 
 namespace touchdown {
@@ -18,12 +18,13 @@ struct FlowRate {
     double logSlope; // dQ_P/d ln D [-]
 };
 
-/// The kinetic values for D > 0: continuously differentiable, 6 Q_P/D falls everywhere. 1e-4 <= D <= 100: the variational
-/// solution to 4e-7 of its value; below it goes into the free molecules' law, and within 100..1000 into that of slip flow.
+/// The kinetic values for D > 0: continuously differentiable, 6 Q_P/D falls everywhere. 1e-4 <= D <= 100: the
+/// variational solution to 4e-7 of its value; below it goes into the free molecules' law, and within 100..1000 into
+/// that of slip flow.
 FlowRate kineticFlowRate(double inverseKnudsen);
 
-/// The fit in three parts of Fukui & Kaneko 1988, with its jumps of 0.14 % at D = 5 and 0.27 % at D = 0.15; below D = 0.01,
-/// where it ends, continued by the free molecules' law.
+/// The fit in three parts of Fukui & Kaneko 1988, with its jumps of 0.14 % at D = 5 and 0.27 % at D = 0.15; below D =
+/// 0.01, where it ends, continued by the free molecules' law.
 FlowRate fittedFlowRate(double inverseKnudsen);
 
 inline constexpr double leastFittedInverseKnudsen = 0.01;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Flow along a path of pieces in series from one cell centre to the next, each piece with its own gap: F = c p - D dp/dx with
-// c = U h/2, D = h^2 G/(12 mu). With the integrating factor exp(-Q), Q the integral of c/D from the upstream end,
+// Flow along a path of pieces in series from one cell centre to the next, each piece with its own gap: F = c p - D
+// dp/dx with c = U h/2, D = h^2 G/(12 mu). With the integrating factor exp(-Q), Q the integral of c/D from the upstream
+// end,
 //
 //   p1 - p2 exp(-Q_end) = integral of F w,  w = exp(-Q)/D,
 //
-// exactly, for any Peclet number and across any step. So where F is constant, F = (p1 - p2 exp(-Q_end))/I, I the integral of w
-// (exponential fitting, piece by piece). Where F has the slopes s1 before and s2 after the face, as the flow across the path
-// feeds or drains it, the flow at the face is F - s1 m1 - s2 m2, m the first moments of w/I about the face on either side (the
-// complete flux scheme: ten Thije Boonkkamp & Anthonissen 2011). That is second order at any Peclet number, and keeps the
-// exact boundary layers of exponential fitting.
+// exactly, for any Peclet number and across any step. So where F is constant, F = (p1 - p2 exp(-Q_end))/I, I the
+// integral of w (exponential fitting, piece by piece). Where F has the slopes s1 before and s2 after the face, as the
+// flow across the path feeds or drains it, the flow at the face is F - s1 m1 - s2 m2, m the first moments of w/I about
+// the face on either side (the complete flux scheme: ten Thije Boonkkamp & Anthonissen 2011). That is second order at
+// any Peclet number, and keeps the exact boundary layers of exponential fitting.
 //
 // With r = length/D and q = c r of a piece: phi = E_0(q), xi = E_1(q), chi = phi - xi (core/numerics/decay_moments.h).
 #pragma once
@@ -50,12 +51,12 @@ struct PathFunctions {
 /// Grows piece by piece from the upstream end.
 template <typename Number>
 struct PathIntegral {
-    Number I{0.0}, R{0.0};            // integrals of w and of 1/D
-    Number decay{1.0};                // exp(-Q) so far
-    Number before{0.0}, after{0.0};   // of (x - face) w, on either side of the face
+    Number I{0.0}, R{0.0};          // integrals of w and of 1/D
+    Number decay{1.0};              // exp(-Q) so far
+    Number before{0.0}, after{0.0}; // of (x - face) w, on either side of the face
 
-    /// A piece with r = length/D and q = c r on one side of the face. Where the flow across is spread evenly, `lead` is where the
-    /// piece starts from the face and `feed` its length; else as GapPiece tells [m].
+    /// A piece with r = length/D and q = c r on one side of the face. Where the flow across is spread evenly, `lead` is
+    /// where the piece starts from the face and `feed` its length; else as GapPiece tells [m].
     void add(const Number& r, const Number& q, double lead, double feed)
     {
         const PathFunctions<Number> f(q);
@@ -68,8 +69,8 @@ struct PathIntegral {
     }
 };
 
-/// What one or several paths side by side pass: F = A p1 - B p2 along the axis; K = A = B without convection [m^3/s]; the
-/// moments below and above the face [m].
+/// What one or several paths side by side pass: F = A p1 - B p2 along the axis; K = A = B without convection [m^3/s];
+/// the moments below and above the face [m].
 template <typename Number>
 struct PathFlow {
     Number A{0.0}, B{0.0}, K{0.0}, below{0.0}, above{0.0};
@@ -95,13 +96,14 @@ struct SmoothPath {
 
 /// Speed: that of the disk along the axis, halved [m/s]; the mobility G at the path's mean pressure.
 ///
-/// `tilt` is the change of the gap along the path against its middle value, e = (h2 - h1)/h, -1 to 1. Convection carries p h,
-/// not p: with v = p h, F = (U/2 + D h'/h^2) v - (D/h) dv/dx has constant coefficients where the one of p has not, so that
-/// F = (v1 - v2 exp(-Q - e))/(h (R/L) integral of exp(-(Q + e) x/L)), and what leaves a cell at a high Peclet number is what is
-/// in its middle. To first order in e, which leaves the error of second order: I - e int (x/L) w for I, upstream gap (1 - e/2) h.
+/// `tilt` is the change of the gap along the path against its middle value, e = (h2 - h1)/h, -1 to 1. Convection
+/// carries p h, not p: with v = p h, F = (U/2 + D h'/h^2) v - (D/h) dv/dx has constant coefficients where the one of p
+/// has not, so that F = (v1 - v2 exp(-Q - e))/(h (R/L) integral of exp(-(Q + e) x/L)), and what leaves a cell at a high
+/// Peclet number is what is in its middle. To first order in e, which leaves the error of second order: I - e int (x/L)
+/// w for I, upstream gap (1 - e/2) h.
 template <ConvectionScheme scheme, typename Number>
-PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap, const Number& tilt,
-                            const Number& mobility)
+PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap,
+                            const Number& tilt, const Number& mobility)
 {
     const bool open = valueOf(gap) > closedGap;
     const double width = open ? path.width : 0.0;

@@ -27,11 +27,12 @@ struct RailPoint {
 
 enum class RailKind : std::uint8_t { Step, Ramp };
 
-/// A polygon, clockwise or not. A step has one recess; a ramp is the plane through the recesses at its first three points.
+/// A polygon, clockwise or not. A step has one recess; a ramp is the plane through the recesses at its first three
+/// points.
 struct Rail {
     RailKind kind = RailKind::Step;
-    std::vector<RailPoint> points;          // three or more
-    std::array<double, 3> recess{};         // [m]; a step uses the first, which may be negative
+    std::vector<RailPoint> points;  // three or more
+    std::array<double, 3> recess{}; // [m]; a step uses the first, which may be negative
     bool operator==(const Rail&) const = default;
 };
 
@@ -45,12 +46,12 @@ struct WallProfile {
 struct AirBearingSurface {
     std::vector<Rail> rails; // where tops overlap, the one that comes last holds
     std::vector<WallProfile> walls;
-    double baseRecess = 2e-6;  // where no rail is [m]
-    double crown = 0.0;        // [m], along the length
-    double camber = 0.0;       // [m], across the width
-    double twist = 0.0;        // [m]
-    double taperLength = 0.0;  // [m]
-    double taperAngle = 0.0;   // [rad]
+    double baseRecess = 2e-6;                   // where no rail is [m]
+    double crown = 0.0;                         // [m], along the length
+    double camber = 0.0;                        // [m], across the width
+    double twist = 0.0;                         // [m]
+    double taperLength = 0.0;                   // [m]
+    double taperAngle = 0.0;                    // [rad]
     std::vector<SurfacePoint> pointsOfInterest; // where the spacing is reported
     bool operator==(const AirBearingSurface&) const = default;
 };

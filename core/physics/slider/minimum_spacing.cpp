@@ -11,8 +11,8 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
     : length_(recess.length()), width_(recess.width())
 {
     const auto add = [&](double x, double y) { candidates_.push_back({x, y, recess.at(x, y)}); };
-    // Crown and camber bend the surface by some tens of nanometres over its length: between neighbours of this lattice by less
-    // than a thousandth of that.
+    // Crown and camber bend the surface by some tens of nanometres over its length: between neighbours of this lattice
+    // by less than a thousandth of that.
     constexpr int lattice = 128;
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
@@ -28,7 +28,8 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
                 for (const double side : {-beside, beside}) {
                     // Away from the corners by as much, so that both sides of both edges are met.
                     const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
-                                                    std::max(edge - beside, 0.5 * edge)) / edge;
+                                                    std::max(edge - beside, 0.5 * edge)) /
+                                         edge;
                     const double x = a.x + along * dx - side * dy / edge, y = a.y + along * dy + side * dx / edge;
                     if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) add(x, y);
                 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a surface comes nearest to the mean plane of the disk. Independent of the film's grid: rails come nearest at their
-// corners and edges, or, with crown and camber, inside.
+// Where a surface comes nearest to the mean plane of the disk. Independent of the film's grid: rails come nearest at
+// their corners and edges, or, with crown and camber, inside.
 //
-// The many thousand points that are looked at stand in blocks. None of a block's comes lower than its least recess would at that corner
-// of its box which the attitude presses down, also by rounding, for the same sum of smaller parts is never larger: most blocks are
-// passed over, and the result is that of all points.
+// The many thousand points that are looked at stand in blocks. None of a block's comes lower than its least recess
+// would at that corner of its box which the attitude presses down, also by rounding, for the same sum of smaller parts
+// is never larger: most blocks are passed over, and the result is that of all points.
 #pragma once
 
 #include <vector>
@@ -20,12 +20,13 @@ public:
     MinimumSpacing(const AirBearingSurface& surface, const Recess& recess);
 
     struct Place {
-        double spacing; // [m], may be negative
+        double spacing;  // [m], may be negative
         SurfacePoint at; // [m]
     };
     Place at(const Attitude& attitude) const;
-    /// The minimum spacing at the mean place of all that comes within `depth` [m], > 0, of it, weighted from 1 at the nearest to 0
-    /// there: unlike the nearest point itself it moves continuously with the attitude. A symmetric pad's is in its middle.
+    /// The minimum spacing at the mean place of all that comes within `depth` [m], > 0, of it, weighted from 1 at the
+    /// nearest to 0 there: unlike the nearest point itself it moves continuously with the attitude. A symmetric pad's
+    /// is in its middle.
     Place bearing(const Attitude& attitude, double depth) const;
 
 private:

@@ -2,8 +2,8 @@
 //
 // The outline of a rail, sorted into strips of equal width across y, so that a point is compared with few edges.
 //
-// The outline belongs to the rail: a point on an edge or a corner is inside. On edges parallel to an axis that is exact;
-// on others it holds to the rounding of the cross product.
+// The outline belongs to the rail: a point on an edge or a corner is inside. On edges parallel to an axis that is
+// exact; on others it holds to the rounding of the cross product.
 #pragma once
 
 #include <cstdint>

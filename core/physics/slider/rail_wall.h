@@ -2,11 +2,12 @@
 //
 // The wall on one edge of a rail. In the coordinates of the edge, t along it from its first corner and n outwards, the
 // wall covers -start n <= t <= length + end n, where `start` and `end` are its spreads: how far it goes on beyond the
-// corner per unit of n. The border of two walls runs from their corner to the meeting point of the two outer offset lines;
-// inside the polygon, to that of the two inner ones.
+// corner per unit of n. The border of two walls runs from their corner to the meeting point of the two outer offset
+// lines; inside the polygon, to that of the two inner ones.
 //
-// With d the distance of the own offset line, d' that of the neighbour (0: no wall) and theta the angle by which the outline
-// turns at the corner (positive: convex), the offset lines meet at t = length + (d' - d cos theta)/sin theta, n = d:
+// With d the distance of the own offset line, d' that of the neighbour (0: no wall) and theta the angle by which the
+// outline turns at the corner (positive: convex), the offset lines meet at t = length + (d' - d cos theta)/sin theta, n
+// = d:
 //
 //   spread = (d'/d - 1)/sin theta + tan(theta/2)
 #pragma once
@@ -58,8 +59,8 @@ public:
     /// A lower bound of the recess of the outside part in the box [m].
     double lowestOutside(const SurfaceBox& box) const;
 
-    /// Appends where the line crosses the borders of that part and the offset lines and arcs of the points of its profile;
-    /// the edge itself, which belongs to the outline, is left out.
+    /// Appends where the line crosses the borders of that part and the offset lines and arcs of the points of its
+    /// profile; the edge itself, which belongs to the outline, is left out.
     void breaks(const ScanLine& line, WallSide side, std::vector<double>& out) const;
 
 private:

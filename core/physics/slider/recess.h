@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess s(x, y) of an air bearing surface: its height above the zero plane, positive away from the disk, with walls,
-// form and taper.
+// The recess s(x, y) of an air bearing surface: its height above the zero plane, positive away from the disk, with
+// walls, form and taper.
 //
-//   top   of the rail that comes last in the list; the base recess where there is none. An outline belongs to its rail: a
+//   top   of the rail that comes last in the list; the base recess where there is none. An outline belongs to its rail:
+//   a
 //         point on it is inside (exact on edges parallel to an axis, to rounding on others).
-//   wall  profile of the distance normal to its edge; outside its own polygon it holds wherever it is shallower than what
+//   wall  profile of the distance normal to its edge; outside its own polygon it holds wherever it is shallower than
+//   what
 //         is there, whatever the order of the rails. Ramps, and steps at or below the base recess, have no walls. At a
 //         corner of two walled edges each wall ends at the line from the corner to the meeting point of the two outer
-//         offset lines; beyond the end of an edge the distance to the corner counts. Next to an edge without a wall a wall
-//         ends on that edge's straight extension. Inside its own polygon (negative distances) it takes the place of the
-//         rail's top, where that shows; there walls end towards the meeting point of the two inner offset lines, and the
-//         deepest of several holds.
+//         offset lines; beyond the end of an edge the distance to the corner counts. Next to an edge without a wall a
+//         wall ends on that edge's straight extension. Inside its own polygon (negative distances) it takes the place
+//         of the rail's top, where that shows; there walls end towards the meeting point of the two inner offset lines,
+//         and the deepest of several holds.
 //   taper for x < length the recess is at least angle (length - x)
 //   form  s - 4 crown X (1 - X) - 4 camber Y (1 - Y) - 4 twist (X - 1/2)(Y - 1/2), X = x/L, Y = y/W
 #pragma once
@@ -41,8 +43,8 @@ public:
     /// The same for the line x = const, y in (y0, y1).
     void breaksAlongY(double x, double y0, double y1, std::vector<double>& out) const;
 
-    /// True when the recess is smooth in the box (form, a ramp or the taper alone changes it): no edge, wall or end of taper
-    /// meets it. May be false for a box that is smooth, never true for one that is not.
+    /// True when the recess is smooth in the box (form, a ramp or the taper alone changes it): no edge, wall or end of
+    /// taper meets it. May be false for a box that is smooth, never true for one that is not.
     bool isSmooth(double x0, double x1, double y0, double y1) const;
 
 private:

@@ -125,8 +125,8 @@ void SurfaceBins::sortWall(const SurfaceParts& parts, std::uint32_t wall, const 
     }
 }
 
-// The inside of a wall shows in its own top alone; the outside nowhere, where it is not shallower than the deepest of what
-// else the bin may show.
+// The inside of a wall shows in its own top alone; the outside nowhere, where it is not shallower than the deepest of
+// what else the bin may show.
 void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEntry>& rails,
                              std::vector<WallEntry>& walls) const
 {

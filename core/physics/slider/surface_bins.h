@@ -55,7 +55,8 @@ public:
     static std::size_t index(int column, int row) { return static_cast<std::size_t>(row * columns + column); }
 
     int cover(std::size_t bin) const { return bins_[bin].cover; }
-    /// The rails whose outlines meet the bin, but for those hidden below the cover that show no wall; the last rail first.
+    /// The rails whose outlines meet the bin, but for those hidden below the cover that show no wall; the last rail
+    /// first.
     std::span<const int> rails(std::size_t bin) const;
     /// Parts inside their polygon come first, then those outside, the lowest first.
     std::span<const WallPart> walls(std::size_t bin) const;

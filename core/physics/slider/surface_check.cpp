@@ -104,8 +104,8 @@ bool finite(const Rail& rail, const Part& part, Problems& problems)
     });
     if (!points.empty()) {
         problems.push_back({part.key, part.name + ": " + pointList(points) +
-                           std::string(verb(points, " has a coordinate that is no number.",
-                                            " have coordinates that are no numbers."))});
+                                          std::string(verb(points, " has a coordinate that is no number.",
+                                                           " have coordinates that are no numbers."))});
     }
     const std::size_t count = rail.kind == RailKind::Step ? 1 : 3;
     const auto recesses = indicesWhere(count, [&](std::size_t i) { return !std::isfinite(rail.recess[i]); });
@@ -120,14 +120,16 @@ void checkRail(const Rail& rail, const Part& part, std::size_t walls, Problems& 
         return wall < 0 || static_cast<std::size_t>(wall) > walls;
     });
     if (!missing.empty()) {
-        problems.push_back({part.key, part.name + ": " + pointList(missing) + std::string(verb(missing, " names", " name")) +
-                           " a wall profile that does not exist; there " +
-                           (walls == 1 ? "is 1." : "are " + text(walls) + ".")});
+        problems.push_back({part.key, part.name + ": " + pointList(missing) +
+                                          std::string(verb(missing, " names", " name")) +
+                                          " a wall profile that does not exist; there " +
+                                          (walls == 1 ? "is 1." : "are " + text(walls) + ".")});
     }
     const bool finiteRail = finite(rail, part, problems);
     if (rail.points.size() < 3) {
         problems.push_back({part.key, part.name + " has " + text(rail.points.size()) +
-                           (rail.points.size() == 1 ? " point" : " points") + "; it needs three or more."});
+                                          (rail.points.size() == 1 ? " point" : " points") +
+                                          "; it needs three or more."});
         return;
     }
     if (!finiteRail) return;
@@ -136,7 +138,8 @@ void checkRail(const Rail& rail, const Part& part, std::size_t walls, Problems& 
     const double area = std::abs(cross(first, rail.points[1], rail.points[2]));
     const double reach = std::max(distance(first, rail.points[1]), distance(first, rail.points[2]));
     if (rail.kind == RailKind::Ramp && area <= straight * reach * reach) {
-        problems.push_back({part.key, part.name + ": the first three points lie on a line, so that no ramp goes through them."});
+        problems.push_back(
+            {part.key, part.name + ": the first three points lie on a line, so that no ramp goes through them."});
     }
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     double size = 0.0;
@@ -152,30 +155,31 @@ void checkWall(const WallProfile& wall, const Part& part, Problems& problems)
 {
     const std::size_t count = wall.distance.size();
     if (wall.recess.size() != count) {
-        problems.push_back({part.key, part.name + " has " + text(count) + " distances but " + text(wall.recess.size()) + " recesses."});
+        problems.push_back({part.key, part.name + " has " + text(count) + " distances but " + text(wall.recess.size()) +
+                                          " recesses."});
         return;
     }
     if (count < 2) {
         problems.push_back({part.key, part.name + " has " + text(count) + (count == 1 ? " point" : " points") +
-                           "; it needs two or more."});
+                                          "; it needs two or more."});
         return;
     }
     const auto bad = indicesWhere(
         count, [&](std::size_t i) { return !std::isfinite(wall.distance[i]) || !std::isfinite(wall.recess[i]); });
     if (!bad.empty()) {
         problems.push_back({part.key, part.name + ": " + pointList(bad) +
-            std::string(verb(bad, " has a value that is no number.", " have values that are no numbers."))});
+                                          std::string(verb(bad, " has a value that is no number.",
+                                                           " have values that are no numbers."))});
     }
     const auto back =
         indicesWhere(count, [&](std::size_t i) { return i > 0 && wall.distance[i] < wall.distance[i - 1]; });
     if (!back.empty()) {
         problems.push_back({part.key, part.name + ": the distances must ascend; " + pointList(back) +
-                           std::string(verb(back, " lies", " lie")) + " before the point ahead of it."});
+                                          std::string(verb(back, " lies", " lie")) + " before the point ahead of it."});
     }
 }
 
-void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double length, double width,
-                Problems& warnings)
+void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double length, double width, Problems& warnings)
 {
     const std::size_t count = rail.points.size();
     const auto next = [&](std::size_t i) -> const RailPoint& { return rail.points[(i + 1) % count]; };
@@ -184,14 +188,15 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
         return p.x < -touching || p.x > length + touching || p.y < -touching || p.y > width + touching;
     });
     if (!outside.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(outside) + std::string(verb(outside, " lies", " lie")) +
-                           " outside the slider."});
+        warnings.push_back({part.key, part.name + ": " + pointList(outside) +
+                                          std::string(verb(outside, " lies", " lie")) + " outside the slider."});
     }
     const auto repeated =
         indicesWhere(count, [&](std::size_t i) { return distance(rail.points[i], next(i)) <= touching; });
     if (!repeated.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(repeated) + std::string(verb(repeated, " is", " are")) +
-                           " repeated by the point after."});
+        warnings.push_back({part.key, part.name + ": " + pointList(repeated) +
+                                          std::string(verb(repeated, " is", " are")) +
+                                          " repeated by the point after."});
     }
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     if (points.size() < 3) return;
@@ -210,11 +215,13 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
         (along > 0.0 ? collinear : reversing).push_back(indexOf(points[i]));
     }
     if (!collinear.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(collinear) + std::string(verb(collinear, " lies", " lie")) +
-                           " on the line between the points before and after."});
+        warnings.push_back({part.key, part.name + ": " + pointList(collinear) +
+                                          std::string(verb(collinear, " lies", " lie")) +
+                                          " on the line between the points before and after."});
     }
     if (!reversing.empty()) {
-        warnings.push_back({part.key, part.name + ": at " + pointList(reversing) + " the outline turns back on itself."});
+        warnings.push_back(
+            {part.key, part.name + ": at " + pointList(reversing) + " the outline turns back on itself."});
     } else if (meetsItself(points, Meeting::Touching)) {
         warnings.push_back({part.key, part.name + ": the outline touches itself."});
     }
@@ -261,8 +268,8 @@ std::vector<SurfaceProblem> surfaceWarnings(const AirBearingSurface& surface, do
         return !(p.x >= 0.0 && p.x <= length && p.y >= 0.0 && p.y <= width);
     });
     if (!outside.empty()) {
-        warnings.push_back({"abs", "Points of interest: " + pointList(outside) + std::string(verb(outside, " lies", " lie")) +
-                           " outside the slider."});
+        warnings.push_back({"abs", "Points of interest: " + pointList(outside) +
+                                       std::string(verb(outside, " lies", " lie")) + " outside the slider."});
     }
     return warnings;
 }

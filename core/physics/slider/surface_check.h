@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with an air bearing surface: sentences that name the rail, the wall profile and the point, counted from 1 as
-// in the files.
+// What is wrong with an air bearing surface: sentences that name the rail, the wall profile and the point, counted from
+// 1 as in the files.
 #pragma once
 
 #include <string>

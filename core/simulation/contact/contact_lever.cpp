@@ -9,8 +9,7 @@ namespace touchdown {
 
 ContactLever::ContactLever(const Case& c)
     : length_(c.slider.length), width_(c.slider.width), disk_(c.disk), friction_(frictionOf(c))
-{
-}
+{}
 
 ContactLever::Rubbing ContactLever::rubbing(double x, double y) const
 {

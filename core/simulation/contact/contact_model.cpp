@@ -52,9 +52,7 @@ private:
 /// A statistical surface, which keeps no memory.
 class AsperityPad final : public ContactModel {
 public:
-    explicit AsperityPad(const Case& c)
-        : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width)
-    {}
+    explicit AsperityPad(const Case& c) : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width) {}
 
     const ContactForces& move(double separation, double) override
     {
@@ -174,7 +172,8 @@ CoulombFriction frictionOf(const Case& c)
 {
     CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
     if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
-    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity) friction.coefficient = c.asperity.friction;
+    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity)
+        friction.coefficient = c.asperity.friction;
     return friction;
 }
 
@@ -186,7 +185,8 @@ void contactValues(const Case& c, const ContactForces& forces, double* values)
     if (adheres(c)) *values++ = forces.adhesion;
     *values++ = forces.net();
     const CoulombFriction friction = frictionOf(c);
-    const Velocity disk = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    const Velocity disk =
+        diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
     const double sliding = std::hypot(disk.x, disk.y);
     *values++ = friction.force(forces.contact, sliding);
     // The moment is that of the part along the slider.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pad of the model "contact" and its law, one class for each ContactKind, built with only the parts that the case needs.
-// The pad is moved to separations d, of its lowest point and the disk's mean plane, and remembers how it came there: branch,
-// menisci, adhesion.
+// The pad of the model "contact" and its law, one class for each ContactKind, built with only the parts that the case
+// needs. The pad is moved to separations d, of its lowest point and the disk's mean plane, and remembers how it came
+// there: branch, menisci, adhesion.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/physics/contact/characteristic_fit.h"
 #include "core/physics/contact/coulomb_friction.h"
 #include "core/physics/disk/surface_statistics.h"
-#include "core/case/case.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
 
@@ -49,8 +49,8 @@ public:
 
     /// The switches that a straight move to d [m] will pass, in their order.
     virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
-    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path tells, see
-    /// core/physics/contact/contact_path.h.
+    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path tells,
+    /// see core/physics/contact/contact_path.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
     /// Keeps the present state, in place of what was kept before; and returns to it.
@@ -65,7 +65,8 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a problem.
+/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a
+/// problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
 /// The friction of the contact that the case names.

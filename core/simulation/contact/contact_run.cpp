@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/formats/units.h"
 #include "core/physics/contact/contact_path.h"
 #include "core/simulation/contact/contact_figures.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/recording/run_updates.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 
@@ -165,8 +165,8 @@ private:
                 takeJump(jump, timeAt);
             else if (++misses > mostMisses)
                 break;
-            // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on this side
-            // of it, and goes on from there.
+            // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on
+            // this side of it, and goes on from there.
             at = jump.after;
             force = path.force(at);
             model_->remember();

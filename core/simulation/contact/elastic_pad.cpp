@@ -146,7 +146,8 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
     const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
     if (c.adhesion.acts()) {
-        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy (Maugis 1992).
+        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy
+        // (Maugis 1992).
         const AdhesionLaw law(c.adhesion);
         const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
         if (zone < cellsOfZone * c.elastic.cell)
@@ -163,7 +164,8 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
     if (patches.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < patches.size(); ++i)
-        for (std::size_t k = i + 1; k < patches.size(); ++k) nearest = std::min(nearest, patchDistance(patches[i], patches[k]));
+        for (std::size_t k = i + 1; k < patches.size(); ++k)
+            nearest = std::min(nearest, patchDistance(patches[i], patches[k]));
     // Boussinesq: F/(pi E* r).
     const double perNewton = 1.0 / (std::numbers::pi * modulus * nearest);
     list.push_back(std::to_string(patches.size()) + " patches are solved as if each were alone; the nearest two are " +

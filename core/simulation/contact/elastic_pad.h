@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A pad and a disk whose surfaces are given point by point: s = d + pad height - w, w the disk's surface, on patches of an
-// elastic half-space, with adhesion where there is one.
+// A pad and a disk whose surfaces are given point by point: s = d + pad height - w, w the disk's surface, on patches of
+// an elastic half-space, with adhesion where there is one.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 #include "core/physics/contact/adhesive_contact.h"
 #include "core/physics/contact/contact_patch.h"
+#include "core/physics/contact/elastic_contact.h"
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/disk_velocity.h"
-#include "core/physics/contact/elastic_contact.h"
 #include "core/simulation/contact/contact_model.h"
 
 namespace touchdown {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/physics/disk/surface_statistics.h"
 #include "core/case/contact_patches.h"
-#include "core/simulation/static_state/disk_under_film.h"
-#include "core/simulation/contact/elastic_pad.h"
 #include "core/formats/units.h"
+#include "core/physics/disk/surface_statistics.h"
+#include "core/simulation/contact/elastic_pad.h"
+#include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
 constexpr double farthest = 1e-6;
-/// How far the surface moves in one step, against the length over which it changes by as much as its own RMS height [-]: a wave
-/// is met 4 pi times a period.
+/// How far the surface moves in one step, against the length over which it changes by as much as its own RMS height
+/// [-]: a wave is met 4 pi times a period.
 constexpr double movedPerStep = 0.5;
 
 /// The gap at which the attraction is below a pressure [m].
@@ -42,14 +42,16 @@ double longestStepOf(const DiskTopography& surface, Velocity velocity, double ce
     const SurfaceStatistics statistics = surfaceStatistics(surface, goOn);
     const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
     // What changes from cell to cell acts through the mean over many.
-    const double length = slope > 0.0 ? std::max(statistics.rms / slope, cell) : std::numeric_limits<double>::infinity();
+    const double length =
+        slope > 0.0 ? std::max(statistics.rms / slope, cell) : std::numeric_limits<double>::infinity();
     return movedPerStep * length / speed;
 }
 
 } // namespace
 
 ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
-                                           const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn)
+                                           const CellGrid& grid, const PaddedGrid& pad,
+                                           const std::function<bool()>& goOn)
     : case_(c), spacing_(spacing), pad_(pad), highest_(surface.highest()), lever_(c)
 {
     const Velocity velocity = surfaceVelocity(c, surface);
@@ -58,7 +60,8 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
         if (goOn && !goOn()) return;
         const double area = static_cast<double>(patch.grid.cells()) * patch.grid.cellArea();
         double reach = highest_;
-        if (c.adhesion.acts()) reach += reachOf(AdhesionLaw(c.adhesion), leastPull * std::abs(c.suspension.preload) / area);
+        if (c.adhesion.acts())
+            reach += reachOf(AdhesionLaw(c.adhesion), leastPull * std::abs(c.suspension.preload) / area);
         parts_.push_back({SliderPatch(c, std::move(patch), surface, velocity, goOn), reach});
         parts_.back().patch.overlap(grid);
     }
@@ -87,7 +90,8 @@ const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, do
         forces_.pitchTorque += patch.contact[1] + patch.adhesion[1];
         forces_.rollTorque += patch.contact[2] + patch.adhesion[2];
         const UniformGrid& grid = part.patch.grid();
-        const ContactLever::Rubbing rubbing = lever_.rubbing(grid.x0 + 0.5 * grid.nx * grid.dx, grid.y0 + 0.5 * grid.ny * grid.dy);
+        const ContactLever::Rubbing rubbing =
+            lever_.rubbing(grid.x0 + 0.5 * grid.nx * grid.dx, grid.y0 + 0.5 * grid.ny * grid.dy);
         forces_.friction += rubbing.force * patch.contact[0];
         forces_.pitchTorque += rubbing.pitchTorque * patch.contact[0];
         forces_.rollTorque += rubbing.rollTorque * patch.contact[0];
@@ -142,14 +146,15 @@ std::string ElasticSliderContact::problemAt(const Attitude& attitude) const
     const double cell = case_.elastic.cell; // by which a patch may miss the slider's own edge
     for (const Part& part : parts_) {
         const UniformGrid& grid = part.patch.grid();
-        if (place.at.x >= grid.x0 - cell && place.at.x <= grid.x0 + grid.nx * grid.dx + cell && place.at.y >= grid.y0 - cell &&
-            place.at.y <= grid.y0 + grid.ny * grid.dy + cell)
+        if (place.at.x >= grid.x0 - cell && place.at.x <= grid.x0 + grid.nx * grid.dx + cell &&
+            place.at.y >= grid.y0 - cell && place.at.y <= grid.y0 + grid.ny * grid.dy + cell)
             return {};
     }
     const auto micrometres = [](double length) { return formatQuantity(std::round(length * 1e7) / 1e7, "um"); };
-    return "The slider came down to " + formatQuantity(std::round(place.spacing * 1e12) / 1e12, "nm") + " over the disk's mean plane at x = " +
-           micrometres(place.at.x) + ", y = " + micrometres(place.at.y) +
-           ", where no contact is modelled: give elastic.patch_pitch the pitch at which it touches, or take a greater elastic.patch_reach";
+    return "The slider came down to " + formatQuantity(std::round(place.spacing * 1e12) / 1e12, "nm") +
+           " over the disk's mean plane at x = " + micrometres(place.at.x) + ", y = " + micrometres(place.at.y) +
+           ", where no contact is modelled: give elastic.patch_pitch the pitch at which it touches, or take a greater "
+           "elastic.patch_reach";
 }
 
 RecordedFields ElasticSliderContact::fields(const Case& c, const std::function<bool()>& goOn)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Elastic contact and adhesion between the disk and those parts of a flying slider that can touch it: patches, known before the run,
-// of all that lies within elastic.patch_reach of the lowest point at elastic.patch_pitch and no roll. Only patches in reach are
-// solved: beyond the disk's highest point, or where adhesion could pull all of the patch by no more than 1e-5 of the preload.
+// Elastic contact and adhesion between the disk and those parts of a flying slider that can touch it: patches, known
+// before the run, of all that lies within elastic.patch_reach of the lowest point at elastic.patch_pitch and no roll.
+// Only patches in reach are solved: beyond the disk's highest point, or where adhesion could pull all of the patch by
+// no more than 1e-5 of the preload.
 #pragma once
 
 #include <vector>
@@ -17,8 +18,8 @@ namespace touchdown {
 class ElasticSliderContact final : public SliderContact {
 public:
     /// Spacing, surface and pad must last. Without sense where `goOn` says false.
-    ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface, const CellGrid& grid,
-                         const PaddedGrid& pad, const std::function<bool()>& goOn);
+    ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
+                         const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn);
 
     const SliderContactForces& at(const Attitude& attitude, double time) override;
     Matrix3 stiffness() const override { return stiffness_; }
@@ -46,8 +47,8 @@ private:
     Case case_;
     const MinimumSpacing& spacing_;
     const PaddedGrid& pad_;
-    double highest_;         // of the disk [m]
-    double longestStep_;     // [s]
+    double highest_;     // of the disk [m]
+    double longestStep_; // [s]
     ContactLever lever_;
     std::vector<Part> parts_;
     SliderContactForces forces_;

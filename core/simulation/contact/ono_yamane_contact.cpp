@@ -25,10 +25,14 @@ std::string switchName(ContactRegion before, ContactRegion now)
 } // namespace
 
 OnoYamaneContact::OnoYamaneContact(const Case& c, const MinimumSpacing& spacing)
-    : law_(c.onoYamane), lever_(c), spacing_(spacing), length_(c.slider.length), width_(c.slider.width),
-      takeOff_(c.onoYamane.takeOff), first_(c.initial.branch)
-{
-}
+    : law_(c.onoYamane),
+      lever_(c),
+      spacing_(spacing),
+      length_(c.slider.length),
+      width_(c.slider.width),
+      takeOff_(c.onoYamane.takeOff),
+      first_(c.initial.branch)
+{}
 
 const SliderContactForces& OnoYamaneContact::at(const Attitude& attitude, double)
 {
@@ -38,8 +42,10 @@ const SliderContactForces& OnoYamaneContact::at(const Attitude& attitude, double
         region_ = law_.region(first_, spacing_.at(attitude).spacing);
         setInterval();
     }
-    if (region_ == ContactRegion::Apart) forces_ = {};
-    else loadAt(attitude, forces_);
+    if (region_ == ContactRegion::Apart)
+        forces_ = {};
+    else
+        loadAt(attitude, forces_);
     return forces_;
 }
 
@@ -86,7 +92,9 @@ bool OnoYamaneContact::outOfReach(const Attitude& attitude) const
 
 bool OnoYamaneContact::sameLaw(ContactRegion a, ContactRegion b) const
 {
-    const auto same = [](const AffineForce& f, const AffineForce& g) { return f.constant == g.constant && f.slope == g.slope; };
+    const auto same = [](const AffineForce& f, const AffineForce& g) {
+        return f.constant == g.constant && f.slope == g.slope;
+    };
     return same(law_.contactLaw(a), law_.contactLaw(b)) && same(law_.adhesionLaw(a), law_.adhesionLaw(b));
 }
 

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The characteristic of Ono & Yamane under a flying slider: d is the minimum spacing above the disk's mean plane, and the force
-// acts there (Chen & Bogy, section 4).
+// The characteristic of Ono & Yamane under a flying slider: d is the minimum spacing above the disk's mean plane, and
+// the force acts there (Chen & Bogy, section 4).
 //
-// Where many points are as near as the nearest, as along a trailing edge without roll, the place of the nearest jumps from corner
-// to corner with the slightest roll, and the torque with it. The force therefore acts at the mean of all that come within a
-// hundredth of a nanometre of it, weighted by how near they are: our choice. It moves the force by no more than the pad is wide.
+// Where many points are as near as the nearest, as along a trailing edge without roll, the place of the nearest jumps
+// from corner to corner with the slightest roll, and the torque with it. The force therefore acts at the mean of all
+// that come within a hundredth of a nanometre of it, weighted by how near they are: our choice. It moves the force by
+// no more than the pad is wide.
 //
-// The accepted region's law counts beyond the ends of its interval too, so that a step sees a smooth force; whoever takes the
-// step ends it at the switch.
+// The accepted region's law counts beyond the ends of its interval too, so that a step sees a smooth force; whoever
+// takes the step ends it at the switch.
 #pragma once
 
 #include <optional>
 
-#include "core/physics/slider/minimum_spacing.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/contact/slider_contact.h"
 
@@ -36,7 +37,8 @@ public:
 
     /// Of the law that acts; regions with the same law are not told apart.
     ContactRegion region() const { return region_; }
-    /// This region's law acts from now on, wherever the pad is, until it is crossed. Of regions with the same law the lowest one is taken.
+    /// This region's law acts from now on, wherever the pad is, until it is crossed. Of regions with the same law the
+    /// lowest one is taken.
     void setRegion(ContactRegion region);
 
 private:
@@ -48,13 +50,13 @@ private:
     OnoYamaneLaw law_;
     ContactLever lever_;
     const MinimumSpacing& spacing_;
-    double length_, width_;  // of the slider [m]
-    double takeOff_;         // d_e [m]
+    double length_, width_; // of the slider [m]
+    double takeOff_;        // d_e [m]
     ContactBranch first_;
     ContactRegion region_ = ContactRegion::Apart;
-    Interval interval_;      // in which its law holds [m]
+    Interval interval_; // in which its law holds [m]
     bool begun_ = false;
-    Attitude attitude_;      // of the last call
+    Attitude attitude_; // of the last call
     SliderContactForces forces_;
     mutable std::optional<Matrix3> stiffness_; // at attitude_, once it was asked for
 };

@@ -6,8 +6,9 @@
 
 namespace touchdown {
 
-std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
-                                                 const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn)
+std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing,
+                                                 const DiskTopography& surface, const CellGrid& grid,
+                                                 const PaddedGrid& pad, const std::function<bool()>& goOn)
 {
     switch (c.contact) {
     case ContactKind::OnoYamane: return std::make_unique<OnoYamaneContact>(c, spacing);
@@ -21,7 +22,8 @@ std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpa
 
 RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn)
 {
-    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c, goOn) : RecordedFields{};
+    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c, goOn)
+                                                                         : RecordedFields{};
 }
 
 } // namespace touchdown

@@ -16,7 +16,8 @@ constexpr double sameState = 1e-12;
 constexpr double looserThanAlone = 1e4; // [-]
 constexpr double loosest = 1e-2;        // [-]
 
-std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
+std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const UniformGrid& grid,
+                                                        const std::function<bool()>& goOn)
 {
     HalfSpace space(grid, contactModulus(c.elastic.pair), HalfSpaceEdges::Free, goOn);
     const double tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest);
@@ -42,12 +43,19 @@ void addProduct(Matrix3& to, double factor, const Vector3& rows, const Vector3& 
 
 SliderPatch::SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity,
                          const std::function<bool()>& goOn)
-    : grid_(patch.grid), recess_(std::move(patch.recess)), length_(c.slider.length), width_(c.slider.width),
-      modulus_(contactModulus(c.elastic.pair)), topography_(surface), velocity_(velocity), lever_(c),
-      contact_(contactOf(c, grid_, goOn)), surface_(surface.flat() ? 0 : grid_.cells()), separation_(grid_.cells()),
+    : grid_(patch.grid),
+      recess_(std::move(patch.recess)),
+      length_(c.slider.length),
+      width_(c.slider.width),
+      modulus_(contactModulus(c.elastic.pair)),
+      topography_(surface),
+      velocity_(velocity),
+      lever_(c),
+      contact_(contactOf(c, grid_, goOn)),
+      surface_(surface.flat() ? 0 : grid_.cells()),
+      separation_(grid_.cells()),
       surfaceTime_(std::numeric_limits<double>::quiet_NaN())
-{
-}
+{}
 
 double SliderPatch::clearance(const Attitude& attitude) const
 {
@@ -74,12 +82,15 @@ void SliderPatch::setSeparation(const Attitude& attitude, double time)
         topography_.heights(grid_, velocity_.x * time, velocity_.y * time, surface_);
         surfaceTime_ = time;
     }
-    forHeights(attitude, [&](std::size_t at, double height) { separation_[at] = height - (surface_.empty() ? 0.0 : surface_[at]); });
+    forHeights(attitude, [&](std::size_t at, double height) {
+        separation_[at] = height - (surface_.empty() ? 0.0 : surface_[at]);
+    });
 }
 
 const PatchForces& SliderPatch::solve(const Attitude& attitude, double time)
 {
-    const double moved = std::abs(attitude.height - attitude_.height) + std::abs(attitude.pitch - attitude_.pitch) * length_ +
+    const double moved = std::abs(attitude.height - attitude_.height) +
+                         std::abs(attitude.pitch - attitude_.pitch) * length_ +
                          std::abs(attitude.roll - attitude_.roll) * width_;
     const bool goesOn = tried_ && time == time_ && moved < sameState;
     setSeparation(attitude, time);
@@ -89,8 +100,10 @@ const PatchForces& SliderPatch::solve(const Attitude& attitude, double time)
     const auto take = [&](const auto& summary) {
         forces_.iterations = summary.iterations;
         tried_ = summary.converged;
-        if (summary.converged) forces_.problem.clear();
-        else forces_.problem = summary.message;
+        if (summary.converged)
+            forces_.problem.clear();
+        else
+            forces_.problem = summary.message;
     };
     if (auto* adhesive = std::get_if<AdhesiveContact>(&contact_)) {
         if (!goesOn) adhesive->recall();
@@ -129,7 +142,8 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
             }
         }
         contact = {contact[0] + rowContact, contact[1] + rowContactPitch, contact[2] + roll * rowContact};
-        attraction = {attraction[0] + rowAdhesion, attraction[1] + rowAdhesionPitch, attraction[2] + roll * rowAdhesion};
+        attraction = {attraction[0] + rowAdhesion, attraction[1] + rowAdhesionPitch,
+                      attraction[2] + roll * rowAdhesion};
     }
     for (std::size_t k = 0; k < 3; ++k) {
         forces_.contact[k] = contact[k] * cell;
@@ -138,7 +152,8 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
     forces_.area = count * cell;
     forces_.peakPressure = peak;
     forces_.storedEnergy = 0.5 * energy * cell;
-    // A punch as large as the contact, 2 E* a with a = sqrt(A/pi) (Johnson 1985, section 3.4), at the centre of its pressure.
+    // A punch as large as the contact, 2 E* a with a = sqrt(A/pi) (Johnson 1985, section 3.4), at the centre of its
+    // pressure.
     forces_.stiffness = {};
     if (contact[0] > 0.0) {
         const Vector3 arms{1.0, contact[1] / contact[0], contact[2] / contact[0]};
@@ -163,12 +178,14 @@ void SliderPatch::accept()
     remembers_ = acts_;
 }
 
-std::vector<SliderPatch::Overlap> SliderPatch::overlaps(std::span<const double> lines, double first, double cell, int count)
+std::vector<SliderPatch::Overlap> SliderPatch::overlaps(std::span<const double> lines, double first, double cell,
+                                                        int count)
 {
     std::vector<Overlap> list;
     for (int k = 0; k < count; ++k)
         for (std::size_t film = 0; film + 1 < lines.size(); ++film) {
-            const double common = std::min(lines[film + 1], first + (k + 1) * cell) - std::max(lines[film], first + k * cell);
+            const double common =
+                std::min(lines[film + 1], first + (k + 1) * cell) - std::max(lines[film], first + k * cell);
             if (common > 0.0) list.push_back({static_cast<int>(film), k, common / (lines[film + 1] - lines[film])});
         }
     return list;
@@ -186,7 +203,8 @@ void SliderPatch::deform(const PaddedGrid& pad, std::span<double> height) const
     const std::span<const double> gap = std::visit([](const auto& contact) { return contact.gap(); }, contact_);
     for (const Overlap& row : rows_)
         for (const Overlap& column : columns_) {
-            const std::size_t at = static_cast<std::size_t>(row.patch) * static_cast<std::size_t>(grid_.nx) + static_cast<std::size_t>(column.patch);
+            const std::size_t at = static_cast<std::size_t>(row.patch) * static_cast<std::size_t>(grid_.nx) +
+                                   static_cast<std::size_t>(column.patch);
             height[pad.at(column.film, row.film)] -= row.share * column.share * (gap[at] - separation_[at]);
         }
 }
@@ -198,10 +216,12 @@ void SliderPatch::observe(FieldSnapshot& snapshot) const
     const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
     const auto addNothing = [&] { snapshot.values.emplace_back(cells, 0.0); };
     if (acts_) {
-        std::visit([&](const auto& contact) {
-            add(contact.gap());
-            add(contact.pressure());
-        }, contact_);
+        std::visit(
+            [&](const auto& contact) {
+                add(contact.gap());
+                add(contact.pressure());
+            },
+            contact_);
         if (const auto* adhesive = std::get_if<AdhesiveContact>(&contact_)) add(adhesive->adhesion());
         if (!surface_.empty()) add(surface_);
         return;

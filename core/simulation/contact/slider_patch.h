@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A part of the slider's surface that can touch the disk, as an elastic half-space of its own, with adhesion where there is one.
-// The surfaces' separation at a cell's centre, the slider at any attitude and the disk's surface w moved for a time t, is
+// A part of the slider's surface that can touch the disk, as an elastic half-space of its own, with adhesion where
+// there is one. The surfaces' separation at a cell's centre, the slider at any attitude and the disk's surface w moved
+// for a time t, is
 //
 //   s = height + pitch (L - x) - roll (y - W/2) + recess - w(x - U t, y - V t)
 //
-// In a run of many thousand steps each is solved to 1e4 elastic.tolerance: at its default to 1e-4 of the largest pressure and
-// displacement, which leaves some 1e-5 of the force and snaps in and pulls off in the same steps as a tight tolerance does.
+// In a run of many thousand steps each is solved to 1e4 elastic.tolerance: at its default to 1e-4 of the largest
+// pressure and displacement, which leaves some 1e-5 of the force and snaps in and pulls off in the same steps as a
+// tight tolerance does.
 //
-// A solution with adhesion depends on where it comes from. Each starts from the state that was accepted last, so that what was tried
-// in between leaves no trace; but for a try at the same time a picometre beside the last one, which starts there.
+// A solution with adhesion depends on where it comes from. Each starts from the state that was accepted last, so that
+// what was tried in between leaves no trace; but for a try at the same time a picometre beside the last one, which
+// starts there.
 #pragma once
 
 #include <functional>
@@ -18,13 +21,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/numerics/padded_grid.h"
 #include "core/physics/contact/adhesive_contact.h"
-#include "core/physics/slider/attitude.h"
 #include "core/physics/contact/contact_patch.h"
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/disk_velocity.h"
-#include "core/case/case.h"
+#include "core/physics/slider/attitude.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/recording/field_snapshot.h"
 
@@ -44,7 +47,8 @@ struct PatchForces {
 class SliderPatch {
 public:
     /// The surface must last.
-    SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity, const std::function<bool()>& goOn);
+    SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity,
+                const std::function<bool()>& goOn);
 
     /// The least height of its cells over the disk's mean plane [m].
     double clearance(const Attitude& attitude) const;
@@ -75,11 +79,11 @@ private:
     void sum(std::span<const double> pressure, std::span<const double> adhesion, std::span<const double> gap);
 
     UniformGrid grid_;
-    std::vector<double> recess_;     // [m]
-    double length_, width_;          // of the slider [m]
-    double modulus_;                 // E* [Pa]
+    std::vector<double> recess_; // [m]
+    double length_, width_;      // of the slider [m]
+    double modulus_;             // E* [Pa]
     const DiskTopography& topography_;
-    Velocity velocity_;              // of the surface [m/s]
+    Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;
     std::variant<ElasticContact, AdhesiveContact> contact_;
     std::vector<double> surface_;    // w [m]; empty: flat

@@ -21,8 +21,7 @@ class BranchTrace {
 public:
     BranchTrace(const CaseAt& caseAt, double from, double to, const std::function<bool(double)>& told)
         : told_(told), goOn_([this] { return ask(); }), path_(caseAt, from, to, goOn_), from_(from), to_(to)
-    {
-    }
+    {}
 
     FilmBranches trace(int looks)
     {
@@ -59,7 +58,10 @@ private:
         return !result_.stopped;
     }
 
-    Vector3 placeOf(const Attitude& a) const { return {a.height + 0.5 * path_.sliderLength() * a.pitch, a.pitch, a.roll}; }
+    Vector3 placeOf(const Attitude& a) const
+    {
+        return {a.height + 0.5 * path_.sliderLength() * a.pitch, a.pitch, a.roll};
+    }
 
     void seekTouching(const FilmPath::Look& look)
     {
@@ -97,7 +99,9 @@ private:
                 const auto& [xa, pa] = each.places[i];
                 const auto& [xb, pb] = each.places[std::min(i + 1, each.places.size() - 1)];
                 const double share = pb != pa ? std::clamp((seed.p - pa) / (pb - pa), 0.0, 1.0) : 0.0;
-                if (std::abs(std::lerp(pa, pb, share) - seed.p) < onBranch && (x - xa - share * (xb - xa)).norm() < onBranch) return true;
+                if (std::abs(std::lerp(pa, pb, share) - seed.p) < onBranch &&
+                    (x - xa - share * (xb - xa)).norm() < onBranch)
+                    return true;
             }
         }
         return false;
@@ -110,14 +114,21 @@ private:
         problem.linearise = [this, region](const Vector& x, double p, ContinuationProblem::Linearised& at) {
             return path_.linearise(x, p, region, at);
         };
-        problem.tests = [this, region](const Vector& x, double p) { return std::vector{growthOf(path_.describe(x, p, region))}; };
+        problem.tests = [this, region](const Vector& x, double p) {
+            return std::vector{growthOf(path_.describe(x, p, region))};
+        };
         problem.guards = [this, region](const Vector& x, double p) { return path_.distances(x, p, region); };
-        const ContinuationOptions options{.firstStep = 0.03, .shortestStep = 1e-4, .longestStep = 0.12, .tolerance = newton,
-                                          .locatedTo = FilmBranches::locatedTo, .mostPoints = 400};
+        const ContinuationOptions options{.firstStep = 0.03,
+                                          .shortestStep = 1e-4,
+                                          .longestStep = 0.12,
+                                          .tolerance = newton,
+                                          .locatedTo = FilmBranches::locatedTo,
+                                          .mostPoints = 400};
         const Vector x = path_.toScaled(seed.q, unknowns);
         const Branch back = followBranch(problem, x, seed.p, false, options, goOn_);
         const bool closed = back.end == BranchEnd::Closed;
-        if (!back.points.empty()) path_.followRatesOf(path_.describe(back.points.front().x, back.points.front().p, region));
+        if (!back.points.empty())
+            path_.followRatesOf(path_.describe(back.points.front().x, back.points.front().p, region));
         const Branch forth = closed || !ask() ? Branch{} : followBranch(problem, x, seed.p, true, options, goOn_);
 
         FilmBranch branch{region, {}};
@@ -147,12 +158,16 @@ private:
     void addMarks(const Branch& branch, ContactRegion region, std::deque<Seed>& seeds)
     {
         for (const BranchMark& mark : branch.marks) {
-            const auto at = [&](std::size_t i) { return path_.describe(branch.points[i].x, branch.points[i].p, region); };
+            const auto at = [&](std::size_t i) {
+                return path_.describe(branch.points[i].x, branch.points[i].p, region);
+            };
             const FilmBranchPoint here = at(mark.point);
-            if (mark.fold()) add(EquilibriumMark::Fold, here);
+            if (mark.fold())
+                add(EquilibriumMark::Fold, here);
             else if (!here.at.eigenvalues.empty() && mark.point > 0 && mark.point + 1 < branch.points.size()) {
                 // Where another oscillation takes the lead, or one is lost, the growth jumps and crosses nothing.
-                const double most = std::max(std::abs(growthOf(at(mark.point - 1))), std::abs(growthOf(at(mark.point + 1))));
+                const double most =
+                    std::max(std::abs(growthOf(at(mark.point - 1))), std::abs(growthOf(at(mark.point + 1))));
                 if (std::abs(growthOf(here)) < smallGrowth * most) add(EquilibriumMark::Hopf, here);
             }
         }
@@ -167,8 +182,10 @@ private:
         if (!crossing) return;
         const FilmBalance::Beyond& beyond = crossing->beyond;
         const FilmBranchPoint here = path_.describe(end.x, end.p, region);
-        if (beyond.jumps) add(EquilibriumMark::Switch, here, beyond.name);
-        else if (beyond.kinks) add(EquilibriumMark::Kink, here, beyond.name);
+        if (beyond.jumps)
+            add(EquilibriumMark::Switch, here, beyond.name);
+        else if (beyond.kinks)
+            add(EquilibriumMark::Kink, here, beyond.name);
         if (!beyond.jumps) seeds.push_back({end.p, crossing->q, beyond.region});
     }
 
@@ -176,7 +193,8 @@ private:
     {
         // Two branches that meet at a kink both end there.
         const auto same = [&](const MarkedFilmEquilibrium& mark) {
-            return mark.kind == kind && std::abs(mark.at.at.spacing - at.at.spacing) < 10.0 * FilmBranches::locatedTo * path_.length() &&
+            return mark.kind == kind &&
+                   std::abs(mark.at.at.spacing - at.at.spacing) < 10.0 * FilmBranches::locatedTo * path_.length() &&
                    std::abs(mark.at.parameter - at.parameter) < 10.0 * FilmBranches::locatedTo * std::abs(to_ - from_);
         };
         if (std::ranges::any_of(result_.marks, same)) return;
@@ -194,7 +212,8 @@ private:
 
 } // namespace
 
-FilmBranches traceFilmBranches(const CaseAt& caseAt, double from, double to, int looks, const std::function<bool(double)>& goOn)
+FilmBranches traceFilmBranches(const CaseAt& caseAt, double from, double to, int looks,
+                               const std::function<bool(double)>& goOn)
 {
     return BranchTrace(caseAt, from, to, goOn).trace(std::max(looks, 2));
 }

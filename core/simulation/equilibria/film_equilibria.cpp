@@ -34,8 +34,8 @@ public:
     }
 
 private:
-    /// The law is that of the take-off branch at q. False where nothing was learned; a residual that no step makes smaller tells that there
-    /// is none near.
+    /// The law is that of the take-off branch at q. False where nothing was learned; a residual that no step makes
+    /// smaller tells that there is none near.
     bool refine(Vector3 q)
     {
         if (!balance_.solve(q, goOn_)) return false;
@@ -89,7 +89,8 @@ SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn)
 {
     Case still = c;
     still.diskSurface = {};
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria = false;
+    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
+        false;
     return steady(still, [&](const SteadyProgress&) { return goOn(); });
 }
 
@@ -130,7 +131,8 @@ std::string reasonForNoFilmEquilibria(const Case& c)
 {
     if (c.model != ModelKind::Film) return "is no case of model \"film\"";
     if (c.contact != ContactKind::OnoYamane)
-        return "equilibria of a film are sought with contact \"ono-yamane\" alone; the contact of surfaces depends on how it was reached";
+        return "equilibria of a film are sought with contact \"ono-yamane\" alone; the contact of surfaces depends on "
+               "how it was reached";
     return {};
 }
 

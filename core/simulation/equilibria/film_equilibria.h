@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the static state,
-// where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film and contact
-// (core/simulation/small_motions/film_balance.h), from the static attitude set down to several separations and from attitudes that are known to be
-// near. One that no start leads to is missed.
+// Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the
+// static state, where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film
+// and contact (core/simulation/small_motions/film_balance.h), from the static attitude set down to several separations
+// and from attitudes that are known to be near. One that no start leads to is missed.
 //
-// Stability: the oscillations about each (core/simulation/small_motions/film_oscillations.h); where the static stiffness has a negative determinant
-// a motion grows without oscillating.
+// Stability: the oscillations about each (core/simulation/small_motions/film_oscillations.h); where the static
+// stiffness has a negative determinant a motion grows without oscillating.
 #pragma once
 
 #include <complex>
@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "core/physics/slider/attitude.h"
 #include "core/case/case.h"
-#include "core/simulation/small_motions/film_oscillations.h"
+#include "core/physics/slider/attitude.h"
 #include "core/simulation/equilibria/spring_equilibria.h"
+#include "core/simulation/small_motions/film_oscillations.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -28,8 +28,8 @@ struct FilmEquilibrium {
     bool touching = false;                         // on the take-off branch: pressed, or held by menisci
     double netContactForce = 0.0;                  // [N]
     std::vector<std::complex<double>> eigenvalues; // of the oscillations, by falling real part [1/s]
-    Stability stability = Stability::Stable; // as far as the motions tell that were followed
-    int lost = 0;                            // oscillations that were not
+    Stability stability = Stability::Stable;       // as far as the motions tell that were followed
+    int lost = 0;                                  // oscillations that were not
 };
 
 struct FilmEquilibria {

@@ -68,7 +68,8 @@ void FilmPath::leave()
 
 Vector FilmPath::toScaled(const Vector3& q, Eigen::Index n) const
 {
-    const double ends[] = {q[0] - 0.5 * slider_.length * q[1], slider_.length * q[1] / turning, slider_.width * q[2] / turning};
+    const double ends[] = {q[0] - 0.5 * slider_.length * q[1], slider_.length * q[1] / turning,
+                           slider_.width * q[2] / turning};
     Vector x(n);
     for (Eigen::Index i = 0; i < n; ++i) x[i] = ends[i] / length_;
     return x;

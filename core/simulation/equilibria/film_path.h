@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case changes, as a continuation needs it:
-// G(x, p) and its derivatives, distances from the ends of a law of contact, and what an equilibrium is. All in shares and scales:
+// The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case
+// changes, as a continuation needs it: G(x, p) and its derivatives, distances from the ends of a law of contact, and
+// what an equilibrium is. All in shares and scales:
 //
 //   p  0 at one end of its range, 1 at the other
-//   x  height of the trailing edge, pitch and roll times a fifth of length and width, in units of a length near the spacing
-//   G  force and torques over length and width, as shares of the preload
+//   x  height of the trailing edge, pitch and roll times a fifth of length and width, in units of a length near the
+//   spacing G  force and torques over length and width, as shares of the preload
 //
 // on one grid, each film started from the last one. Where the suspension exerts its load is interpolated between the
 // static states of the looks: a nanometre amiss there counts k 1e-9 m, 1e-8 N of a suspension with 10 N/m.
@@ -36,14 +37,17 @@ public:
     using GoOn = std::function<bool()>;
 
     /// `goOn` must last, and once it said false stay so.
-    FilmPath(const CaseAt& caseAt, double from, double to, const GoOn& goOn) : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn) {}
+    FilmPath(const CaseAt& caseAt, double from, double to, const GoOn& goOn)
+        : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn)
+    {}
 
     struct Look {
         double p;
-        Attitude rest;    // the static state; its spacing may be negative
-        bool flies;       // that lies above d_s
+        Attitude rest; // the static state; its spacing may be negative
+        bool flies;    // that lies above d_s
     };
-    /// Static states at so many places of the range; grid and scales from the one next to its middle. Empty where there is none.
+    /// Static states at so many places of the range; grid and scales from the one next to its middle. Empty where there
+    /// is none.
     std::vector<Look> look(int looks, std::vector<std::string>& problems);
 
     /// Forgets the last film and the rates of the last equilibrium.
@@ -53,10 +57,11 @@ public:
 
     Eigen::VectorXd toScaled(const Vector3& q, Eigen::Index unknowns) const;
     double parameter(double p) const { return std::lerp(from_, to_, p); }
-    double length() const { return length_; } // unit of x [m]
+    double length() const { return length_; }              // unit of x [m]
     double sliderLength() const { return slider_.length; } // [m]
 
-    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G goes on along its slope.
+    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G goes on
+    /// along its slope.
     bool linearise(const Eigen::VectorXd& x, double p, ContactRegion region, ContinuationProblem::Linearised& at);
     /// From the lower and the upper end of the law's interval, and from the disk.
     std::vector<double> distances(const Eigen::VectorXd& x, double p, ContactRegion region);

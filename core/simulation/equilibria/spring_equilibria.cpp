@@ -16,13 +16,13 @@ namespace {
 using Mode = SpringModel::Mode;
 using Point = Eigen::Vector2d;
 
-constexpr int cellsAlong = 160;          // of the grid on which equilibria are sought
-constexpr double nearest = 1e-4;         // spacing from the end of an interval where it begins, in model scales [-]
-constexpr double farthest = 200.0;       // and where it ends
-constexpr int mostIterations = 30;       // of Newton
-constexpr double converged = 1e-12;      // last change, in model scales [-]
-constexpr double apart = 1e-6;           // of two equilibria, in model scales [-]
-constexpr double neutral = 1e-9;         // of the largest eigenvalue: below it a real part is rounding [-]
+constexpr int cellsAlong = 160;     // of the grid on which equilibria are sought
+constexpr double nearest = 1e-4;    // spacing from the end of an interval where it begins, in model scales [-]
+constexpr double farthest = 200.0;  // and where it ends
+constexpr int mostIterations = 30;  // of Newton
+constexpr double converged = 1e-12; // last change, in model scales [-]
+constexpr double apart = 1e-6;      // of two equilibria, in model scales [-]
+constexpr double neutral = 1e-9;    // of the largest eigenvalue: below it a real part is rounding [-]
 
 /// Forces in a mode at q, as accelerations.
 Point forcesAt(const SpringModel& model, const Point& q, Mode mode)
@@ -45,7 +45,8 @@ bool holdsAt(const SpringModel& model, const Point& q, Mode mode)
 std::vector<Mode> modesOf(const SpringModel& model)
 {
     std::vector<Mode> modes;
-    for (const ContactRegion region : {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged})
+    for (const ContactRegion region :
+         {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged})
         for (const bool front : {true, false})
             for (const bool rear : {true, false}) {
                 const Mode mode{front, rear, region};
@@ -69,9 +70,12 @@ std::vector<double> axisWithin(const Interval& holds, double scale)
     const bool unbounded = !std::isfinite(holds.lower) && !std::isfinite(holds.upper);
     for (int i = 0; i <= cellsAlong; ++i) {
         const double share = double(i) / cellsAlong;
-        if (unbounded) axis.push_back(scale * std::sinh((2.0 * share - 1.0) * std::asinh(farthest)));
-        else if (std::isfinite(holds.lower)) axis.push_back(holds.lower + scale * nearest * std::pow(ratio, share));
-        else axis.push_back(holds.upper - scale * nearest * std::pow(ratio, share));
+        if (unbounded)
+            axis.push_back(scale * std::sinh((2.0 * share - 1.0) * std::asinh(farthest)));
+        else if (std::isfinite(holds.lower))
+            axis.push_back(holds.lower + scale * nearest * std::pow(ratio, share));
+        else
+            axis.push_back(holds.upper - scale * nearest * std::pow(ratio, share));
     }
     return axis;
 }
@@ -88,19 +92,22 @@ public:
 
     std::vector<Point> search()
     {
-        // Coordinates u_f = z + a_f theta, u_r = z - a_r theta: the spacings of both springs, unless these are one place.
+        // Coordinates u_f = z + a_f theta, u_r = z - a_r theta: the spacings of both springs, unless these are one
+        // place.
         const SpringModel::Guards turned = model_.guards({0.0, 1.0});
         const double front = turned[SpringModel::Front];
         double rear = -turned[SpringModel::Rear];
         const bool onePlace = !(front + rear > 0.0);
         if (onePlace) rear = scale_[0] / scale_[1];
         const std::vector<double> uf = axisWithin(model_.interval(SpringModel::Front, mode_), scale_[0]);
-        const std::vector<double> ur = axisWithin(onePlace ? Interval{} : model_.interval(SpringModel::Rear, mode_), scale_[0]);
+        const std::vector<double> ur =
+            axisWithin(onePlace ? Interval{} : model_.interval(SpringModel::Rear, mode_), scale_[0]);
         const auto at = [&](double f, double r) {
             const double theta = (f - r) / (front + rear);
             return Point{f - front * theta, theta};
         };
-        // Moments about one spring's place do not know that spring's force: either of them depends on one spacing foremost.
+        // Moments about one spring's place do not know that spring's force: either of them depends on one spacing
+        // foremost.
         const Point inertia = model_.inertia();
         std::vector<Point> below(uf.size());
         std::vector<Point> row(uf.size());
@@ -182,7 +189,8 @@ Eigenvalues4 eigenvaluesAt(const SpringModel& model, const Point& q, Mode mode)
     const Eigen::Matrix4d scaled = s.cwiseInverse().asDiagonal() * a * s.asDiagonal() / rate;
     const Eigen::Vector4cd values = Eigen::EigenSolver<Eigen::Matrix4d>(scaled, false).eigenvalues() * rate;
     Eigenvalues4 sorted{values[0], values[1], values[2], values[3]};
-    std::ranges::stable_sort(sorted, [](auto x, auto y) { return x.real() > y.real() || (x.real() == y.real() && x.imag() > y.imag()); });
+    std::ranges::stable_sort(
+        sorted, [](auto x, auto y) { return x.real() > y.real() || (x.real() == y.real() && x.imag() > y.imag()); });
     return sorted;
 }
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Equilibria of the spring model while one of its values changes. In each mode (region of the contact law, springs that carry or are
-// lost) the laws are smooth, and the equilibria
+// Equilibria of the spring model while one of its values changes. In each mode (region of the contact law, springs that
+// carry or are lost) the laws are smooth, and the equilibria
 //
 //   z''(z, theta; p) = 0,   theta''(z, theta; p) = 0
 //
-// are branches: they are followed by pseudo-arclength (core/numerics/continuation.h), each within the intervals of its mode. Where
-// a branch meets the end of an interval, its piece ends: the force jumps there, or goes on with a kink, or with the same law.
-// Stability follows from the four eigenvalues of the mode's linear motion. Friction mu F_cr turns the slider by as much as the pad is
-// pressed, and the pad is not pressed by how far it is turned back: the stiffness is not symmetric, so that two modes may meet and flutter.
+// are branches: they are followed by pseudo-arclength (core/numerics/continuation.h), each within the intervals of its
+// mode. Where a branch meets the end of an interval, its piece ends: the force jumps there, or goes on with a kink, or
+// with the same law. Stability follows from the four eigenvalues of the mode's linear motion. Friction mu F_cr turns
+// the slider by as much as the pad is pressed, and the pad is not pressed by how far it is turned back: the stiffness
+// is not symmetric, so that two modes may meet and flutter.
 //
-// Pieces are sought at a number of values of p, on a grid of spacings in every mode, and are missed where they lie between two
-// of these values and fold back, or where two equilibria of a mode are closer than the grid. Where pad or a spring's place lies deeper
-// than ten static spacings below the disk's mean plane, as without any spring, the model means nothing, and nothing is sought.
+// Pieces are sought at a number of values of p, on a grid of spacings in every mode, and are missed where they lie
+// between two of these values and fold back, or where two equilibria of a mode are closer than the grid. Where pad or a
+// spring's place lies deeper than ten static spacings below the disk's mean plane, as without any spring, the model
+// means nothing, and nothing is sought.
 #pragma once
 
 #include <array>
@@ -28,20 +30,20 @@ namespace touchdown {
 
 /// Where small motions about an equilibrium go.
 enum class Stability : std::uint8_t {
-    Stable,     // they fade
-    Neutral,    // none grows and not all fade: without damping
-    Flutter,    // an oscillation grows
-    Divergence  // one grows without oscillating
+    Stable,    // they fade
+    Neutral,   // none grows and not all fade: without damping
+    Flutter,   // an oscillation grows
+    Divergence // one grows without oscillating
 };
 std::string_view name(Stability stability);
 
 using Eigenvalues4 = std::array<std::complex<double>, 4>;
 
 struct SpringEquilibrium {
-    double parameter = 0.0;     // p [its unit]
+    double parameter = 0.0;      // p [its unit]
     Eigen::Vector2d q{0.0, 0.0}; // z [m], theta [rad]
-    double flyingHeight = 0.0;  // d [m]
-    Eigenvalues4 eigenvalues{}; // by falling real part [1/s]
+    double flyingHeight = 0.0;   // d [m]
+    Eigenvalues4 eigenvalues{};  // by falling real part [1/s]
     Stability stability = Stability::Stable;
     double growth() const { return eigenvalues.front().real(); } // largest real part [1/s]
 };

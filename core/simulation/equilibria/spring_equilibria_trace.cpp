@@ -14,10 +14,10 @@ using Mode = SpringModel::Mode;
 using Point = Eigen::Vector2d;
 using Vector = Eigen::VectorXd;
 
-constexpr double difference = 1e-4;   // of p, for dF/dp, in shares of its range
-constexpr double onPiece = 0.01;      // distance of an equilibrium from a piece to which it belongs, in model scales [-]
-constexpr double sameForce = 1e-7;    // of forces on both sides of a switch, in model scales [-]
-constexpr double sameSlope = 1e-9;    // of their slopes [-]
+constexpr double difference = 1e-4; // of p, for dF/dp, in shares of its range
+constexpr double onPiece = 0.01;    // distance of an equilibrium from a piece to which it belongs, in model scales [-]
+constexpr double sameForce = 1e-7;  // of forces on both sides of a switch, in model scales [-]
+constexpr double sameSlope = 1e-9;  // of their slopes [-]
 constexpr double realCrossing = 1e-7; // by which a real part changes across a Hopf point, of the largest eigenvalue [-]
 
 /// Follows pieces over p in shares of its range: 0 at `from`, 1 at `to`.
@@ -25,8 +25,7 @@ class EquilibriaTrace {
 public:
     EquilibriaTrace(const CaseAt& caseAt, double from, double to, const std::function<bool(double)>& goOn)
         : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn)
-    {
-    }
+    {}
 
     SpringEquilibria trace(int looks)
     {
@@ -148,7 +147,8 @@ private:
                 const SpringEquilibrium &a = piece.points[i], &b = piece.points[i + 1];
                 const double least = std::min(a.parameter, b.parameter), most = std::max(a.parameter, b.parameter);
                 if (value < least - slack || value > most + slack) continue;
-                const double share = most > least ? std::clamp((value - a.parameter) / (b.parameter - a.parameter), 0.0, 1.0) : 0.5;
+                const double share =
+                    most > least ? std::clamp((value - a.parameter) / (b.parameter - a.parameter), 0.0, 1.0) : 0.5;
                 const Point between = a.q + share * (b.q - a.q);
                 if ((found.q - between).cwiseQuotient(scale_).norm() < onPiece) return true;
             }
@@ -190,8 +190,10 @@ private:
         for (const BranchMark& mark : branch.marks) {
             const BranchPoint& at = branch.points[mark.point];
             const SpringEquilibrium here = equilibrium(at.x, at.p, mode);
-            if (mark.fold()) add(EquilibriumMark::Fold, here);
-            else if (isHopf(branch, mark, mode)) add(EquilibriumMark::Hopf, here);
+            if (mark.fold())
+                add(EquilibriumMark::Fold, here);
+            else if (isHopf(branch, mark, mode))
+                add(EquilibriumMark::Hopf, here);
         }
         if (branch.end == BranchEnd::Lost || branch.end == BranchEnd::TooLong) ++result_.endsLost;
         if (branch.end == BranchEnd::Guard) addSwitch(branch, mode);
@@ -231,8 +233,10 @@ private:
         const SpringEquilibrium here = equilibrium(last.x, last.p, mode);
         const bool jumps = (force(*model, q, beyond) - force(*model, q, mode)).norm() > sameForce;
         const Eigen::Matrix2d before = slope(*model, q, mode), after = slope(*model, q, beyond);
-        if (jumps) add(EquilibriumMark::Switch, here, model->eventName(end.guard, mode, beyond));
-        else if ((after - before).norm() > sameSlope * before.norm()) add(EquilibriumMark::Kink, here, model->eventName(end.guard, mode, beyond));
+        if (jumps)
+            add(EquilibriumMark::Switch, here, model->eventName(end.guard, mode, beyond));
+        else if ((after - before).norm() > sameSlope * before.norm())
+            add(EquilibriumMark::Kink, here, model->eventName(end.guard, mode, beyond));
     }
 
     void add(EquilibriumMark kind, const SpringEquilibrium& at, std::string title = {})

@@ -12,11 +12,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double slopeError = 0.02;         // of the stiffness of film and contact, as long as none is measured [-]
-constexpr double forgetting = 0.9;          // of a contraction once measured, per step [-]
-constexpr double longestForFourth = 1.4;    // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
-constexpr double worthRenewing = 0.1;       // contraction beyond which the film's responses have changed [-]
-constexpr double slowestRate = 1e6;         // 2 pi times a frequency below those of an air bearing [rad/s]
+constexpr double slopeError = 0.02; // of the stiffness of film and contact, as long as none is measured [-]
+constexpr double forgetting = 0.9;  // of a contraction once measured, per step [-]
+constexpr double longestForFourth =
+    1.4; // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
+constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
+constexpr double slowestRate = 1e6;   // 2 pi times a frequency below those of an air bearing [rad/s]
 
 /// Adds the time until its end to a sum.
 class Stopwatch {
@@ -45,7 +46,13 @@ Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, 
 
 CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
                                const CoupledStepOptions& options)
-    : film_(film), body_(body), contact_(contact), disk_(disk), options_(options), stepper_(film, options.film), response_(film, body)
+    : film_(film),
+      body_(body),
+      contact_(contact),
+      disk_(disk),
+      options_(options),
+      stepper_(film, options.film),
+      response_(film, body)
 {
     for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
 }
@@ -181,8 +188,8 @@ FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
     return film;
 }
 
-/// Where a step meets stiffness on its way for which its rule is not stable, it is taken again by the other one, whose error then tells
-/// whether it is too long.
+/// Where a step meets stiffness on its way for which its rule is not stable, it is taken again by the other one, whose
+/// error then tells whether it is too long.
 CoupledStepResult CoupledStepper::step(double dt)
 {
     const CoupledStepResult first = tryStep(dt, true);
@@ -247,12 +254,14 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         if (result.iterations > 1) {
             // What is as small as rounding contracts no more.
             if (size > options_.tolerance) contraction_ = measured = size / before;
-            if (contraction_ > 1.0 && size > 10.0 * options_.tolerance && result.iterations > 3) return fail(CoupledFailure::Iteration);
+            if (contraction_ > 1.0 && size > 10.0 * options_.tolerance && result.iterations > 3)
+                return fail(CoupledFailure::Iteration);
         }
         before = size;
         const double left = contraction_ < 1.0 ? contraction_ / (1.0 - contraction_) * size : size;
         const double load = std::max(std::abs(body_.load()[0]), 1e-300);
-        result.forceBalance = (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
+        result.forceBalance =
+            (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
         if (monolithic) {
             for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
             const double filmLeft = follow(change);
@@ -283,7 +292,8 @@ double CoupledStepper::fastestRate() const
         for (int m = 0; m < 3; ++m) {
             const auto column = static_cast<std::size_t>(m);
             const double scale = (m == 0 ? 1.0 : 1.0 / film_.gaps().length) * (k == 0 ? 1.0 : film_.gaps().length);
-            perMass(k, m) = scale * (response_.stiffness()[row][column] + contactStiffness_[row][column]) / body_.inertia()[row];
+            perMass(k, m) =
+                scale * (response_.stiffness()[row][column] + contactStiffness_[row][column]) / body_.inertia()[row];
         }
         perMass(k, k) += body_.springs()[row] / body_.inertia()[row];
     }
@@ -291,8 +301,8 @@ double CoupledStepper::fastestRate() const
     return std::sqrt(perMass.eigenvalues().cwiseAbs().maxCoeff());
 }
 
-/// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first step, whose
-/// earlier tries may know the stiffness and may not.
+/// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first
+/// step, whose earlier tries may know the stiffness and may not.
 void CoupledStepper::setRule(double dt, bool fourth)
 {
     fourth_ = fourth && !starting_ && response_.known() && acceptedRate_ * dt < longestForFourth;
@@ -310,8 +320,8 @@ void CoupledStepper::setVelocity(double dt)
     }
 }
 
-/// The acceleration is that of the forces at the solution, which `change` has just led to, so that what the iteration left in the
-/// position does not come back in it from step to step.
+/// The acceleration is that of the forces at the solution, which `change` has just led to, so that what the iteration
+/// left in the position does not come back in it from step to step.
 void CoupledStepper::finishMotion(double dt, const Vector3& change)
 {
     setVelocity(dt);
@@ -329,7 +339,8 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
         tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]);
     }
     if (fourth_) {
-        // v - shift stiffJerk(v) = u turned round: steps of changing length then neither gain nor lose energy by their shifts.
+        // v - shift stiffJerk(v) = u turned round: steps of changing length then neither gain nor lose energy by their
+        // shifts.
         Vector3 right;
         for (std::size_t k = 0; k < 3; ++k) right[k] = -body_.inertia()[k] * tried_.v[k] / shift_;
         tried_.v = solveBody(right, -1.0 / shift_, 0.0, true);
@@ -337,8 +348,8 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
     triedStiffJerk_ = stiffJerk(tried_.v);
 }
 
-/// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from where a change
-/// of the acceleration was not foreseen. Of the film, as the displacement that would balance its force.
+/// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from
+/// where a change of the acceleration was not foreseen. Of the film, as the displacement that would balance its force.
 void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 {
     Vector3 change{};

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One step of film, contact and slider together, all implicit. The film by BDF2 (film_step.h: second order, L-stable), the slider by
-// Newmark's method (1959) with gamma 1/2, which has no damping of its own:
+// One step of film, contact and slider together, all implicit. The film by BDF2 (film_step.h: second order, L-stable),
+// the slider by Newmark's method (1959) with gamma 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //
-// beta 1/12 (Fox & Goodwin 1949): fourth order, stable up to omega dt = sqrt 6. u is not quite the velocity, v = u - dt^2 a'/12, which
-//              counts where dt changes. Taken where omega dt is far below that limit and the stiffness is known: by monolithic.
+// beta 1/12 (Fox & Goodwin 1949): fourth order, stable up to omega dt = sqrt 6. u is not quite the velocity, v = u -
+// dt^2 a'/12, which
+//              counts where dt changes. Taken where omega dt is far below that limit and the stiffness is known: by
+//              monolithic.
 // beta 1/4     the trapezoidal rule: second order, stable. u = v.
 //
 //   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
 //
 // monolithic   one Newton on pressure and attitude: with X = J^-1 dR/dq kept as long as the film's Jacobian is good,
 //              (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
-// staggered    the film is solved at the attitude, the slider moved by the forces, (M/(beta dt^2) + C/(2 beta dt) + K) dq = G, and so on until
-//              neither changes: the established program's way. It converges where the film's and contact's stiffness k satisfies
-//              beta k dt^2 < M, and says so where it does not.
+// staggered    the film is solved at the attitude, the slider moved by the forces, (M/(beta dt^2) + C/(2 beta dt) + K)
+// dq = G, and so on until
+//              neither changes: the established program's way. It converges where the film's and contact's stiffness k
+//              satisfies beta k dt^2 < M, and says so where it does not.
 #pragma once
 
 #include <array>
@@ -25,18 +28,18 @@
 #include <vector>
 
 #include "core/physics/film/film_step.h"
-#include "core/simulation/static_state/disk_under_film.h"
-#include "core/simulation/flight/film_response.h"
-#include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/contact/slider_contact.h"
+#include "core/simulation/flight/film_response.h"
+#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
 
 struct CoupledStepOptions {
     FilmCoupling coupling = FilmCoupling::Monolithic;
     FilmStepOptions film;
-    double tolerance = 1e-13;    // of the slider's position, at its corners [m]
-    int maximumIterations = 40;  // attitudes tried
+    double tolerance = 1e-13;     // of the slider's position, at its corners [m]
+    int maximumIterations = 40;   // attitudes tried
     std::function<bool()> goOn{}; // asked before each solution within a step; false ends the step
 };
 
@@ -44,26 +47,27 @@ enum class CoupledFailure : std::uint8_t { None, Film, Contact, Iteration, NotFi
 
 struct CoupledStepResult {
     CoupledFailure failure = CoupledFailure::None;
-    int iterations = 0;          // attitudes at which the film was solved
+    int iterations = 0; // attitudes at which the film was solved
     int filmIterations = 0;
-    int linearisations = 0;      // of the film
-    int solves = 0;              // preconditioned iterations
-    double positionLeft = 0.0;   // estimated distance of the corners from the step's solution [m]
-    double forceBalance = 0.0;   // |G| against the load: force, and torques over the slider's length [-]
-    double filmError = 0.0;      // FilmStepResult::error [-]
-    double timeError = 0.0;      // of the step's discretisation, as a displacement of the corners [m]
+    int linearisations = 0;    // of the film
+    int solves = 0;            // preconditioned iterations
+    double positionLeft = 0.0; // estimated distance of the corners from the step's solution [m]
+    double forceBalance = 0.0; // |G| against the load: force, and torques over the slider's length [-]
+    double filmError = 0.0;    // FilmStepResult::error [-]
+    double timeError = 0.0;    // of the step's discretisation, as a displacement of the corners [m]
     bool converged() const { return failure == CoupledFailure::None; }
 };
 
 /// What the tried steps have taken so far.
 struct CoupledCost {
-    double filmSeconds = 0.0, responseSeconds = 0.0, forceSeconds = 0.0, contactSeconds = 0.0, diskSeconds = 0.0; // wall clock [s]
-    long long filmSolves = 0;      // attitudes at which the film was solved
-    long long linearisations = 0;  // of the film
-    long long contactSolves = 0;   // attitudes at which the contact was asked,
-    long long contactSkipped = 0;  // and those at which nothing was in reach
+    double filmSeconds = 0.0, responseSeconds = 0.0, forceSeconds = 0.0, contactSeconds = 0.0,
+           diskSeconds = 0.0;         // wall clock [s]
+    long long filmSolves = 0;         // attitudes at which the film was solved
+    long long linearisations = 0;     // of the film
+    long long contactSolves = 0;      // attitudes at which the contact was asked,
+    long long contactSkipped = 0;     // and those at which nothing was in reach
     double contactSolveSeconds = 0.0; // of the former [s]
-    long long jacobiansKept = 0;   // attitudes at which the film needed no linearisation
+    long long jacobiansKept = 0;      // attitudes at which the film needed no linearisation
 };
 
 /// Film, body, contact and disk must last; contact and disk may be null. Allocates at construction alone.
@@ -82,22 +86,25 @@ public:
     void restartAcceleration();
 
     double time() const { return time_; }
-    const SliderMotion& motion() const { return motion_; }        // accepted
-    const SliderMotion& tried() const { return tried_; }          // of the last step
+    const SliderMotion& motion() const { return motion_; } // accepted
+    const SliderMotion& tried() const { return tried_; }   // of the last step
     std::span<const double> pressure() const { return stepper_.pressure(); }
     /// Of film with shear, and of contact, of the last step.
     const Vector3& filmForce() const { return filmForce_; }
     /// Of the film's shear, contained in filmForce().
     Vector3 shearTorques() const { return {0.0, -body_.shearArm() * shear_[0], -body_.shearArm() * shear_[1]}; }
     /// Heights of the disk under the film (padded) in the last step; empty where it is always flat [m].
-    std::span<const double> surface() const { return contact_ || (disk_ && !disk_->flat()) ? surface_ : std::span<const double>(); }
+    std::span<const double> surface() const
+    {
+        return contact_ || (disk_ && !disk_->flat()) ? surface_ : std::span<const double>();
+    }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
     /// How often a cell of the film has closed: the air in it is in no book.
     long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
-    /// The largest angular frequency that the stiffness of film and contact makes; zero as long as it is not known, which `staggered`
-    /// never does [rad/s].
+    /// The largest angular frequency that the stiffness of film and contact makes; zero as long as it is not known,
+    /// which `staggered` never does [rad/s].
     double fastestRate() const;
 
 private:
@@ -110,7 +117,8 @@ private:
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
-    /// Takes film and forces along; returns by how much the pressure may be wrong then, as FilmStepResult::error measures it [-].
+    /// Takes film and forces along; returns by how much the pressure may be wrong then, as FilmStepResult::error
+    /// measures it [-].
     double follow(const Vector3& change);
     void setRule(double dt, bool fourth);
     void setVelocity(double dt);
@@ -123,27 +131,28 @@ private:
     DiskUnderFilm* disk_;
     CoupledStepOptions options_;
     FilmStepper stepper_;
-    SliderMotion motion_, tried_;              // accepted, tried
-    Vector3 jerk_{}, slope_{};                 // a' at the accepted state, its mean over the last step
+    SliderMotion motion_, tried_; // accepted, tried
+    Vector3 jerk_{}, slope_{};    // a' at the accepted state, its mean over the last step
     Vector3 triedJerk_{}, triedSlope_{};
-    Vector3 stiffJerk_{}, triedStiffJerk_{};   // what stiffness makes of a' at the accepted state, at the tried one
-    double time_ = 0.0, dt_ = 0.0, lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
+    Vector3 stiffJerk_{}, triedStiffJerk_{}; // what stiffness makes of a' at the accepted state, at the tried one
+    double time_ = 0.0, dt_ = 0.0,
+           lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
     // Of the tried step's rule: beta, and (u - v)/a' [s^2].
     bool fourth_ = false;
     double later_ = 0.25, shift_ = 0.0;
-    Vector3 rate_{};                           // u1
+    Vector3 rate_{}; // u1
     FilmResponse response_;
     std::vector<double> change_, surface_;
-    double surfaceTime_ = -1.0;                // of surface_ [s]
-    bool inReach_ = false, deformed_ = false;  // contact, at the last attitude; surface_ by it
+    double surfaceTime_ = -1.0;               // of surface_ [s]
+    bool inReach_ = false, deformed_ = false; // contact, at the last attitude; surface_ by it
     Vector3 filmForce_{};
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_{};
-    double acceptedRate_ = 0.0;                // fastestRate() at the accepted state [rad/s]
-    bool starting_ = true;                     // no step has been accepted yet
+    double acceptedRate_ = 0.0; // fastestRate() at the accepted state [rad/s]
+    bool starting_ = true;      // no step has been accepted yet
     CoupledCost cost_;
-    double contraction_ = 0.0;                 // of the iteration, as last measured [-]
+    double contraction_ = 0.0; // of the iteration, as last measured [-]
 };
 
 } // namespace touchdown

@@ -22,7 +22,8 @@ double FilmBooks::power(const FilmPoint& point) const
     return sum;
 }
 
-/// Power is integrated along a parabola through three points, or a straight line where the contact's law has just changed.
+/// Power is integrated along a parabola through three points, or a straight line where the contact's law has just
+/// changed.
 void FilmBooks::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
 {
     const double powerBefore = power(before), dt = point.time - before.time;

@@ -8,8 +8,8 @@
 //   by contact and adhesion    what they do on the slider and do not store
 //   by the dampers             less than nothing
 //
-// so that E - gained stays what it was, but for the discretisation: of time, and of the load, which counts layers at steps that the
-// cells' own pressure does not have (some 1e-3 of the air's exchange).
+// so that E - gained stays what it was, but for the discretisation: of time, and of the load, which counts layers at
+// steps that the cells' own pressure does not have (some 1e-3 of the air's exchange).
 #pragma once
 
 #include "core/physics/film/film_energy.h"
@@ -21,7 +21,9 @@ namespace touchdown {
 class FilmBooks {
 public:
     /// Film and body must last. `restEnergy`: of the air, from which it is counted [J].
-    FilmBooks(const GasFilm& film, const SliderBody& body, double restEnergy) : energy_(film), body_(body), rest_(restEnergy) {}
+    FilmBooks(const GasFilm& film, const SliderBody& body, double restEnergy)
+        : energy_(film), body_(body), rest_(restEnergy)
+    {}
 
     /// Sets the energy of the air.
     void begin(const CoupledStepper& stepper, FilmPoint& point);
@@ -34,12 +36,12 @@ private:
 
     FilmEnergy energy_;
     const SliderBody& body_;
-    double rest_;           // [J]
-    std::vector<double> pressure_, surface_; // at the last point, where the disk is not flat (padded) [Pa], [m]
-    double flows_ = 0.0;    // what they bring the air there [W]
-    Vector3 shear_{};       // torques there [N m]
+    double rest_;                                 // [J]
+    std::vector<double> pressure_, surface_;      // at the last point, where the disk is not flat (padded) [Pa], [m]
+    double flows_ = 0.0;                          // what they bring the air there [W]
+    Vector3 shear_{};                             // torques there [N m]
     double lastPower_ = 0.0, earlierPower_ = 0.0; // at the end and the beginning of the last step [W],
-    double lastDt_ = 0.0;   // its length; zero: none yet [s]
+    double lastDt_ = 0.0;                         // its length; zero: none yet [s]
 };
 
 } // namespace touchdown

@@ -17,9 +17,12 @@ void addFigures(const CoupledCost& cost, Summary& summary)
     add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
     add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
     add("contact_skipped", "1", "Attitudes at which no contact was in reach", static_cast<double>(cost.contactSkipped));
-    const double perContact = cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
-    add("contact_saved", "s", "Wall time that skipped contacts would have taken", perContact * static_cast<double>(cost.contactSkipped));
-    add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation", static_cast<double>(cost.jacobiansKept));
+    const double perContact =
+        cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
+    add("contact_saved", "s", "Wall time that skipped contacts would have taken",
+        perContact * static_cast<double>(cost.contactSkipped));
+    add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation",
+        static_cast<double>(cost.jacobiansKept));
 }
 
 } // namespace touchdown

@@ -20,8 +20,9 @@ bool hasSurfaces(const Case& c) { return c.contact == ContactKind::Elastic; }
 std::vector<Quantity> filmQuantities(const Case& c)
 {
     std::vector<Quantity> list{
-        {"flying_height", "m", "nm", c.surface.pointsOfInterest.empty() ? "Flying height of the trailing edge's centre"
-                                                                        : "Flying height at the first point of interest"},
+        {"flying_height", "m", "nm",
+         c.surface.pointsOfInterest.empty() ? "Flying height of the trailing edge's centre"
+                                            : "Flying height at the first point of interest"},
         {"minimum_spacing", "m", "nm", "Minimum spacing of slider and mean disk plane"},
         {"pitch", "rad", "urad", "Pitch"},
         {"roll", "rad", "urad", "Roll"},
@@ -36,21 +37,20 @@ std::vector<Quantity> filmQuantities(const Case& c)
         {"energy_gained", "J", "pJ", "What the disk gave to them, less what they dissipated, since the start"},
         {"time_step", "s", "ns", "Time step"},
     };
-    if (c.degreesOfFreedom == 3)
-        list.push_back({"roll_velocity", "rad/s", "rad/s", "Roll velocity"});
+    if (c.degreesOfFreedom == 3) list.push_back({"roll_velocity", "rad/s", "rad/s", "Roll velocity"});
     if (touches(c))
         list.insert(list.end(), {
-            {"contact_force", "N", "mN", "Real contact force"},
-            {"adhesion_force", "N", "mN", "Adhesion force"},
-            {"net_contact_force", "N", "mN", "Net contact force"},
-            {"friction_force", "N", "mN", "Friction force"},
-            {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
-        });
+                                    {"contact_force", "N", "mN", "Real contact force"},
+                                    {"adhesion_force", "N", "mN", "Adhesion force"},
+                                    {"net_contact_force", "N", "mN", "Net contact force"},
+                                    {"friction_force", "N", "mN", "Friction force"},
+                                    {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
+                                });
     if (hasSurfaces(c))
         list.insert(list.end(), {
-            {"contact_area", "m^2", "um^2", "Real area of contact"},
-            {"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"},
-        });
+                                    {"contact_area", "m^2", "um^2", "Real area of contact"},
+                                    {"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"},
+                                });
     return list;
 }
 
@@ -72,8 +72,13 @@ SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share)
 
 FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
                            const RunCallback& callback)
-    : case_(c), body_(body), spacing_(spacing), quantities_(filmQuantities(c)), statistics_(c, quantities_),
-      updates_(quantities_.size(), c.run.duration, callback), values_(quantities_.size())
+    : case_(c),
+      body_(body),
+      spacing_(spacing),
+      quantities_(filmQuantities(c)),
+      statistics_(c, quantities_),
+      updates_(quantities_.size(), c.run.duration, callback),
+      values_(quantities_.size())
 {
     headAt_ = {c.slider.length, 0.5 * c.slider.width};
     if (!c.surface.pointsOfInterest.empty()) {
@@ -107,12 +112,13 @@ void FilmRecorder::record(const FilmPoint& to, double time)
     if (updates_.full()) flush();
 }
 
-/// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none, where it was
-/// nearer, or where one of them is zero or the parabola changes sign, as where a contact begins or ends.
+/// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none,
+/// where it was nearer, or where one of them is zero or the parabola changes sign, as where a contact begins or ends.
 void FilmRecorder::evaluate(const FilmPoint& to, double time)
 {
     const FilmPoint& from = last_;
-    const double h = to.time - from.time, h0 = from.time - earlier_.time, share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
+    const double h = to.time - from.time, h0 = from.time - earlier_.time,
+                 share = h > 0.0 ? std::min((time - from.time) / h, 1.0) : 0.0;
     const SliderMotion motion = between(from, to, share);
     const Attitude attitude = body_.attitude(motion.q);
     const auto along = [&](double earlier, double a, double b) {
@@ -125,7 +131,8 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
         return along(earlier_.contact.*part, from.contact.*part, to.contact.*part);
     };
     const double kinetic = body_.kineticEnergy(motion.v), suspension = body_.suspensionEnergy(motion.q);
-    const double film = along(earlier_.filmEnergy, from.filmEnergy, to.filmEnergy), stored = ofContact(&SliderContactForces::storedEnergy);
+    const double film = along(earlier_.filmEnergy, from.filmEnergy, to.filmEnergy),
+                 stored = ofContact(&SliderContactForces::storedEnergy);
 
     double* out = values_.data();
     *out++ = attitude.height + attitude.pitch * (case_.slider.length - headAt_.x) -
@@ -159,8 +166,8 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
 
 void FilmRecorder::addToEnergy(const FilmPoint& point)
 {
-    const std::array<double, 4> parts{body_.kineticEnergy(point.motion.v), body_.suspensionEnergy(point.motion.q), point.filmEnergy,
-                                      point.contact.storedEnergy};
+    const std::array<double, 4> parts{body_.kineticEnergy(point.motion.v), body_.suspensionEnergy(point.motion.q),
+                                      point.filmEnergy, point.contact.storedEnergy};
     const double energy = std::accumulate(parts.begin(), parts.end(), 0.0);
     if (samples_ == 0) {
         firstEnergy_ = energy - point.gained;
@@ -199,7 +206,8 @@ void FilmRecorder::finish(Summary& summary)
     summary.endTime = std::min(last_.time, case_.run.duration);
     summary.events = updates_.events();
     if (samples_ > 0)
-        for (std::size_t i = 0; i < quantities_.size(); ++i) summary.final.emplace_back(quantities_[i].name, values_[i]);
+        for (std::size_t i = 0; i < quantities_.size(); ++i)
+            summary.final.emplace_back(quantities_[i].name, values_[i]);
     statistics_.finish(summary);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the steps of a run of the film into samples at equal intervals, and tells of them. Within a step the slider moves along the
-// polynomial of fifth degree through position, velocity and acceleration at its ends; forces and energies along parabolas.
+// Turns the steps of a run of the film into samples at equal intervals, and tells of them. Within a step the slider
+// moves along the polynomial of fifth degree through position, velocity and acceleration at its ends; forces and
+// energies along parabolas.
 #pragma once
 
 #include <array>
@@ -21,8 +22,9 @@ struct FilmPoint {
     Vector3 filmForce{};
     SliderContactForces contact;
     double filmEnergy = 0.0; // stored by the air, from that of the static state [J]
-    double gained = 0.0;     // by slider, suspension, air and contact since the start: what the disk gave, less what was dissipated [J]
-    double dt = 0.0;         // of the step that led there [s]
+    double gained =
+        0.0; // by slider, suspension, air and contact since the start: what the disk gave, less what was dissipated [J]
+    double dt = 0.0; // of the step that led there [s]
 };
 
 /// Position and velocity at a share of the way from one point to the next.
@@ -31,7 +33,8 @@ SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share);
 class FilmRecorder {
 public:
     /// All must last.
-    FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing, const RunCallback& callback);
+    FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
+                 const RunCallback& callback);
 
     void begin(const FilmPoint& start);
     /// A step from the last point to this one.
@@ -47,8 +50,8 @@ public:
     bool stopped() const { return stopped_; }
     double secondsOutside() const { return updates_.secondsOutside(); }
 
-    /// The largest difference so far between the change of the energy and what was gained, against the largest range of one of its
-    /// parts [-].
+    /// The largest difference so far between the change of the energy and what was gained, against the largest range of
+    /// one of its parts [-].
     double energyImbalance() const;
     /// Sets final values (of the last point, or at the duration where that is beyond), tail, peaks, events.
     void finish(Summary& summary);
@@ -65,7 +68,7 @@ private:
     std::vector<Quantity> quantities_;
     RunStatistics statistics_;
     RunUpdates updates_;
-    SurfacePoint headAt_;   // where the flying height is taken [m]
+    SurfacePoint headAt_; // where the flying height is taken [m]
     double headRecess_ = 0.0;
     FilmPoint last_, earlier_; // the same where forces have jumped
     long long samples_ = 0;

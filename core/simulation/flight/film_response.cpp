@@ -45,12 +45,16 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
     const std::size_t count = body_.holdsRoll() ? 2 : 3;
     for (std::size_t m = 0; m < count; ++m) {
         if (ask())
-            iterations += linear.solve(columns_[m], responses_[m], {.tolerance = tolerance, .maximumIterations = mostIterations, .goOn = ask}).iterations;
+            iterations += linear
+                              .solve(columns_[m], responses_[m],
+                                     {.tolerance = tolerance, .maximumIterations = mostIterations, .goOn = ask})
+                              .iterations;
         if (!goesOn) return iterations;
         std::array<double, 5> slope{}; // d(load, shear)/dq
         for (std::size_t k = 0; k < 5; ++k) {
             double byPressure = 0.0;
-            for (std::size_t at = 0; at < responses_[m].size(); ++at) byPressure += forces_.byPressure[k][at] * responses_[m][at];
+            for (std::size_t at = 0; at < responses_[m].size(); ++at)
+                byPressure += forces_.byPressure[k][at] * responses_[m][at];
             slope[k] = forces_.byAttitude[k][m] - byPressure;
             if (m == 1) slope[k] -= halfLength * forces_.byAttitude[k][0];
         }

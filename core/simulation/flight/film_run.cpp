@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/formats/units.h"
 #include "core/numerics/events.h"
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/flight/film_books.h"
@@ -12,25 +13,24 @@
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/law_switch.h"
 #include "core/simulation/flight/step_length.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double firstStep = 2e-9;      // [s]
-constexpr double shortestStep = 1e-14;  // [s]
-constexpr double jumpStep = 1e-11;      // so short a step whose error is too large leads over a jump of the forces [s]
-constexpr double longestShare = 0.01;   // of the run, for a step
-constexpr double positionShare = 5e-3;  // of a step's error, for what is left of its iteration
-constexpr double filmShare = 0.1;       // and for what is left of the film, as what its force would displace a slider by
-constexpr double filmTimeShare = 0.3;   // of the film's own error in time [-]
-constexpr double typicalScale = 10e-9;  // over which a film's force changes by the load [m]
-constexpr double switchShare = 0.05;    // of a step's error, to which a switch's separation is located [-]
+constexpr double firstStep = 2e-9;     // [s]
+constexpr double shortestStep = 1e-14; // [s]
+constexpr double jumpStep = 1e-11;     // so short a step whose error is too large leads over a jump of the forces [s]
+constexpr double longestShare = 0.01;  // of the run, for a step
+constexpr double positionShare = 5e-3; // of a step's error, for what is left of its iteration
+constexpr double filmShare = 0.1;      // and for what is left of the film, as what its force would displace a slider by
+constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
+constexpr double switchShare = 0.05;   // of a step's error, to which a switch's separation is located [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
-constexpr double chatterSpan = 1e-7;    // within which many switches are chattering [s]
-constexpr int mostTries = 12;           // for one switch
-constexpr double farthest = 1e-4;       // from which no slider comes back [m]
+constexpr double chatterSpan = 1e-7;     // within which many switches are chattering [s]
+constexpr int mostTries = 12;            // for one switch
+constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
 
 std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
@@ -38,11 +38,12 @@ std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e
 class FilmRun {
 public:
     FilmRun(const Case& c, const RunCallback& callback)
-        : case_(c), callback_(callback), scene_(c),
+        : case_(c),
+          callback_(callback),
+          scene_(c),
           length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
                   c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
-    {
-    }
+    {}
 
     Summary run()
     {
@@ -63,8 +64,11 @@ public:
         summary.evaluations = filmIterations_;
         summary.warnings = scene_.warnings();
         if (cuts_ > 0)
-            summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) + (cuts_ == 1 ? " time: " : " times, first as ") +
-                                       firstCut_ + (case_.film.coupling == FilmCoupling::Staggered ? "; film.coupling = \"monolithic\" has no such limit" : ""));
+            summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) +
+                                       (cuts_ == 1 ? " time: " : " times, first as ") + firstCut_ +
+                                       (case_.film.coupling == FilmCoupling::Staggered
+                                            ? "; film.coupling = \"monolithic\" has no such limit"
+                                            : ""));
         if (jumps_ > 0)
             summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
                                        " times where no law switches, as the film's do where its slip changes at once");
@@ -86,10 +90,13 @@ private:
         const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
             summary.figures.push_back({{name, unit, unit, longName}, value});
         };
-        add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load", worstBalance_);
+        add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load",
+            worstBalance_);
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
-        add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient", worstFilm_);
-        add("energy_balance", "1", "Energy that the books miss, against the largest change of a part", recorder_->energyImbalance());
+        add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient",
+            worstFilm_);
+        add("energy_balance", "1", "Energy that the books miss, against the largest change of a part",
+            recorder_->energyImbalance());
     }
 
     /// False when the run ends here.
@@ -107,14 +114,16 @@ private:
         stepping.coupling = case_.film.coupling;
         stepping.tolerance = positionShare * case_.run.stepError;
         stepping.film.share = filmTimeShare;
-        stepping.film.tolerance = std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
-                                                     (level.film.ambient() * case_.slider.length * case_.slider.width));
+        stepping.film.tolerance =
+            std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
+                               (level.film.ambient() * case_.slider.length * case_.slider.width));
         stepping.goOn = [this] { return goOn(); };
         stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
         if (!goOn()) return stop();
         SliderMotion motion;
         motion.q = body_->coordinates(scene_.start());
-        motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity, body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
+        motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
+                    body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
         stepper_->start(level.pressure, motion, 0.0);
         if (stopped_) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
@@ -146,7 +155,8 @@ private:
     double longestStep() const
     {
         double longest = longestShare * case_.run.duration;
-        if (const double rate = stepper_->fastestRate(); rate > 0.0) longest = std::min(longest, StepLength::longestPhase / rate);
+        if (const double rate = stepper_->fastestRate(); rate > 0.0)
+            longest = std::min(longest, StepLength::longestPhase / rate);
         if (contact_ && stepper_->contactInReach()) longest = std::min(longest, contact_->longestStep());
         return longest;
     }
@@ -199,9 +209,10 @@ private:
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
         if (scene_.spacing().at(attitude).spacing > farthest)
-            return fail(RunFailure::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
-                                                 formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
-                                                 " above it");
+            return fail(RunFailure::Diverged,
+                        "the slider left the disk: at " + timeText(point_.time) + " it is " +
+                            formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
+                            " above it");
         return true;
     }
 
@@ -215,8 +226,8 @@ private:
         return wayToSwitch(*contact_, *body_, point_, end, switchWidth(), shortestStep);
     }
 
-    /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond. It ends beyond the switch by
-    /// no more than its width, so that the next step begins where its law holds.
+    /// Ends a step where the contact's law switches, found by secants, and takes the law that holds beyond. It ends
+    /// beyond the switch by no more than its width, so that the next step begins where its law holds.
     bool goToSwitch(double length)
     {
         double dt = length;
@@ -246,22 +257,29 @@ private:
         point_.gained += point_.contact.storedEnergy - storedBefore;
         recorder_->jump(point_);
         if (switches_.tooMany(point_.time, chatterSpan))
-            return fail(RunFailure::Chattering, "chattering at " + timeText(point_.time) + ": more than " + std::to_string(ChatterWatch::most) +
-                                               " switches of the contact's law within " + formatQuantity(chatterSpan, "us"));
+            return fail(RunFailure::Chattering,
+                        "chattering at " + timeText(point_.time) + ": more than " + std::to_string(ChatterWatch::most) +
+                            " switches of the contact's law within " + formatQuantity(chatterSpan, "us"));
         return true;
     }
 
     FilmPoint pointNow(double dt) const
     {
-        return {.time = stepper_->time(), .motion = stepper_->motion(), .filmForce = stepper_->filmForce(),
-                .contact = stepper_->contactForces(), .filmEnergy = point_.filmEnergy, .gained = point_.gained, .dt = dt};
+        return {.time = stepper_->time(),
+                .motion = stepper_->motion(),
+                .filmForce = stepper_->filmForce(),
+                .contact = stepper_->contactForces(),
+                .filmEnergy = point_.filmEnergy,
+                .gained = point_.gained,
+                .dt = dt};
     }
 
     /// Maps at equal intervals, of the step that ends next.
     void takeFields()
     {
         const int count = case_.run.fieldSnapshots;
-        const double interval = case_.run.duration / std::max(1, count - 1), reached = stepper_->time() + 1e-9 * interval;
+        const double interval = case_.run.duration / std::max(1, count - 1),
+                     reached = stepper_->time() + 1e-9 * interval;
         if (snapshots_ == count || reached < snapshots_ * interval) return;
         while (snapshots_ < count && reached >= snapshots_ * interval) ++snapshots_;
         for (FieldSnapshot& snapshot :
@@ -285,9 +303,11 @@ private:
     bool giveUp(const CoupledStepResult& result)
     {
         const Attitude last = body_->attitude(point_.motion.q);
-        const RunFailure failure = result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
-        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) + "; the samples end with the last good state, minimum spacing " +
-                                           formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
+        const RunFailure failure =
+            result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
+        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
+                                 "; the samples end with the last good state, minimum spacing " +
+                                 formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
     bool end(RunStatus status, RunFailure failure, std::string message)
@@ -299,9 +319,13 @@ private:
     }
     bool fail(RunFailure failure, std::string message)
     {
-        return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure, std::move(message));
+        return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure,
+                   std::move(message));
     }
-    bool stop() { return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(recorder_ ? point_.time : 0.0)); }
+    bool stop()
+    {
+        return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(recorder_ ? point_.time : 0.0));
+    }
 
     /// Asked where there is nothing to tell yet, and within long solutions.
     bool goOn()
@@ -324,21 +348,21 @@ private:
     std::optional<FilmRecorder> recorder_;
     std::optional<FilmBooks> books_;
     StepLength length_;
-    FilmPoint point_;        // the last accepted one
-    bool switched_ = false;  // the contact's law, at the last accepted point
-    long long jumps_ = 0;    // of the air's force
-    long long cuts_ = 0;     // of fixed steps
+    FilmPoint point_;       // the last accepted one
+    bool switched_ = false; // the contact's law, at the last accepted point
+    long long jumps_ = 0;   // of the air's force
+    long long cuts_ = 0;    // of fixed steps
     std::string firstCut_;
     CoupledStepResult tried_;
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
-    int snapshots_ = 0;      // taken
+    int snapshots_ = 0;                                             // taken
     ChatterWatch switches_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     RunStatus status_ = RunStatus::Completed;
     RunFailure failure_ = RunFailure::None;
     std::string message_;
-    double lastCall_ = 0.0;  // wall clock [s]
-    bool stopped_ = false;   // before there was a recorder
+    double lastCall_ = 0.0; // wall clock [s]
+    bool stopped_ = false;  // before there was a recorder
 };
 
 } // namespace

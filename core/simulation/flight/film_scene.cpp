@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/physics/film/film_energy.h"
 #include "core/case/disk_setup.h"
-#include "core/simulation/flight/film_run.h"
 #include "core/formats/units.h"
+#include "core/physics/film/film_energy.h"
+#include "core/simulation/flight/film_run.h"
 
 namespace touchdown {
 
@@ -17,7 +17,8 @@ namespace {
 Case staticCase(const Case& c)
 {
     Case result = c;
-    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria = false;
+    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria =
+        false;
     return result;
 }
 
@@ -25,8 +26,7 @@ Case staticCase(const Case& c)
 
 FilmScene::FilmScene(const Case& c)
     : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
-{
-}
+{}
 
 FilmScene::State FilmScene::fail(std::string message)
 {
@@ -49,8 +49,9 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
     start_ = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
     if (!balanced)
-        warnings_.push_back("no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
-                            rest.message);
+        warnings_.push_back(
+            "no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
+            rest.message);
     body_.emplace(case_, balanced ? rest.attitude : start_);
     if (fromRest) {
         Vector3 q = body_->coordinates(rest.attitude);
@@ -95,12 +96,14 @@ FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
     if (film.cancelled) return State::Stopped;
     if (film.converged) return State::Ready;
     const double spacing = spacing_.at(start_).spacing;
-    const std::string height = case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
+    const std::string height =
+        case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
     return fail("the film was not solved at the initial attitude, where the minimum spacing is " +
                 formatQuantity(std::round(spacing * 1e13) / 1e13, "nm") +
-                (spacing > 0.0 ? "; start higher (" + height + ") or allow more film.maximum_iterations"
-                               : "; start higher (" + height +
-                                     "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
+                (spacing > 0.0
+                     ? "; start higher (" + height + ") or allow more film.maximum_iterations"
+                     : "; start higher (" + height +
+                           "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
 }
 
 std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& attitude, std::span<const double> p) const
@@ -132,7 +135,8 @@ RecordedFields filmMaps(const Case& c)
     RecordedFields maps;
     maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),
                            std::min(mostCells, c.film.nodes[1] - 1));
-    maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
+    maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"},
+                       {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
     return maps;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run of the film consists of: surface, disk, film on its grid, body, contact, and where it begins. The static state gives the
-// grid, and the suspension the place where it exerts its load.
+// What a run of the film consists of: surface, disk, film on its grid, body, contact, and where it begins. The static
+// state gives the grid, and the suspension the place where it exerts its load.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/static_state/disk_under_film.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/slider_body.h"
-#include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
-/// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was ready.
+/// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was
+/// ready.
 class FilmScene {
 public:
     /// `c` is valid, of the model "film", and must last.
@@ -27,17 +28,18 @@ public:
     FilmScene(const FilmScene&) = delete;
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
-    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must stay so.
+    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must
+    /// stay so.
     State prepare(const std::function<bool()>& goOn);
-    const std::string& message() const { return message_; }                // why it failed
+    const std::string& message() const { return message_; } // why it failed
     const std::vector<std::string>& warnings() const { return warnings_; }
 
     const Recess& recess() const { return recess_; }
     const MinimumSpacing& spacing() const { return spacing_; }
     const SliderBody& body() const { return *body_; }
-    FilmLevel& level() { return *level_; }                                 // its pressure: at the start
+    FilmLevel& level() { return *level_; } // its pressure: at the start
     DiskUnderFilm& disk() { return *disk_; }
-    SliderContact* contact() { return contact_.get(); }                    // null: nothing but air acts
+    SliderContact* contact() { return contact_.get(); } // null: nothing but air acts
     const Attitude& start() const { return start_; }
     /// Stored by the air in the static state, or at the start where there is none [J].
     double restEnergy() const { return restEnergy_; }

@@ -17,8 +17,8 @@ Vector3 moved(const SliderMotion& motion, double dt)
 
 } // namespace
 
-std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody& body, const FilmPoint& begin, const FilmPoint& end,
-                                  double width, double shortest)
+std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody& body, const FilmPoint& begin,
+                                  const FilmPoint& end, double width, double shortest)
 {
     const Interval holds = contact.interval();
     if (!std::isfinite(holds.lower) && !std::isfinite(holds.upper)) return std::nullopt;
@@ -50,8 +50,8 @@ std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody
     return std::nullopt;
 }
 
-SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, const SliderMotion& begin, const SliderMotion& tried, double dt,
-                      double width)
+SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, const SliderMotion& begin,
+                      const SliderMotion& tried, double dt, double width)
 {
     const Interval holds = contact.interval();
     const double d = contact.separation(body.attitude(tried.q)), before = contact.separation(body.attitude(begin.q));

@@ -2,31 +2,31 @@
 //
 // Where the law of a slider's contact switches within a step.
 //
-// The law in force holds for an interval of the separation d. A step that leaves it is made again with a length at which d lies within
-// a given width beyond the switch, found by secants.
+// The law in force holds for an interval of the separation d. A step that leaves it is made again with a length at
+// which d lies within a given width beyond the switch, found by secants.
 #pragma once
 
 #include <optional>
 
+#include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/static_state/slider_body.h"
-#include "core/simulation/contact/slider_contact.h"
 
 namespace touchdown {
 
-/// How much of the step from `begin` to `end` there is to the first switch, at least `shortest` [s]; none: the law holds to the end.
-/// `width` is that within which a switch is located [m].
-std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody& body, const FilmPoint& begin, const FilmPoint& end,
-                                  double width, double shortest);
+/// How much of the step from `begin` to `end` there is to the first switch, at least `shortest` [s]; none: the law
+/// holds to the end. `width` is that within which a switch is located [m].
+std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody& body, const FilmPoint& begin,
+                                  const FilmPoint& end, double width, double shortest);
 
 /// A tried end of a step, seen from the switch that is nearest to it.
 struct SwitchAim {
-    bool upper = false;   // of the two ends of the law's interval
+    bool upper = false; // of the two ends of the law's interval
     bool reached = false;
-    double miss = 0.0;    // separation less that wanted, half of the width beyond the switch [m]
-    double rate = 0.0;    // of the separation, by the step's length; 0 where nothing moves [m/s]
+    double miss = 0.0; // separation less that wanted, half of the width beyond the switch [m]
+    double rate = 0.0; // of the separation, by the step's length; 0 where nothing moves [m/s]
 };
-SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, const SliderMotion& begin, const SliderMotion& tried, double dt,
-                      double width);
+SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, const SliderMotion& begin,
+                      const SliderMotion& tried, double dt, double width);
 
 } // namespace touchdown

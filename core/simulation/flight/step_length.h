@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long the next step of a run of the film is. A longer one needs a new linearisation, so that lengths are kept for a while and then
-// doubled, not changed at each step.
+// How long the next step of a run of the film is. A longer one needs a new linearisation, so that lengths are kept for
+// a while and then doubled, not changed at each step.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,10 @@ namespace touchdown {
 
 class StepLength {
 public:
-    static constexpr double mostGrowth = 2.0;  // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
+    static constexpr double mostGrowth = 2.0;   // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
     static constexpr double worstFactor = 0.75; // below which a step is tried again
-    static constexpr double longestPhase = 0.6; // omega dt: of longer steps BDF2OPT would change the damping of a motion by more than a tenth
+    static constexpr double longestPhase =
+        0.6; // omega dt: of longer steps BDF2OPT would change the damping of a motion by more than a tenth
 
     /// Steps as long as the error allows, from a first one on; or, with error zero, of that length [s], [m].
     StepLength(double first, double allowedError) : allowed_(allowedError), first_(first), wanted_(first) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields over the slider at one time, as the maps show them and a results file keeps them. What lies on one grid is a set: the film
-// over the whole slider, the contact over the patch that can touch.
+// Fields over the slider at one time, as the maps show them and a results file keeps them. What lies on one grid is a
+// set: the film over the whole slider, the contact over the patch that can touch.
 #pragma once
 
 #include <cstddef>

@@ -65,7 +65,8 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
     WelchOptions options;
     options.window = spectrum.window;
     options.scaling = spectrum.scaling;
-    options.segment = std::max<std::size_t>(8, static_cast<std::size_t>(std::llround(std::min(spectrum.segment / interval, 1e15))));
+    options.segment =
+        std::max<std::size_t>(8, static_cast<std::size_t>(std::llround(std::min(spectrum.segment / interval, 1e15))));
     options.overlap = spectrum.overlap;
     return options;
 }
@@ -88,7 +89,8 @@ void RunStatistics::add(const SampleBatch& batch)
     const std::vector<double>& spacing = batch.columns[spacingColumn_];
     for (std::size_t i = 0; i < spacing.size(); ++i)
         if (batch.time[i] >= case_.spectrum.start) spacing_.push_back(spacing[i]);
-    if (spacing_.size() > 2 * mostSpectrumSamples) spacing_.erase(spacing_.begin(), spacing_.end() - mostSpectrumSamples);
+    if (spacing_.size() > 2 * mostSpectrumSamples)
+        spacing_.erase(spacing_.begin(), spacing_.end() - mostSpectrumSamples);
     samples_ += batch.size();
 }
 
@@ -105,13 +107,16 @@ void RunStatistics::finish(Summary& summary) const
         const double swingBefore = before.max - before.min;
         summary.bouncing = swing > smallestSwing && swing >= smallestDecay * swingBefore;
         const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
-        summary.bouncingRule = "sustained if the minimum spacing swings by more than " + nm(smallestSwing)
-                               + " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing)
-                               + " after " + nm(swingBefore);
+        summary.bouncingRule =
+            "sustained if the minimum spacing swings by more than " + nm(smallestSwing) +
+            " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing) +
+            " after " + nm(swingBefore);
     }
     if (!oscillates_) return;
-    const Spectrum spectrum = welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
-    for (const Peak& peak : findPeaks(spectrum, case_.spectrum.scaling)) summary.peaks.push_back({peak.frequency, peak.amplitude});
+    const Spectrum spectrum =
+        welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
+    for (const Peak& peak : findPeaks(spectrum, case_.spectrum.scaling))
+        summary.peaks.push_back({peak.frequency, peak.amplitude});
 }
 
 } // namespace touchdown

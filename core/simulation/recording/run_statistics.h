@@ -45,7 +45,7 @@ private:
     std::vector<std::size_t> columns_; // of the tail quantities
     std::vector<BlockStatistics> blocks_;
     std::size_t spacingColumn_;
-    std::vector<double> spacing_;      // the newest samples of the minimum spacing, for its spectrum [m]
+    std::vector<double> spacing_; // the newest samples of the minimum spacing, for its spectrum [m]
     std::size_t samples_ = 0;
 };
 

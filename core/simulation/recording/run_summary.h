@@ -23,14 +23,14 @@ std::string_view name(RunStatus status);
 /// What went wrong in a run that did not complete; the message tells it for a person.
 enum class RunFailure : std::uint8_t {
     None,
-    Diverged,       // beyond all bounds
-    NegativeEnergy, // where springs.potential is "as-printed"
-    Chattering,     // switches without end
+    Diverged,        // beyond all bounds
+    NegativeEnergy,  // where springs.potential is "as-printed"
+    Chattering,      // switches without end
     FrontSpringLost, // for good: outside the model
     RearSpringLost,
-    Tunnelled,      // through the wall of an air spring
-    NoStep,         // is short enough for what is asked
-    NotConverged,   // an implicit step, or film and slider
+    Tunnelled,    // through the wall of an air spring
+    NoStep,       // is short enough for what is asked
+    NotConverged, // an implicit step, or film and slider
     Other
 };
 /// Without where, when and what to do about it: "the rear air spring is lost for good"; "" of None.
@@ -44,10 +44,10 @@ struct RunEvent {
 
 /// What the core tells while it runs. Sent at least every 20 ms of wall time.
 struct RunUpdate {
-    double time = 0.0;     // reached [s]
-    double duration = 0.0; // of the whole run [s]
-    const SampleBatch& samples;           // since the last update; may be empty
-    const std::vector<RunEvent>& events;  // since the last update
+    double time = 0.0;                        // reached [s]
+    double duration = 0.0;                    // of the whole run [s]
+    const SampleBatch& samples;               // since the last update; may be empty
+    const std::vector<RunEvent>& events;      // since the last update
     const std::vector<FieldSnapshot>& fields; // since the last update; of recordedFields
 };
 /// Return false to stop the run; may block to pause it. Called on the thread of `run`.
@@ -68,7 +68,7 @@ struct StepCheck {
     double flyingHeight = 0.0; // at the end, with that step [m]
     double pitch = 0.0;        // [rad]
     bool sameEndState = true;
-    std::string message;       // a sentence
+    std::string message; // a sentence
 };
 
 /// What one reads off a run: "pull_off_force".
@@ -80,29 +80,30 @@ struct RunFigure {
 struct Summary {
     RunStatus status = RunStatus::Completed;
     RunFailure failure = RunFailure::None;
-    std::string message;       // why it ended, for a person
-    double endTime = 0.0;      // [s]
-    long long steps = 0;       // accepted
+    std::string message;  // why it ended, for a person
+    double endTime = 0.0; // [s]
+    long long steps = 0;  // accepted
     long long rejectedSteps = 0;
-    long long evaluations = 0; // of the right-hand side
+    long long evaluations = 0;  // of the right-hand side
     double solverSeconds = 0.0; // integration and dense output alone, of wall time
     double wallSeconds = 0.0;   // with samples, callback and statistics
     std::string model;
     std::string integrator;
-    std::vector<std::pair<std::string, double>> final; // quantity name -> value; only finite ones
+    std::vector<std::pair<std::string, double>> final;    // quantity name -> value; only finite ones
     std::vector<std::pair<std::string, Statistics>> tail; // over the last 10 % of the duration
-    std::vector<RunEvent> events;     // the first 100 000
+    std::vector<RunEvent> events;                         // the first 100 000
     bool bouncing = false;
-    std::string bouncingRule;         // the rule that decided, with its figures
-    std::vector<SpectrumPeak> peaks;  // of the minimum spacing, largest first
+    std::string bouncingRule;        // the rule that decided, with its figures
+    std::vector<SpectrumPeak> peaks; // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
-    std::vector<RunFigure> figures;            // models film and contact; springs with their energy's books
-    std::optional<CharacteristicFit> fit;      // contact multi-asperity
+    std::vector<RunFigure> figures;       // models film and contact; springs with their energy's books
+    std::optional<CharacteristicFit> fit; // contact multi-asperity
 };
 
 struct RunOptions {
-    bool energyBooks = false; // springs: how much energy the integrator makes, as figure "energy_balance"; film runs always tell
+    bool energyBooks =
+        false; // springs: how much energy the integrator makes, as figure "energy_balance"; film runs always tell
 };
 
 } // namespace touchdown

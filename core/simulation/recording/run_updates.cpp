@@ -14,7 +14,8 @@ constexpr std::size_t mostEvents = 100'000;
 
 } // namespace
 
-RunUpdates::RunUpdates(std::size_t quantities, double duration, const RunCallback& callback) : duration_(duration), callback_(callback)
+RunUpdates::RunUpdates(std::size_t quantities, double duration, const RunCallback& callback)
+    : duration_(duration), callback_(callback)
 {
     samples_.time.reserve(samplesInBatch);
     samples_.columns.resize(quantities);

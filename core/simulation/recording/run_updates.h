@@ -29,8 +29,8 @@ public:
     bool silent() const;
     /// What is sent next.
     const SampleBatch& samples() const { return samples_; }
-    /// Sends what came since the last time, of a run that has come to `time`; false when somebody stops it. What the caller does
-    /// for it since `begin` is no work of its solver.
+    /// Sends what came since the last time, of a run that has come to `time`; false when somebody stops it. What the
+    /// caller does for it since `begin` is no work of its solver.
     bool send(double time, double begin = wallClock());
 
     const std::vector<RunEvent>& events() const { return events_; }

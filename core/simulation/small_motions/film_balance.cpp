@@ -31,7 +31,8 @@ Case overFlatDisk(Case c)
 
 } // namespace
 
-std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn)
+std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest,
+                                               const GoOn& goOn)
 {
     const Recess recess(c.surface, c.slider.length, c.slider.width);
     FilmGaps gaps(recess, grid, goOn);
@@ -40,10 +41,14 @@ std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& gr
 }
 
 FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest)
-    : case_(overFlatDisk(c)), spacing_(c.surface, recess), body_(case_, rest), load_(sliderLoad(case_)),
-      level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)), contact_(case_, spacing_), law_(case_.onoYamane)
-{
-}
+    : case_(overFlatDisk(c)),
+      spacing_(c.surface, recess),
+      body_(case_, rest),
+      load_(sliderLoad(case_)),
+      level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),
+      contact_(case_, spacing_),
+      law_(case_.onoYamane)
+{}
 
 void FilmBalance::startFrom(const FilmBalance& other)
 {
@@ -149,10 +154,7 @@ ContactRegion FilmBalance::lowest(ContactRegion region)
     return contact_.region();
 }
 
-ContactRegion FilmBalance::regionOn(ContactBranch branch) const
-{
-    return law_.region(branch, spacing(q_));
-}
+ContactRegion FilmBalance::regionOn(ContactBranch branch) const { return law_.region(branch, spacing(q_)); }
 
 FilmBalance::Beyond FilmBalance::beyond(ContactRegion region, bool upper)
 {
@@ -164,7 +166,8 @@ FilmBalance::Beyond FilmBalance::beyond(ContactRegion region, bool upper)
     const Vector3 there = contactForce(result.region);
     const Eigen::Matrix3d slopeThere = toEigen(contact_.stiffness());
     result.jumps = error({there[0] - here[0], there[1] - here[1], there[2] - here[2]}) > sameForce;
-    result.kinks = std::abs(slopeThere(0, 0) - slope(0, 0)) > sameSlope * std::max(std::abs(slopeThere(0, 0)), std::abs(slope(0, 0)));
+    result.kinks = std::abs(slopeThere(0, 0) - slope(0, 0)) >
+                   sameSlope * std::max(std::abs(slopeThere(0, 0)), std::abs(slope(0, 0)));
     return result;
 }
 

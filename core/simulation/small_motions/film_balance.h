@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All forces on a slider of one case at an attitude over which its film is steady, under a flat disk and one law of Ono and Yamane's
-// characteristic:
+// All forces on a slider of one case at an attitude over which its film is steady, under a flat disk and one law of Ono
+// and Yamane's characteristic:
 //
 //   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
 //
-// K of the suspension, q_0 where it exerts its load: the static state of the film alone. Apart, without contact, that state itself is
-// what is sought, and G has no springs. The film's force has the torques of its shear.
+// K of the suspension, q_0 where it exerts its load: the static state of the film alone. Apart, without contact, that
+// state itself is what is sought, and G has no springs. The film's force has the torques of its shear.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@
 #include <functional>
 #include <memory>
 
-#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
@@ -26,7 +26,8 @@ public:
     using GoOn = std::function<bool()>;
 
     /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. Null where `goOn` ends the making.
-    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest, const GoOn& goOn);
+    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
+                                             const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
 
     /// Takes another's pressure on the same grid for the start of the next solution.
@@ -35,8 +36,8 @@ public:
     bool solve(const Vector3& q, const GoOn& goOn);
 
     /// Of the following all but spacing() are at the last q.
-    Vector3 force(ContactRegion region);                                // G
-    Eigen::Matrix3d stiffness(ContactRegion region, const GoOn& goOn);  // -dG/dq
+    Vector3 force(ContactRegion region);                               // G
+    Eigen::Matrix3d stiffness(ContactRegion region, const GoOn& goOn); // -dG/dq
     /// Of small motions about q: the suspension's springs hold the slider apart, too.
     Eigen::Matrix3d stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
     Eigen::Matrix3d contactStiffness(ContactRegion region);

@@ -12,8 +12,12 @@ namespace touchdown {
 using Complex = FilmModes::Complex;
 
 FilmModes::FilmModes(const Case& c, const SteadyResult& state)
-    : case_(c), state_(state), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
-      level_(c, recess_, spacing_, state.grid), shearArm_(sliderLoad(c).shearArm)
+    : case_(c),
+      state_(state),
+      recess_(c.surface, c.slider.length, c.slider.width),
+      spacing_(c.surface, recess_),
+      level_(c, recess_, spacing_, state.grid),
+      shearArm_(sliderLoad(c).shearArm)
 {
     level_.gaps.pad.pad<double>(state.pressure, level_.pressure);
     level_.film.setAttitude(state.attitude);
@@ -27,7 +31,8 @@ FilmModes::FilmModes(const Case& c, const SteadyResult& state)
         byPressure_[k] = forces.byPressure[k];
         byAttitude_[k] = forces.byAttitude[k];
         if (k == 0) continue;
-        for (std::size_t at = 0; at < byPressure_[k].size(); ++at) byPressure_[k][at] -= shearArm_ * forces.byPressure[k + 2][at];
+        for (std::size_t at = 0; at < byPressure_[k].size(); ++at)
+            byPressure_[k][at] -= shearArm_ * forces.byPressure[k + 2][at];
         for (std::size_t m = 0; m < 3; ++m) byAttitude_[k][m] -= shearArm_ * forces.byAttitude[k + 2][m];
     }
     const SliderCase& slider = c.slider;
@@ -52,8 +57,10 @@ FilmModes::Film FilmModes::film(Complex s)
         for (int m = 0; m < 3; ++m) {
             // The trailing edge's height falls by half the length times the pitch when the centre keeps its own.
             Complex entry = z[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)];
-            if (case_.degreesOfFreedom == 2 && (k == 2 || m == 2)) entry = 0.0;
-            else if (m == 1) entry -= 0.5 * case_.slider.length * z[static_cast<std::size_t>(k)][0];
+            if (case_.degreesOfFreedom == 2 && (k == 2 || m == 2))
+                entry = 0.0;
+            else if (m == 1)
+                entry -= 0.5 * case_.slider.length * z[static_cast<std::size_t>(k)][0];
             result.damping(k, m) = entry.imag() / s.imag();
             result.stiffness(k, m) = entry.real() - s.real() * result.damping(k, m);
         }
@@ -66,7 +73,8 @@ FilmModes::Eigen6 FilmModes::eigenvalues(const Film& film) const
     // In slider lengths and microseconds the entries are alike in size.
     const Eigen::Vector3d scale = this->scale();
     const Eigen::Matrix3d toMass = mass_.inverse();
-    const Eigen::Matrix3d K = scale.asDiagonal().inverse() * (toMass * (springs_ + film.stiffness)) * scale.asDiagonal();
+    const Eigen::Matrix3d K =
+        scale.asDiagonal().inverse() * (toMass * (springs_ + film.stiffness)) * scale.asDiagonal();
     const Eigen::Matrix3d C = scale.asDiagonal().inverse() * (toMass * (dampers_ + film.damping)) * scale.asDiagonal();
     companion.topRightCorner<3, 3>() = Eigen::Matrix3d::Identity();
     companion.bottomLeftCorner<3, 3>() = -K * (perRate * perRate);
@@ -75,9 +83,12 @@ FilmModes::Eigen6 FilmModes::eigenvalues(const Film& film) const
     return {solver.eigenvalues() / perRate, scale.asDiagonal() * solver.eigenvectors().topRows<3>()};
 }
 
-std::vector<Eigen::Index>::const_iterator FilmModes::nearest(const Eigen6& eigen, const std::vector<Eigen::Index>& among, Complex s)
+std::vector<Eigen::Index>::const_iterator FilmModes::nearest(const Eigen6& eigen,
+                                                             const std::vector<Eigen::Index>& among, Complex s)
 {
-    const auto nearer = [&](Eigen::Index a, Eigen::Index b) { return std::abs(eigen.values[a] - s) < std::abs(eigen.values[b] - s); };
+    const auto nearer = [&](Eigen::Index a, Eigen::Index b) {
+        return std::abs(eigen.values[a] - s) < std::abs(eigen.values[b] - s);
+    };
     return std::min_element(among.begin(), among.end(), nearer);
 }
 
@@ -111,7 +122,8 @@ bool FilmModes::follow(Mode& mode, const std::vector<Mode>& known, double tolera
 
 std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_t)>& goOn, double tolerance)
 {
-    // Trials: the modes that the film would have if it answered as at 100 kHz; where that leaves one out, as at other rates.
+    // Trials: the modes that the film would have if it answered as at 100 kHz; where that leaves one out, as at other
+    // rates.
     std::vector<Mode> known;
     const auto wanted = static_cast<std::size_t>(case_.degreesOfFreedom);
     for (const double frequency : {1e5, 3e5, 1e6, 3e4}) { // [Hz]
@@ -119,7 +131,8 @@ std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_
         const Eigen6 first = eigenvalues(film({0.0, 2.0 * std::numbers::pi * frequency}));
         std::vector<Mode> trials;
         for (const Eigen::Index k : unknown(first, known)) trials.push_back({first.values[k], {}, {}});
-        std::sort(trials.begin(), trials.end(), [](const Mode& a, const Mode& b) { return a.rate.imag() < b.rate.imag(); });
+        std::sort(trials.begin(), trials.end(),
+                  [](const Mode& a, const Mode& b) { return a.rate.imag() < b.rate.imag(); });
         for (Mode trial : trials) {
             if (known.size() == wanted) break;
             if (goOn && !goOn(known.size())) return known;
@@ -180,7 +193,8 @@ Eigen::Matrix3cd FilmModes::dynamic(Complex s, const Film& at) const
 
 Eigen::Matrix3cd FilmModes::dynamicSlope(Complex s, const Film& near)
 {
-    // K_f and C_f change slowly: what this difference leaves out, of second order, is about this share of what they change by.
+    // K_f and C_f change slowly: what this difference leaves out, of second order, is about this share of what they
+    // change by.
     constexpr double apart = 1e-3; // of s
     const Complex there = (1.0 + apart) * s;
     const Film at = film(there);

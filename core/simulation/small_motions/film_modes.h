@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Small motions of a slider on its film about the static state: the s for which (s^2 M + s C + K + Z(s)) q = 0 has a solution
-// q = (height of the mass centre, pitch, roll), with M, C, K of slider and suspension and Z of the film; and what it answers to a
-// wave of the disk's surface that runs through under it.
+// Small motions of a slider on its film about the static state: the s for which (s^2 M + s C + K + Z(s)) q = 0 has a
+// solution q = (height of the mass centre, pitch, roll), with M, C, K of slider and suspension and Z of the film; and
+// what it answers to a wave of the disk's surface that runs through under it.
 //
-// For a trial s the film is written as Z = K_f + s C_f with real K_f, C_f; the eigenvalue of that quadratic problem next to s is the
-// next trial. Where it stays, the equation holds exactly. The eigenvalue that stands for a mode already found is left out, else two
-// trials may end at one mode.
+// For a trial s the film is written as Z = K_f + s C_f with real K_f, C_f; the eigenvalue of that quadratic problem
+// next to s is the next trial. Where it stays, the equation holds exactly. The eigenvalue that stands for a mode
+// already found is left out, else two trials may end at one mode.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,7 +33,8 @@ public:
     FilmModes(const Case& c, const SteadyResult& state);
     FilmModes(const FilmModes&) = delete;
 
-    /// Asks within the solution of a linear system, too, whether to go on; where it says false what comes of it has no meaning.
+    /// Asks within the solution of a linear system, too, whether to go on; where it says false what comes of it has no
+    /// meaning.
     void ask(std::function<bool()> goOn) { oscillation_->ask(std::move(goOn)); }
 
     struct Film {
@@ -48,17 +49,18 @@ public:
         Eigen::Vector3cd shape; // of q, in any scale
         Film film;              // Z(s) = K_f + s C_f there
     };
-    /// By frequency; fewer than there are degrees of freedom where one does not oscillate or could not be followed. `goOn` is told how
-    /// many are found, and ends the search by returning false. `tolerance`: of s [-].
+    /// By frequency; fewer than there are degrees of freedom where one does not oscillate or could not be followed.
+    /// `goOn` is told how many are found, and ends the search by returning false. `tolerance`: of s [-].
     std::vector<Mode> find(const std::function<bool(std::size_t)>& goOn = {}, double tolerance = 1e-9);
 
     /// D(s) = s^2 M + s C + K + Z(s) [N/m ...] with what film(s) was.
     Eigen::Matrix3cd dynamic(Complex s, const Film& at) const;
     /// D'(s) with Z'(s) from another rate near to it; `near` is film(s).
     Eigen::Matrix3cd dynamicSlope(Complex s, const Film& near);
-    /// Load and torques about the mass centre that a surface w e^(s t) under a slider at rest makes as e^(s t), w = w' + i w'': heights
-    /// over the film's cells (padded) [m], whose effect is linear in them. Of the film alone, without contact. `present`, real, is what
-    /// of s w was there when the film began, its pressure that of the flat disk; may be empty.
+    /// Load and torques about the mass centre that a surface w e^(s t) under a slider at rest makes as e^(s t), w = w'
+    /// + i w'': heights over the film's cells (padded) [m], whose effect is linear in them. Of the film alone, without
+    /// contact. `present`, real, is what of s w was there when the film began, its pressure that of the flat disk; may
+    /// be empty.
     Eigen::Vector3cd force(Complex s, std::span<const double> real, std::span<const double> imaginary,
                            std::span<const double> present = {});
     /// Displacements of the corners [m], and rotations that make them: what scales q.
@@ -79,7 +81,8 @@ private:
         Eigen::MatrixXcd vectors;
     };
     Eigen6 eigenvalues(const Film& film) const;
-    static std::vector<Eigen::Index>::const_iterator nearest(const Eigen6& eigen, const std::vector<Eigen::Index>& among, Complex s);
+    static std::vector<Eigen::Index>::const_iterator nearest(const Eigen6& eigen,
+                                                             const std::vector<Eigen::Index>& among, Complex s);
     static std::vector<Eigen::Index> unknown(const Eigen6& eigen, const std::vector<Mode>& known);
     bool follow(Mode& mode, const std::vector<Mode>& known, double tolerance);
 

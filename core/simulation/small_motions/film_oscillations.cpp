@@ -18,14 +18,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int mostPasses = 30;               // for one rate
-constexpr double rateTolerance = 1e-5;       // of |g(s) - s|/|s| [-]
-constexpr double farthestSecant = 5.0;       // a secant's step, of |g(s) - s| [-]
+constexpr int mostPasses = 30;         // for one rate
+constexpr double rateTolerance = 1e-5; // of |g(s) - s|/|s| [-]
+constexpr double farthestSecant = 5.0; // a secant's step, of |g(s) - s| [-]
 
 /// What the film, steady at its attitude, answers to motions exp(s t) about it, with the torques of its shear.
 class FilmAnswer {
 public:
-    FilmAnswer(FilmLevel& level, double shearArm, double length, Eigen::Index columns, const std::function<bool()>& goOn)
+    FilmAnswer(FilmLevel& level, double shearArm, double length, Eigen::Index columns,
+               const std::function<bool()>& goOn)
         : length_(length), columns_(static_cast<std::size_t>(columns))
     {
         std::vector<double> residual(level.pressure.size());
@@ -38,7 +39,8 @@ public:
             byPressure_[k] = forces.byPressure[k];
             byAttitude_[k] = forces.byAttitude[k];
             if (k == 0) continue;
-            for (std::size_t at = 0; at < byPressure_[k].size(); ++at) byPressure_[k][at] -= shearArm * forces.byPressure[k + 2][at];
+            for (std::size_t at = 0; at < byPressure_[k].size(); ++at)
+                byPressure_[k][at] -= shearArm * forces.byPressure[k + 2][at];
             for (std::size_t m = 0; m < 3; ++m) byAttitude_[k][m] -= shearArm * forces.byAttitude[k + 2][m];
         }
     }
@@ -69,16 +71,20 @@ private:
 class OscillationSearch {
 public:
     OscillationSearch(FilmBalance& balance, ContactRegion region, const std::function<bool()>& goOn)
-        : body_(balance.body()), slider_(balance.setup().slider), unknowns_(balance.unknowns()), goOn_(goOn),
-          touch_(balance.contactStiffness(region)), film_(balance.level(), body_.shearArm(), slider_.length, unknowns_, goOn)
-    {
-    }
+        : body_(balance.body()),
+          slider_(balance.setup().slider),
+          unknowns_(balance.unknowns()),
+          goOn_(goOn),
+          touch_(balance.contactStiffness(region)),
+          film_(balance.level(), body_.shearArm(), slider_.length, unknowns_, goOn)
+    {}
 
     FilmOscillations search(const FilmOscillations& near)
     {
         for (Complex s : near.rates)
             if (goOn_() && !complete() && follow(s)) known_.push_back(s);
-        // Trials: the oscillations that there would be if the film answered as at these rates. What was lost nearby is sought at one alone.
+        // Trials: the oscillations that there would be if the film answered as at these rates. What was lost nearby is
+        // sought at one alone.
         constexpr std::array<double, 3> frequencies{1e5, 3e5, 1e6}; // [Hz]
         const bool asBefore = !near.rates.empty() && known_.size() == near.rates.size();
         for (const double frequency : std::span(frequencies).first(asBefore ? 1 : frequencies.size())) {

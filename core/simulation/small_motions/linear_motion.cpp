@@ -25,7 +25,9 @@ std::vector<DiskSurface> singleWaves(const DiskSurface& surface)
 {
     std::vector<DiskSurface> waves;
     if (surface.kind != DiskSurfaceKind::Waves || surface.motion != SurfaceMotion::Moving) return waves;
-    const auto one = [](const std::vector<double>& list, std::size_t k) { return std::vector<double>{list.empty() ? 0.0 : list[k]}; };
+    const auto one = [](const std::vector<double>& list, std::size_t k) {
+        return std::vector<double>{list.empty() ? 0.0 : list[k]};
+    };
     for (std::size_t k = 0; k < surface.waveAmplitudes.size(); ++k) {
         DiskSurface& wave = waves.emplace_back(surface);
         wave.waveAmplitudes = one(surface.waveAmplitudes, k);
@@ -36,8 +38,8 @@ std::vector<DiskSurface> singleWaves(const DiskSurface& surface)
     return waves;
 }
 
-/// A wave of the surface over the film's cells: a sin(phi - omega t) = Re W e^(i omega t), W = w(t = 0) + i w(a quarter of a period
-/// before). With omega < 0 that quarter lies as far ahead.
+/// A wave of the surface over the film's cells: a sin(phi - omega t) = Re W e^(i omega t), W = w(t = 0) + i w(a quarter
+/// of a period before). With omega < 0 that quarter lies as far ahead.
 struct Wave {
     double omega = 0.0;                // [1/s]
     std::vector<double> real, quarter; // [m]; padded
@@ -49,7 +51,8 @@ std::vector<Wave> wavesOf(const Case& c, const FilmModes& film)
     for (const DiskSurface& surface : singleWaves(c.diskSurface)) {
         const DiskTopography topography(surface);
         DiskUnderFilm under(c, topography, film.grid(), film.pad());
-        const double number = 2.0 * std::numbers::pi / surface.waveLengths[0], angle = surface.waveAngles[0]; // [rad/m], [rad]
+        const double number = 2.0 * std::numbers::pi / surface.waveLengths[0],
+                     angle = surface.waveAngles[0]; // [rad/m], [rad]
         const double omega = number * (under.velocity().x * std::cos(angle) + under.velocity().y * std::sin(angle));
         if (omega == 0.0) continue;
         Wave& wave = waves.emplace_back(Wave{.omega = omega, .real = {}, .quarter = {}});
@@ -68,14 +71,16 @@ MotionTerm answerTo(FilmModes& film, const Wave& wave)
     const bool solved = film.converged();
     const Eigen::Vector3d scale = film.scale();
     const Eigen::Matrix3cd dynamic = scale.asDiagonal() * film.dynamic(s, film.film(s)) * scale.asDiagonal();
-    MotionTerm term{.rate = s, .amplitude = scale.asDiagonal() * dynamic.partialPivLu().solve(scale.asDiagonal() * force)};
+    MotionTerm term{.rate = s,
+                    .amplitude = scale.asDiagonal() * dynamic.partialPivLu().solve(scale.asDiagonal() * force)};
     if (!solved) term.amplitude.setConstant(std::numeric_limits<double>::quiet_NaN());
     return term;
 }
 
-/// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of a mode.
-MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::Vector3d& displacing, const Eigen::Vector3d& v,
-                    const std::vector<Wave>& waves)
+/// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of
+/// a mode.
+MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::Vector3d& displacing,
+                    const Eigen::Vector3d& v, const std::vector<Wave>& waves)
 {
     const Complex s = mode.rate;
     Eigen::Vector3cd right = film.mass() * v - displacing / s;
@@ -108,7 +113,8 @@ Attitude LinearMotion::at(double time) const
     Eigen::Vector3d q = Eigen::Vector3d::Zero();
     for (const auto* terms : {&modes, &waves})
         for (const MotionTerm& term : *terms) q += (std::exp(term.rate * time) * term.amplitude).real();
-    return {steady.attitude.height + q[0] - halfLength * q[1], steady.attitude.pitch + q[1], steady.attitude.roll + q[2]};
+    return {steady.attitude.height + q[0] - halfLength * q[1], steady.attitude.pitch + q[1],
+            steady.attitude.roll + q[2]};
 }
 
 bool LinearMotion::unstable() const
@@ -123,15 +129,20 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
     LinearMotion motion;
     motion.halfLength = 0.5 * c.slider.length;
     Case still = c;
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria = false;
+    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
+        false;
     motion.steady = steady(still, callback);
     motion.status = motion.steady.status;
     motion.message = motion.steady.message;
     if (motion.status != SteadyStatus::Converged) return motion;
 
     const auto stopped = [&] {
-        if (!callback || callback({.stage = "small motions", .iteration = 0, .residual = motion.steady.residual,
-                                     .loadError = motion.steady.loadError, .attitude = motion.steady.attitude})) return false;
+        if (!callback || callback({.stage = "small motions",
+                                   .iteration = 0,
+                                   .residual = motion.steady.residual,
+                                   .loadError = motion.steady.loadError,
+                                   .attitude = motion.steady.attitude}))
+            return false;
         motion.status = SteadyStatus::Cancelled;
         motion.message = "cancelled while the modes were sought";
         return true;
@@ -159,14 +170,16 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
         q = {start.heightOffset, start.pitchOffset, body.holdsRoll() ? 0.0 : start.rollOffset};
     } else {
         const Vector3 from = body.coordinates({start.nominalTrailingEdgeHeight, start.pitch, start.roll});
-        for (Eigen::Index k = 0; k < 3; ++k) q[k] = from[static_cast<std::size_t>(k)] - body.rest()[static_cast<std::size_t>(k)];
+        for (Eigen::Index k = 0; k < 3; ++k)
+            q[k] = from[static_cast<std::size_t>(k)] - body.rest()[static_cast<std::size_t>(k)];
     }
     Eigen::Vector3d displacing = Eigen::Vector3d::Zero();
     if (all && !q.isZero(0.0)) displacing = film.dynamic({0.0, slow}, film.film({0.0, slow})).real() * q;
     const bool atRest = q.isZero(0.0) && v.isZero(0.0) && waves.empty();
     for (const FilmModes::Mode& mode : found) {
         if (stopped()) return motion;
-        motion.modes.push_back(atRest ? MotionTerm{mode.rate, Eigen::Vector3cd::Zero()} : setGoing(film, mode, displacing, v, waves));
+        motion.modes.push_back(atRest ? MotionTerm{mode.rate, Eigen::Vector3cd::Zero()}
+                                      : setGoing(film, mode, displacing, v, waves));
     }
     const auto finite = [](const MotionTerm& term) { return term.amplitude.allFinite(); };
     if (std::ranges::all_of(motion.modes, finite) && std::ranges::all_of(motion.waves, finite)) return motion;

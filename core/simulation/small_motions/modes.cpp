@@ -27,7 +27,8 @@ AirBearingMode describe(const Case& c, Complex s, const Eigen::Vector3cd& shape)
     AirBearingMode mode;
     mode.frequency = s.imag() / (2.0 * std::numbers::pi);
     mode.dampingRatio = -s.real() / std::abs(s);
-    const std::array<double, 3> parts{std::abs(shape[0]), 0.5 * length * std::abs(shape[1]), 0.5 * width * std::abs(shape[2])};
+    const std::array<double, 3> parts{std::abs(shape[0]), 0.5 * length * std::abs(shape[1]),
+                                      0.5 * width * std::abs(shape[2])};
     constexpr std::array names{"vertical", "pitch", "roll"};
     mode.kind = names[static_cast<std::size_t>(std::max_element(parts.begin(), parts.end()) - parts.begin())];
     for (int k = 0; k < 3; ++k) {
@@ -37,9 +38,9 @@ AirBearingMode describe(const Case& c, Complex s, const Eigen::Vector3cd& shape)
     return mode;
 }
 
-/// Says so where the grid is too coarse for the modes. The disk drags what a mode presses into the film along at half its speed U,
-/// in waves U/(2 f) long. Of a few cells each they fade or come too early under the next pad, and take from the damping ratio
-/// there or add to it: 5 % at ten cells, its sign at three.
+/// Says so where the grid is too coarse for the modes. The disk drags what a mode presses into the film along at half
+/// its speed U, in waves U/(2 f) long. Of a few cells each they fade or come too early under the next pad, and take
+/// from the damping ratio there or add to it: 5 % at ten cells, its sign at three.
 std::string coarseGrid(const Case& c, const ModesResult& result)
 {
     constexpr double enough = 10.0; // cells along a wave
@@ -67,8 +68,11 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         if (result.status == SteadyStatus::Cancelled) return false;
         stage = doing;
         told = wallClock();
-        const bool goOn = !callback || callback({.stage = stage, .iteration = 0, .residual = result.steady.residual,
-                                                 .loadError = result.steady.loadError, .attitude = result.steady.attitude});
+        const bool goOn = !callback || callback({.stage = stage,
+                                                 .iteration = 0,
+                                                 .residual = result.steady.residual,
+                                                 .loadError = result.steady.loadError,
+                                                 .attitude = result.steady.attitude});
         if (!goOn) {
             result.status = SteadyStatus::Cancelled;
             result.message = "cancelled while the modes were sought";
@@ -76,8 +80,11 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         return goOn;
     };
     constexpr double longestSilence = 0.03; // [s]
-    solver.ask([&] { return (result.status != SteadyStatus::Cancelled && wallClock() - told < longestSilence) || tell(stage); });
-    const std::vector<FilmModes::Mode> found = solver.find([&](std::size_t known) { return tell("mode " + std::to_string(known + 1)); });
+    solver.ask([&] {
+        return (result.status != SteadyStatus::Cancelled && wallClock() - told < longestSilence) || tell(stage);
+    });
+    const std::vector<FilmModes::Mode> found =
+        solver.find([&](std::size_t known) { return tell("mode " + std::to_string(known + 1)); });
     if (result.status == SteadyStatus::Cancelled) return result;
     for (const FilmModes::Mode& mode : found) result.modes.push_back(describe(c, mode.rate, mode.shape));
     const std::size_t lost = static_cast<std::size_t>(c.degreesOfFreedom) - found.size();
@@ -91,8 +98,10 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         DynamicStiffness entry{.frequency = frequency};
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < 3; ++column) {
-                entry.stiffness[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = film.stiffness(row, column);
-                entry.damping[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = film.damping(row, column);
+                entry.stiffness[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+                    film.stiffness(row, column);
+                entry.damping[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+                    film.damping(row, column);
             }
         result.stiffness.push_back(entry);
     }

@@ -13,7 +13,9 @@ constexpr double onBoundary = 1e-15; // [m]
 } // namespace
 
 SpringBooks::SpringBooks(const SpringModel& model, const Case& c)
-    : model_(model), law_(c.onoYamane), hasContact_(c.contact == ContactKind::OnoYamane),
+    : model_(model),
+      law_(c.onoYamane),
+      hasContact_(c.contact == ContactKind::OnoYamane),
       frictionArm_(0.5 * c.slider.thickness * c.onoYamane.friction)
 {}
 
@@ -56,13 +58,15 @@ void SpringBooks::add(double time, const SpringModel::State& y, SpringModel::Mod
     const double h = time - time_;
     if (!(h > 0.0) || !y.allFinite()) return;
     SpringModel::State middle = y;
-    middle.tail<2>() = 1.5 / h * (y.head<2>() - y_.head<2>()) - 0.25 * (y_.tail<2>() + y.tail<2>()); // of the cubic through both ends
+    middle.tail<2>() =
+        1.5 / h * (y.head<2>() - y_.head<2>()) - 0.25 * (y_.tail<2>() + y.tail<2>()); // of the cubic through both ends
     const SpringModel::Mode apart{mode.frontSpring, mode.rearSpring, ContactRegion::Apart};
     gained_[0] += h / 6.0 * (model_.power(y_, apart) + 4.0 * model_.power(middle, apart) + model_.power(y, apart));
     if (hasContact_) {
         const Interval holds = law_.interval(region_);
         // A switch that was located ends a step on the boundary; the next one begins with the law beyond.
-        if (std::min(std::abs(separation_ - holds.lower), std::abs(separation_ - holds.upper)) < onBoundary) region_ = mode.contact;
+        if (std::min(std::abs(separation_ - holds.lower), std::abs(separation_ - holds.upper)) < onBoundary)
+            region_ = mode.contact;
         const Way way = walk(model_.guards(y.head<2>())[SpringModel::Pad]);
         gained_[1] += way.work;
         gained_[2] -= frictionArm_ * way.meanContact * (y[1] - y_[1]);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The books of a spring run's energy. Slider, air springs and suspension hold an energy E (equation (5), held below d_1); what they gain is
+// The books of a spring run's energy. Slider, air springs and suspension hold an energy E (equation (5), held below
+// d_1); what they gain is
 //
 //   by the dashpots            less than nothing, by Simpson's rule along each step
 //   by contact and adhesion    int F_c dd along the way of the pad, through the regions of the law as it passes them
 //   by friction                -(b/2) mu int F_cr dtheta
 //
-// so that E - gained stays what it was, but for what the integrator makes. As the contact's work follows the way and not the law that
-// a step used, a switch that a step misses shows here.
+// so that E - gained stays what it was, but for what the integrator makes. As the contact's work follows the way and
+// not the law that a step used, a switch that a step misses shows here.
 #pragma once
 
 #include <array>
@@ -39,15 +40,15 @@ private:
     const SpringModel& model_;
     OnoYamaneLaw law_;
     bool hasContact_;
-    double frictionArm_;  // (b/2) mu [m]
+    double frictionArm_; // (b/2) mu [m]
     double time_ = 0.0;
     SpringModel::State y_;
     ContactRegion region_ = ContactRegion::Apart; // as the way has come
     double separation_ = 0.0;
-    double start_ = 0.0;                          // E at the beginning [J]
-    std::array<double, 3> gained_{};              // by dashpots, contact, friction [J]
-    double missing_ = 0.0;                        // the largest so far [J]
-    std::array<double, 4> least_{}, most_{};      // of E - E(0) and of what is gained [J]
+    double start_ = 0.0;                     // E at the beginning [J]
+    std::array<double, 3> gained_{};         // by dashpots, contact, friction [J]
+    double missing_ = 0.0;                   // the largest so far [J]
+    std::array<double, 4> least_{}, most_{}; // of E - E(0) and of what is gained [J]
 };
 
 } // namespace touchdown

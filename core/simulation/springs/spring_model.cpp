@@ -38,7 +38,8 @@ SpringModel::SpringModel(const Case& c)
     const SuspensionCase& suspension = c.suspension;
 
     static_ << s.flyingHeight + padDistance_ * s.pitch, s.pitch, 0.0, 0.0;
-    initial_ << c.initial.flyingHeight + padDistance_ * c.initial.pitch, c.initial.pitch, c.initial.verticalVelocity, c.initial.pitchVelocity;
+    initial_ << c.initial.flyingHeight + padDistance_ * c.initial.pitch, c.initial.pitch, c.initial.verticalVelocity,
+        c.initial.pitchVelocity;
     front_ = airSpring(s, s.frontStiffness, frontSpacing(static_));
     rear_ = airSpring(s, s.rearStiffness, rearSpacing(static_));
 
@@ -63,7 +64,8 @@ SpringModel::SpringModel(const Case& c)
 
     if (hasContact_) {
         const double arm = 0.5 * c.slider.thickness * c.onoYamane.friction;
-        for (const ContactRegion region : {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
+        for (const ContactRegion region :
+             {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
             const AffineForce real = contact_.contactLaw(region);
             const AffineForce adhesion = contact_.adhesionLaw(region);
             ContactRow& row = contactRows_[static_cast<std::size_t>(region)];
@@ -78,17 +80,21 @@ SpringModel::SpringModel(const Case& c)
 
     const double contactStiffness = hasContact_ ? c.onoYamane.contactStiffness : 0.0;
     const double bearing = s.frontStiffness + s.rearStiffness + suspension.stiffness;
-    const double turning = s.frontStiffness * square(frontDistance_) + s.rearStiffness * square(rearDistance_) + suspension.pitchStiffness;
+    const double turning =
+        s.frontStiffness * square(frontDistance_) + s.rearStiffness * square(rearDistance_) + suspension.pitchStiffness;
     const double omega = std::sqrt(std::max(bearing / mass, turning / inertia)); // [rad/s]
-    const double fastest = std::sqrt(std::max((bearing + contactStiffness) / mass, (turning + contactStiffness * square(padDistance_)) / inertia));
+    const double fastest = std::sqrt(
+        std::max((bearing + contactStiffness) / mass, (turning + contactStiffness * square(padDistance_)) / inertia));
     period_ = fastest > 0.0 ? 2.0 * std::numbers::pi / fastest : c.run.duration;
 
-    const double spacing = std::max({std::abs(s.flyingHeight), 1e-3 * std::abs(c.initial.flyingHeight - s.flyingHeight), 1e-10}); // [m]
-    const double arm = std::max({frontDistance_, rearDistance_, std::abs(padDistance_), 1e-6});                                   // [m]
-    const double rate = omega > 0.0 ? omega : 1.0 / period_;                                                                      // [1/s]
+    const double spacing =
+        std::max({std::abs(s.flyingHeight), 1e-3 * std::abs(c.initial.flyingHeight - s.flyingHeight), 1e-10}); // [m]
+    const double arm = std::max({frontDistance_, rearDistance_, std::abs(padDistance_), 1e-6});                // [m]
+    const double rate = omega > 0.0 ? omega : 1.0 / period_;                                                   // [1/s]
     scale_ << spacing, spacing / arm, spacing * rate, spacing / arm * rate;
 
-    double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) + suspension.pitchStiffness * square(static_[1]);
+    double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) +
+                    suspension.pitchStiffness * square(static_[1]);
     if (hasContact_) stored += contactEnergyBound();
     energyBound_ = 1e4 * (energy(initial_) + stored);
 }
@@ -135,8 +141,10 @@ Interval SpringModel::interval(int guard, Mode mode) const
 
 SpringModel::Mode SpringModel::beyond(Mode mode, int guard, bool upper) const
 {
-    if (guard == Pad) mode.contact = contact_.beyond(mode.contact, upper);
-    else (guard == Front ? mode.frontSpring : mode.rearSpring) = upper;
+    if (guard == Pad)
+        mode.contact = contact_.beyond(mode.contact, upper);
+    else
+        (guard == Front ? mode.frontSpring : mode.rearSpring) = upper;
     return mode;
 }
 
@@ -156,7 +164,9 @@ double SpringModel::contactEnergyBound() const
     const double start = contact_.storedEnergy(initialMode().contact, separation(initial_));
     const double pressed = p.contactStiffness > 0.0 ? square(force) / p.contactStiffness : 0.0;
     // With nothing to push back, the meniscus pulls as long as the run lasts.
-    const double fall = p.contactStiffness > 0.0 ? 0.0 : square(force * case_.run.duration) * (inverseMass_ + square(padDistance_) * inverseInertia_);
+    const double fall = p.contactStiffness > 0.0 ? 0.0
+                                                 : square(force * case_.run.duration) *
+                                                       (inverseMass_ + square(padDistance_) * inverseInertia_);
     return start + pressed + fall + force * (p.takeOff - p.touchDown);
 }
 
@@ -167,7 +177,8 @@ double SpringModel::kineticEnergy(const State& y) const
 
 double SpringModel::suspensionEnergy(const State& y) const
 {
-    return 0.5 * case_.suspension.stiffness * square(y[0] - static_[0]) + 0.5 * case_.suspension.pitchStiffness * square(y[1] - static_[1]);
+    return 0.5 * case_.suspension.stiffness * square(y[0] - static_[0]) +
+           0.5 * case_.suspension.pitchStiffness * square(y[1] - static_[1]);
 }
 
 double SpringModel::airSpringEnergy(const State& y) const
@@ -180,7 +191,8 @@ double SpringModel::energy(const State& y) const { return kineticEnergy(y) + air
 double SpringModel::power(const State& y, Mode mode) const
 {
     const Guards rate = guards(y.tail<2>());
-    double power = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]) + frontDamping_ * square(rate[Front]) + rearDamping_ * square(rate[Rear]));
+    double power = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]) + frontDamping_ * square(rate[Front]) +
+                     rearDamping_ * square(rate[Rear]));
     if (hasContact_) {
         const double real = contact_.contactForce(mode.contact, separation(y));
         power += (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
@@ -198,7 +210,8 @@ Eigen::Matrix<double, 2, 4> SpringModel::jacobian(const State& y, Mode mode) con
     j(0, 0) += (front + rear) * inverseMass_ + contact.z1;
     j(0, 1) += (front * frontDistance_ - rear * rearDistance_) * inverseMass_ - contact.z1 * padDistance_;
     j(1, 0) += (front * frontDistance_ - rear * rearDistance_) * inverseInertia_ + contact.theta1;
-    j(1, 1) += (front * square(frontDistance_) + rear * square(rearDistance_)) * inverseInertia_ - contact.theta1 * padDistance_;
+    j(1, 1) += (front * square(frontDistance_) + rear * square(rearDistance_)) * inverseInertia_ -
+               contact.theta1 * padDistance_;
     return j;
 }
 
@@ -234,12 +247,12 @@ std::vector<Quantity> SpringModel::quantities(const Case& c)
     };
     if (c.contact == ContactKind::OnoYamane) {
         list.insert(list.end(), {
-            {"contact_force", "N", "mN", "Real contact force"},
-            {"adhesion_force", "N", "mN", "Adhesion force"},
-            {"net_contact_force", "N", "mN", "Net contact force"},
-            {"friction_force", "N", "mN", "Friction force"},
-            {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
-        });
+                                    {"contact_force", "N", "mN", "Real contact force"},
+                                    {"adhesion_force", "N", "mN", "Adhesion force"},
+                                    {"net_contact_force", "N", "mN", "Net contact force"},
+                                    {"friction_force", "N", "mN", "Friction force"},
+                                    {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
+                                });
     }
     return list;
 }
@@ -263,8 +276,8 @@ void SpringModel::observe(const State& y, Mode mode, double* values) const
     *values++ = zr;
     *values++ = y[2];
     *values++ = y[3];
-    *values++ = (mode.frontSpring ? front_.force(zf) : 0.0) + (mode.rearSpring ? rear_.force(zr) : 0.0) - frontDamping_ * rate[Front]
-                - rearDamping_ * rate[Rear];
+    *values++ = (mode.frontSpring ? front_.force(zf) : 0.0) + (mode.rearSpring ? rear_.force(zr) : 0.0) -
+                frontDamping_ * rate[Front] - rearDamping_ * rate[Rear];
     *values++ = kinetic;
     *values++ = air;
     *values++ = suspension;

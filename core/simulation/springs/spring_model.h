@@ -21,10 +21,10 @@
 
 #include <Eigen/Core>
 
-#include "core/numerics/interval.h"
-#include "core/physics/film/air_spring.h"
-#include "core/physics/contact/ono_yamane.h"
 #include "core/case/case.h"
+#include "core/numerics/interval.h"
+#include "core/physics/contact/ono_yamane.h"
+#include "core/physics/film/air_spring.h"
 #include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
@@ -57,7 +57,10 @@ public:
     Eigen::Vector2d inertia() const { return {1.0 / inverseMass_, 1.0 / inverseInertia_}; }
 
     // What the integrators ask: see core/numerics/switched_system.h.
-    State derivative(const State& y, Mode mode) const { return derivative(y, mode, separation(y), frontSpacing(y), rearSpacing(y)); }
+    State derivative(const State& y, Mode mode) const
+    {
+        return derivative(y, mode, separation(y), frontSpacing(y), rearSpacing(y));
+    }
     State naiveDerivative(const State& y, Mode mode) const
     {
         const double d = separation(y);
@@ -105,17 +108,20 @@ private:
         const double z = y[0] - static_[0];
         const double theta = y[1] - static_[1];
         // The springs' divisions take longest: everything else is summed while they run.
-        const double vertical = ((linear_(0, 0) * z + (contact.z0 + contact.z1 * d)) + (linear_(0, 2) * y[2] + linear_(0, 3) * y[3]))
-                                + (frontVertical_ * front + rearVertical_ * rear);
-        const double pitch = ((linear_(1, 1) * theta + (contact.theta0 + contact.theta1 * d)) + (linear_(1, 2) * y[2] + linear_(1, 3) * y[3]))
-                             + (frontPitch_ * front + rearPitch_ * rear);
+        const double vertical =
+            ((linear_(0, 0) * z + (contact.z0 + contact.z1 * d)) + (linear_(0, 2) * y[2] + linear_(0, 3) * y[3])) +
+            (frontVertical_ * front + rearVertical_ * rear);
+        const double pitch = ((linear_(1, 1) * theta + (contact.theta0 + contact.theta1 * d)) +
+                              (linear_(1, 2) * y[2] + linear_(1, 3) * y[3])) +
+                             (frontPitch_ * front + rearPitch_ * rear);
         return {y[2], y[3], vertical, pitch};
     }
     /// True where the laws of a mode are those of the spacings themselves.
     bool holds(Mode mode, double d, double zf, double zr) const
     {
         const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
-        return mode.frontSpring == (zf > front_.cutoff) && mode.rearSpring == (zr > rear_.cutoff) && d > contact.lower && d < contact.upper;
+        return mode.frontSpring == (zf > front_.cutoff) && mode.rearSpring == (zr > rear_.cutoff) &&
+               d > contact.lower && d < contact.upper;
     }
     /// The laws at given spacings, on the branch of a mode.
     Mode lawAt(Mode mode, double d, double zf, double zr) const;
@@ -128,8 +134,8 @@ private:
     double kineticEnergy(const State& y) const;
     double airSpringEnergy(const State& y) const;
 
-    /// Acceleration by contact and friction, affine in the separation d: z0 + z1 d [m/s^2], theta0 + theta1 d [rad/s^2];
-    /// and the separations between which it holds [m].
+    /// Acceleration by contact and friction, affine in the separation d: z0 + z1 d [m/s^2], theta0 + theta1 d
+    /// [rad/s^2]; and the separations between which it holds [m].
     struct ContactRow {
         double z0 = 0.0, z1 = 0.0, theta0 = 0.0, theta1 = 0.0;
         double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
@@ -140,12 +146,12 @@ private:
     AirSpring rear_;
     OnoYamaneLaw contact_;
     bool hasContact_;
-    double frontDistance_, rearDistance_, padDistance_; // [m]
-    double inverseMass_, inverseInertia_;               // [1/kg], [1/(kg m^2)]
-    double frontVertical_, rearVertical_;               // k_i0 z_i0^2/M [m^2/s^2]
-    double frontPitch_, rearPitch_;                     // d_f k_f0 z_f0^2/J, -d_r k_r0 z_r0^2/J [m rad/s^2]
+    double frontDistance_, rearDistance_, padDistance_;          // [m]
+    double inverseMass_, inverseInertia_;                        // [1/kg], [1/(kg m^2)]
+    double frontVertical_, rearVertical_;                        // k_i0 z_i0^2/M [m^2/s^2]
+    double frontPitch_, rearPitch_;                              // d_f k_f0 z_f0^2/J, -d_r k_r0 z_r0^2/J [m rad/s^2]
     double frontDamping_, rearDamping_, damping_, pitchDamping_; // [N s/m], the last [N m s/rad]
-    Eigen::Matrix<double, 2, 4> linear_;                // suspension and dashpots, as accelerations
+    Eigen::Matrix<double, 2, 4> linear_;                         // suspension and dashpots, as accelerations
     std::array<ContactRow, 4> contactRows_;
     State static_, initial_, scale_;
     double period_;      // [s]

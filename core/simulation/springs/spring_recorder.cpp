@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
 #include "core/numerics/cvode.h"
 #include "core/numerics/fixed_step.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 
-SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities, const RunCallback& callback)
+SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities,
+                               const RunCallback& callback)
     : model_(model),
       points_(RunUpdates::samplesInBatch),
       interval_(c.run.sampleInterval),
@@ -49,10 +50,14 @@ bool SpringRecorder::judge(const Point& point, const double* values)
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
-        verdict_ = {RunStatus::Diverged, RunFailure::Diverged, "the motion diverged" + at() + ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
+        verdict_ = {RunStatus::Diverged, RunFailure::Diverged,
+                    "the motion diverged" + at() +
+                        ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
     } else if (energy < -1e-12 * model_.energyBound()) {
-        verdict_ = {RunStatus::Failed, RunFailure::NegativeEnergy, "the total energy became negative" + at()
-                                           + ": equation (5) of the paper as printed has no meaning where a spacing is negative; springs.potential = \"held\" keeps it"};
+        verdict_ = {RunStatus::Failed, RunFailure::NegativeEnergy,
+                    "the total energy became negative" + at() +
+                        ": equation (5) of the paper as printed has no meaning where a spacing is negative; "
+                        "springs.potential = \"held\" keeps it"};
     } else {
         return true;
     }
@@ -79,7 +84,8 @@ void SpringRecorder::flush()
     last_ = lastGood_;
     if (batchSeen) batchSeen(updates_.samples());
     if (!updates_.send(last_.time, begin) && verdict_.status == RunStatus::Completed) {
-        verdict_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
+        verdict_ = {RunStatus::Cancelled, RunFailure::None,
+                    "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }
 }

@@ -30,7 +30,8 @@ public:
         Mode mode;
     };
 
-    SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities, const RunCallback& callback);
+    SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities,
+                   const RunCallback& callback);
 
     /// The start itself.
     void begin(const State& y, Mode mode);

@@ -24,7 +24,8 @@ IntegrationResult integrateSprings(const SpringModel& model, const Case& c, doub
     recorder.begin(start.y, start.mode);
     switch (c.run.integrator) {
     case IntegratorKind::Rk4: return integrateNaively(model, start, until, fixed, recorder);
-    case IntegratorKind::Rk4Events: return integrateFixed(model, Rk4Stepper<SpringModel>(model), start, until, fixed, recorder);
+    case IntegratorKind::Rk4Events:
+        return integrateFixed(model, Rk4Stepper<SpringModel>(model), start, until, fixed, recorder);
     case IntegratorKind::Newmark: {
         const NewmarkOptions options{.beta = c.run.newmarkBeta, .gamma = c.run.newmarkGamma};
         return integrateFixed(model, NewmarkStepper<SpringModel>(model, options), start, until, fixed, recorder);
@@ -47,7 +48,10 @@ std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "u
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
 std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
 
-bool hasFixedStep(IntegratorKind integrator) { return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode; }
+bool hasFixedStep(IntegratorKind integrator)
+{
+    return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode;
+}
 
 /// Why the integrator ended, for a person.
 SpringRecorder::Verdict explain(const IntegrationResult& result)
@@ -57,15 +61,24 @@ SpringRecorder::Verdict explain(const IntegrationResult& result)
     case IntegrationEnd::Reached:
     case IntegrationEnd::Stopped: return {};
     case IntegrationEnd::Diverged:
-        return {RunStatus::Diverged, RunFailure::Diverged, "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
+        return {RunStatus::Diverged, RunFailure::Diverged,
+                "the motion diverged" + at + ": the state outgrew all bounds; use a smaller step or tolerance"};
     case IntegrationEnd::StepUnderflow:
-        return {RunStatus::Failed, RunFailure::NoStep, "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
+        return {RunStatus::Failed, RunFailure::NoStep,
+                "the step size fell below round-off" + at + ": the tolerance cannot be met; use a larger tolerance"};
     case IntegrationEnd::NewtonFailed:
-        return {RunStatus::Failed, RunFailure::NotConverged, "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
+        return {RunStatus::Failed, RunFailure::NotConverged,
+                "Newton's iteration of an implicit step did not converge" + at + "; use a smaller step"};
     case IntegrationEnd::Chattering:
-        return {RunStatus::Failed, RunFailure::Chattering, "chattering" + at + ": more than 64 switches within one period of the fastest motion; the contact law holds the pad between two laws (d_e close to d_s)"};
+        return {RunStatus::Failed, RunFailure::Chattering,
+                "chattering" + at +
+                    ": more than 64 switches within one period of the fastest motion; the contact law holds the pad "
+                    "between two laws (d_e close to d_s)"};
     case IntegrationEnd::Tunnelled:
-        return {RunStatus::Failed, RunFailure::Tunnelled, "a step tunnelled through the wall of an air spring" + at + ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
+        return {
+            RunStatus::Failed, RunFailure::Tunnelled,
+            "a step tunnelled through the wall of an air spring" + at +
+                ": it crossed the cutoff d_1 with energy that the step itself made; use a smaller step or tolerance"};
     }
     return {};
 }
@@ -78,10 +91,12 @@ SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringM
         if (since < 0.0 || since > 0.9 * duration) continue;
         const auto& [t, y, mode] = recorder.last();
         const bool pressed = mode.contact == ContactRegion::Pressed || mode.contact == ContactRegion::Lifting;
-        const RunFailure failure = guard == SpringModel::Rear ? RunFailure::RearSpringLost : RunFailure::FrontSpringLost;
-        return {RunStatus::Failed, failure, std::string(name(failure)) + " since " + time(since)
-                                       + (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") + spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", "
-                                       + angle(y[1]) + ": outside the model"};
+        const RunFailure failure =
+            guard == SpringModel::Rear ? RunFailure::RearSpringLost : RunFailure::FrontSpringLost;
+        return {RunStatus::Failed, failure,
+                std::string(name(failure)) + " since " + time(since) +
+                    (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") +
+                    spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", " + angle(y[1]) + ": outside the model"};
     }
     return {};
 }
@@ -124,10 +139,13 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback, const R
         if (std::isfinite(values[i])) summary.final.emplace_back(quantities[i].name, values[i]);
     statistics.finish(summary);
     if (loose && books.imbalance() > mostMissing)
-        summary.warnings.push_back("the books of the energy miss " + formatNumber(std::round(1e3 * books.imbalance()) / 10.0) +
+        summary.warnings.push_back("the books of the energy miss " +
+                                   formatNumber(std::round(1e3 * books.imbalance()) / 10.0) +
                                    " % of its largest change: run.tolerance is too loose for this run to be trusted");
     if (options.energyBooks)
-        summary.figures.push_back({{"energy_balance", "1", "1", "Energy that the books miss, against the largest change of a part"}, books.imbalance()});
+        summary.figures.push_back(
+            {{"energy_balance", "1", "1", "Energy that the books miss, against the largest change of a part"},
+             books.imbalance()});
     summary.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return summary;
 }
@@ -162,7 +180,8 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
     const auto [before, spreadBefore, least, most] = tailOf(full, "flying_height");
     const auto [after, spreadAfter, leastAfter, mostAfter] = tailOf(half, "flying_height");
     const bool sameMean = std::abs(before - after) <= sameFlyingHeight;
-    check.sameEndState = half.status == full.status && sameMean && std::abs(spreadBefore - spreadAfter) <= sameFlyingHeight;
+    check.sameEndState =
+        half.status == full.status && sameMean && std::abs(spreadBefore - spreadAfter) <= sameFlyingHeight;
     const std::string halved = "halving the step to " + formatQuantity(check.step, "ns");
     if (half.status == RunStatus::Cancelled) {
         check.message = halved + " was stopped before it ended";
@@ -171,11 +190,12 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
     } else if (check.sameEndState) {
         check.message = halved + " leads to the same end state (mean flying height " + spacing(after) + ")";
     } else if (sameMean) {
-        check.message = halved + " changes the end state: the spread of the flying height in the last tenth goes from " + spacing(spreadBefore) + " to " +
-                        spacing(spreadAfter) + ", so this run has not converged in time";
+        check.message =
+            halved + " changes the end state: the spread of the flying height in the last tenth goes from " +
+            spacing(spreadBefore) + " to " + spacing(spreadAfter) + ", so this run has not converged in time";
     } else {
-        check.message = halved + " changes the end state: the mean flying height of the last tenth goes from " + spacing(before) + " to " + spacing(after)
-                        + ", so this run has not converged in time";
+        check.message = halved + " changes the end state: the mean flying height of the last tenth goes from " +
+                        spacing(before) + " to " + spacing(after) + ", so this run has not converged in time";
     }
     return check;
 }
@@ -187,7 +207,8 @@ Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions&
     Summary summary = runOnce(c, c.run.step, callback, options);
     summary.model = toText(c, *findField("model"));
     summary.integrator = toText(c, *findField("run.integrator"));
-    if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled && !summary.tail.empty()) {
+    if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled &&
+        !summary.tail.empty()) {
         summary.stepCheck = checkStep(c, summary, callback);
         if (!summary.stepCheck->sameEndState) summary.warnings.push_back(summary.stepCheck->message);
     }

@@ -8,7 +8,8 @@
 
 namespace touchdown {
 
-/// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a fixed-step one.
+/// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a
+/// fixed-step one.
 IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder);
 
 /// Never throws for numerics: see Summary::status.

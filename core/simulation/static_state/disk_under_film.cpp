@@ -15,8 +15,7 @@ Velocity surfaceVelocity(const Case& c, const DiskTopography& surface)
 
 DiskUnderFilm::DiskUnderFilm(const Case& c, const DiskTopography& surface, const CellGrid& grid, const PaddedGrid& pad)
     : surface_(surface), grid_(grid), pad_(pad), velocity_(surfaceVelocity(c, surface)), means_(grid.cells(), 0.0)
-{
-}
+{}
 
 void DiskUnderFilm::at(double time, std::span<double> height)
 {

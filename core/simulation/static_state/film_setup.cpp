@@ -37,16 +37,20 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
 }
 
 FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
-    : gaps(std::move(filmGaps)), film(gaps, filmSetting(c)), flying(film, sliderLoad(c), spacing),
+    : gaps(std::move(filmGaps)),
+      film(gaps, filmSetting(c)),
+      flying(film, sliderLoad(c), spacing),
       pressure(gaps.pad.size(), film.ambient())
-{
-}
+{}
 
 KnownFilm FilmLevel::known(const Case& c) const
 {
-    KnownFilm result{.grid = gaps.grid, .pressure = gaps.pad.unpad<double>(pressure), .gap = {}, .ambient = film.ambient(),
-                     .draggedGap = draggedGap(airOf(c.air).viscosity, c.disk.speed * c.disk.radius, gaps.length,
-                                              film.ambient())};
+    KnownFilm result{.grid = gaps.grid,
+                     .pressure = gaps.pad.unpad<double>(pressure),
+                     .gap = {},
+                     .ambient = film.ambient(),
+                     .draggedGap =
+                         draggedGap(airOf(c.air).viscosity, c.disk.speed * c.disk.radius, gaps.length, film.ambient())};
     for (int j = 0; j < gaps.pad.ny; ++j)
         for (int i = 0; i < gaps.pad.nx; ++i) result.gap.push_back(film.meanGap(i, j));
     return result;

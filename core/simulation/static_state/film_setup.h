@@ -22,8 +22,7 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 struct FilmLevel {
     FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
         : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
-    {
-    }
+    {}
     /// For who asks in between whether to go on: the gaps take half of the time.
     FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
     FilmLevel(const FilmLevel&) = delete;

@@ -27,7 +27,8 @@ Attitude changed(const Attitude& attitude, const Vector3& change, double share)
 auto asking(const AttitudeMonitor& monitor, const Attitude& attitude, AttitudeSolution& result)
 {
     return [&monitor, &attitude, &result] {
-        result.cancelled = result.cancelled || (monitor && !monitor(result.iterations, result.residual, result.loadError, attitude));
+        result.cancelled =
+            result.cancelled || (monitor && !monitor(result.iterations, result.residual, result.loadError, attitude));
         return !result.cancelled;
     };
 }
@@ -61,8 +62,14 @@ SliderLoad sliderLoad(const Case& c)
 }
 
 FlyingAttitude::FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing)
-    : film_(film), load_(load), spacing_(spacing), newton_(film), residual_(film.pad().size()),
-      right_(film.pad().size()), filmStep_(film.pad().size()), best_(film.pad().size())
+    : film_(film),
+      load_(load),
+      spacing_(spacing),
+      newton_(film),
+      residual_(film.pad().size()),
+      right_(film.pad().size()),
+      filmStep_(film.pad().size()),
+      best_(film.pad().size())
 {
     for (std::size_t k = 0; k < 3; ++k) {
         responses_[k].assign(film.pad().size(), 0.0);
@@ -72,7 +79,8 @@ FlyingAttitude::FlyingAttitude(GasFilm& film, const SliderLoad& load, const Mini
 
 Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const
 {
-    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer edge the inner edge.
+    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer edge the inner
+    // edge.
     return {forces[0] - load_.preload,
             forces[1] + load_.pitchTorque - load_.pitchStiffness * (attitude.pitch - load_.staticPitch) -
                 load_.shearArm * forces[3],
@@ -124,7 +132,9 @@ void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count, con
 {
     for (std::size_t k = 0; k < 3 && !count.cancelled; ++k)
         count.solves +=
-            newton_.linear().solve(columns_[k], responses_[k], {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
+            newton_.linear()
+                .solve(columns_[k], responses_[k], {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn})
+                .iterations;
 }
 
 /// dG/da with the film following.
@@ -144,8 +154,8 @@ Matrix3 FlyingAttitude::balanceSlopes() const
     return slopes;
 }
 
-/// Solves (-dG/da + leading S) da = right, S a stiffness of the slider's size: with a large share the attitude follows the
-/// forces, as a slider without inertia would, and so comes to a stable equilibrium.
+/// Solves (-dG/da + leading S) da = right, S a stiffness of the slider's size: with a large share the attitude follows
+/// the forces, as a slider without inertia would, and so comes to a stable equilibrium.
 Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;
@@ -164,8 +174,8 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
     return {x[0], x[1], x[2]};
 }
 
-/// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing not cut
-/// to less than a third.
+/// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing
+/// not cut to less than a third.
 double FlyingAttitude::stepShare(const Attitude& attitude, const Vector3& change) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;
@@ -179,7 +189,8 @@ double FlyingAttitude::stepShare(const Attitude& attitude, const Vector3& change
         }
     const double spacing = spacing_.at(attitude).spacing;
     if (spacing > 0.0)
-        for (int k = 0; k < 40 && spacing_.at(changed(attitude, change, share)).spacing < spacing / 3.0; ++k) share *= 0.7;
+        for (int k = 0; k < 40 && spacing_.at(changed(attitude, change, share)).spacing < spacing / 3.0; ++k)
+            share *= 0.7;
     return share;
 }
 
@@ -270,9 +281,8 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     const auto goOn = asking(monitor, attitude, result);
     // While the film is far from solved an attitude's step means little, and the film alone is cheap.
     film_.setAttitude(attitude);
-    const FilmSolution alone =
-        solveFilm(p, {.tolerance = 1e-3, .maximumIterations = options.maximumIterations},
-                  [&](int, double residual) { return result.residual = residual, goOn(); });
+    const FilmSolution alone = solveFilm(p, {.tolerance = 1e-3, .maximumIterations = options.maximumIterations},
+                                         [&](int, double residual) { return result.residual = residual, goOn(); });
     result.solves = alone.solves;
     if (result.cancelled) return result;
     double before = 0.0;
@@ -289,8 +299,9 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
         const double tolerance = std::clamp(0.1 * std::sqrt(size), 1e-4, 0.01);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
-        result.solves +=
-            newton_.linear().solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn}).iterations;
+        result.solves += newton_.linear()
+                             .solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn})
+                             .iterations;
         solveColumns(tolerance, result, goOn);
         if (result.cancelled) return result;
         const Vector3 film = balanceProduct(filmStep_);
@@ -327,7 +338,8 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
         for (std::size_t m = 0; m < 3; ++m) {
             const auto answer = [&](std::size_t force) {
                 double film = 0.0;
-                for (std::size_t at = 0; at < responses_[m].size(); ++at) film += forces_.byPressure[force][at] * responses_[m][at];
+                for (std::size_t at = 0; at < responses_[m].size(); ++at)
+                    film += forces_.byPressure[force][at] * responses_[m][at];
                 return film - forces_.byAttitude[force][m];
             };
             result[k][m] = answer(k);
@@ -338,7 +350,8 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
 
 FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
 {
-    // With S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -sum of that row times J^-T C^T.
+    // With S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -sum of that row times
+    // J^-T C^T.
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count);

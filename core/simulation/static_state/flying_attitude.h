@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The attitude at which film and suspension balance, on one grid. Unknowns are the film's pressure p and the attitude a:
+// The attitude at which film and suspension balance, on one grid. Unknowns are the film's pressure p and the attitude
+// a:
 //
 //   R(p, a) = 0                                        the film
 //   G(p, a) = load and shear of the film - suspension = 0   force [N], pitch and roll torque about the centre [N m]
 //
 // Newton's step of both together is found with the film's linear systems alone: with J X = dR/da and J x = -R,
-// (dG/da - dG/dp X) da = -(G + dG/dp x), dp = x - X da. The same matrix is the film's stiffness, and its transpose with three
-// adjoint films gives the sensitivities to any parameter.
+// (dG/da - dG/dp X) da = -(G + dG/dp x), dp = x - X da. The same matrix is the film's stiffness, and its transpose with
+// three adjoint films gives the sensitivities to any parameter.
 #pragma once
 
 #include <array>
@@ -16,21 +17,21 @@
 #include <utility>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/slider/minimum_spacing.h"
-#include "core/case/case.h"
 
 namespace touchdown {
 
 /// What holds the slider down.
 struct SliderLoad {
-    double preload = 0.0;                // [N]
-    double pitchTorque = 0.0, rollTorque = 0.0; // of preload and static torques about the slider's centre [N m]
+    double preload = 0.0;                             // [N]
+    double pitchTorque = 0.0, rollTorque = 0.0;       // of preload and static torques about the slider's centre [N m]
     double pitchStiffness = 0.0, rollStiffness = 0.0; // [N m/rad]; zero unless the suspension holds the attitude
-    double staticPitch = 0.0, staticRoll = 0.0; // [rad]
-    double shearArm = 0.0;               // pitch and roll torque per shear force [m]
-    bool holdsRoll = false;              // two degrees of freedom: the roll stays what it is
-    double heldRoll = 0.0;               // [rad]
+    double staticPitch = 0.0, staticRoll = 0.0;       // [rad]
+    double shearArm = 0.0;                            // pitch and roll torque per shear force [m]
+    bool holdsRoll = false;                           // two degrees of freedom: the roll stays what it is
+    double heldRoll = 0.0;                            // [rad]
 };
 SliderLoad sliderLoad(const Case& c);
 
@@ -73,8 +74,8 @@ public:
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
-    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn` says false the
-    /// result means nothing.
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn`
+    /// says false the result means nothing.
     Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
     /// The same of the torques that the balance has: with those of the shear.
     Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slider as a rigid body with its suspension. Coordinates q: height of the mass centre z [m], pitch, roll [rad]; forces about the
-// mass centre [N], [N m]. The mass centre lies over the slider's middle:
+// The slider as a rigid body with its suspension. Coordinates q: height of the mass centre z [m], pitch, roll [rad];
+// forces about the mass centre [N], [N m]. The mass centre lies over the slider's middle:
 //
 //   M q'' = film + contact + load - K (q - q_0) - C q'
 //
@@ -36,7 +36,7 @@ public:
     double shearArm() const { return shearArm_; }
     bool holdsRoll() const { return holdsRoll_; }
 
-    double kineticEnergy(const Vector3& v) const;                 // [J]
+    double kineticEnergy(const Vector3& v) const; // [J]
     /// Of springs and load, zero at rest [J].
     double suspensionEnergy(const Vector3& q) const;
     /// The largest displacement of the slider's corners for a change of q [m].

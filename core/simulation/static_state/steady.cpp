@@ -20,10 +20,12 @@ namespace {
 class SteadySolver {
 public:
     SteadySolver(const Case& c, const SteadyCallback& callback)
-        : case_(c), callback_(callback), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_),
+        : case_(c),
+          callback_(callback),
+          recess_(c.surface, c.slider.length, c.slider.width),
+          spacing_(c.surface, recess_),
           attitude_{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll}
-    {
-    }
+    {}
 
     SteadyResult solve()
     {
@@ -42,7 +44,8 @@ public:
             if (result_.status == SteadyStatus::Cancelled) return result_;
             if (!converged && finest) return unconverged();
             if (!finest) {
-                if (converged) coarse_.insert(coarse_.begin(), summary());
+                if (converged)
+                    coarse_.insert(coarse_.begin(), summary());
                 else {
                     coarse_.clear();
                     level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
@@ -62,10 +65,11 @@ private:
     void takeLineMultigrid()
     {
         lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps, filmSetting(case_));
-        level_->flying.setFilmSolve([this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
-            lineMultigrid_->setAttitude(level_->film.attitude());
-            return lineMultigrid_->solve(p, options, monitor);
-        });
+        level_->flying.setFilmSolve(
+            [this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
+                lineMultigrid_->setAttitude(level_->film.attitude());
+                return lineMultigrid_->solve(p, options, monitor);
+            });
     }
 
     CellGrid grid(const std::array<int, 2>& cells) const
@@ -74,7 +78,8 @@ private:
         switch (case_.film.grid) {
         case GridKind::Uniform: return uniformGrid(length, width, cells[0], cells[1]);
         case GridKind::Adapted:
-            if (previous_) return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
+            if (previous_)
+                return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
             break;
         case GridKind::Graded: break;
         }
@@ -88,16 +93,17 @@ private:
     bool tell(const CellGrid& grid, int iteration, double residual, double loadError, const Attitude& attitude)
     {
         if (result_.status == SteadyStatus::Cancelled) return false;
-        const bool goOn = !callback_ || callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " +
-                                                            std::to_string(grid.y.size()),
-                                                   .iteration = iteration,
-                                                   .residual = residual,
-                                                   .loadError = loadError,
-                                                   .attitude = attitude});
+        const bool goOn =
+            !callback_ ||
+            callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()),
+                       .iteration = iteration,
+                       .residual = residual,
+                       .loadError = loadError,
+                       .attitude = attitude});
         if (!goOn) {
             result_.status = SteadyStatus::Cancelled;
-            result_.message = "cancelled on the " + std::to_string(grid.x.size()) + " x " +
-                              std::to_string(grid.y.size()) + " grid";
+            result_.message =
+                "cancelled on the " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()) + " grid";
         }
         return goOn;
     }
@@ -123,17 +129,18 @@ private:
 
     bool solveAttitude(bool finest)
     {
-        const AttitudeOptions options{
-            .filmTolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
-            .loadTolerance = finest ? case_.steady.loadTolerance : std::max(coarseTolerance, case_.steady.loadTolerance),
-            .maximumIterations = case_.film.maximumIterations};
+        const AttitudeOptions options{.filmTolerance = finest ? case_.film.tolerance
+                                                              : std::max(coarseTolerance, case_.film.tolerance),
+                                      .loadTolerance = finest ? case_.steady.loadTolerance
+                                                              : std::max(coarseTolerance, case_.steady.loadTolerance),
+                                      .maximumIterations = case_.film.maximumIterations};
         const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
             return tell(iteration, residual, loadError, attitude);
         };
         FlyingAttitude& flying = level_->flying;
         const bool together = previous_ && case_.film.solver == FilmSolver::Newton;
         const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor)
-                                             : flying.approach(level_->pressure, attitude_, options, monitor);
+                                            : flying.approach(level_->pressure, attitude_, options, monitor);
         level_->film.setAttitude(attitude_);
         result_.iterations = s.iterations;
         result_.solves += s.solves;
@@ -158,7 +165,8 @@ private:
                       result_.iterations, result_.residual, result_.loadError);
         result_.message = text;
         if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
-            result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does not carry the load";
+            result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does "
+                               "not carry the load";
         return result_;
     }
 
@@ -175,7 +183,8 @@ private:
         result_.shearPitchTorque = -arm * result_.forces.shearX;
         result_.shearRollTorque = -arm * result_.forces.shearY;
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
-            result_.interestSpacing.push_back(recess_.at(point.x, point.y) + level.gaps.lift(attitude_, point.x, point.y));
+            result_.interestSpacing.push_back(recess_.at(point.x, point.y) +
+                                              level.gaps.lift(attitude_, point.x, point.y));
         if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
         if (!coarse_.empty()) estimateError();
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
@@ -189,17 +198,18 @@ private:
         if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;
             char text[260];
-            std::snprintf(text, sizeof text,
-                          "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
-                          "the slider touches, and a static state knows the film alone: contact has a part in runs in time",
-                          -result_.minimumSpacing * 1e9);
+            std::snprintf(
+                text, sizeof text,
+                "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
+                "the slider touches, and a static state knows the film alone: contact has a part in runs in time",
+                -result_.minimumSpacing * 1e9);
             result_.message = text;
         }
     }
 
-    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second order; half
-    /// of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the difference of the two
-    /// coarser ones counts too, an eighth of it: as much at second order.
+    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second
+    /// order; half of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the
+    /// difference of the two coarser ones counts too, an eighth of it: as much at second order.
     void estimateError()
     {
         const LevelSummary finest = summary();
@@ -212,14 +222,16 @@ private:
         error.pitch = estimate([](const LevelSummary& s) { return s.attitude.pitch; });
         error.roll = estimate([](const LevelSummary& s) { return s.attitude.roll; });
         error.minimumSpacing = estimate([](const LevelSummary& s) { return s.minimumSpacing; });
-        if (case_.steady.fixedAttitude) error.load = estimate([](const LevelSummary& s) { return s.load; });
+        if (case_.steady.fixedAttitude)
+            error.load = estimate([](const LevelSummary& s) { return s.load; });
         else if (result_.stiffness) {
             // The load that the coarser grid would miss at this attitude.
             const auto& row = (*result_.stiffness)[0];
             error.load = estimate([&](const LevelSummary& s) {
                 return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
             });
-        } else error.load = estimate([](const LevelSummary& s) { return s.positive; });
+        } else
+            error.load = estimate([](const LevelSummary& s) { return s.positive; });
     }
 
     /// Other attitudes at which the forces balance, from starts all over the range where sliders fly.
@@ -234,8 +246,8 @@ private:
             for (const double pitch : {20e-6, 150e-6, 500e-6}) {
                 FilmLevel coarse(case_, recess_, spacing_, coarsest);
                 Attitude attitude{height, pitch, 0.0};
-                const AttitudeOptions options{.filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance,
-                                              .maximumIterations = 25};
+                const AttitudeOptions options{
+                    .filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance, .maximumIterations = 25};
                 AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor);
                 if (found.cancelled) return;
                 if (!found.converged || isKnown(attitude, 0.1)) continue;
@@ -254,7 +266,8 @@ private:
     {
         const auto near = [&](const Attitude& known) {
             const double length = case_.slider.length;
-            const double apart = std::abs(known.height - attitude.height) + length * std::abs(known.pitch - attitude.pitch) +
+            const double apart = std::abs(known.height - attitude.height) +
+                                 length * std::abs(known.pitch - attitude.pitch) +
                                  case_.slider.width * std::abs(known.roll - attitude.roll);
             return apart <= share * (std::abs(known.height) + length * std::abs(known.pitch));
         };
@@ -268,7 +281,7 @@ private:
     Attitude attitude_;
     std::unique_ptr<FilmLevel> level_, previous_;
     std::unique_ptr<FilmLineMultigrid> lineMultigrid_; // of the level, when it is chosen
-    std::vector<LevelSummary> coarse_; // the finest of them first, as far as all converged
+    std::vector<LevelSummary> coarse_;                 // the finest of them first, as far as all converged
     SteadyResult result_;
 };
 

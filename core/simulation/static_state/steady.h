@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The static state of a slider on its air film: pressure at a fixed attitude, or the attitude at which film and suspension
-// balance, with forces, stiffness matrix, sensitivities and an estimate of the discretisation error.
+// The static state of a slider on its air film: pressure at a fixed attitude, or the attitude at which film and
+// suspension balance, with forces, stiffness matrix, sensitivities and an estimate of the discretisation error.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/numerics/cell_grid.h"
-#include "core/physics/slider/attitude.h"
-#include "core/physics/film/film_forces.h"
 #include "core/case/case.h"
+#include "core/numerics/cell_grid.h"
+#include "core/physics/film/film_forces.h"
+#include "core/physics/slider/attitude.h"
 
 namespace touchdown {
 
@@ -22,11 +22,11 @@ std::string_view name(SteadyStatus status);
 
 /// How the attitude answers to one parameter.
 struct Sensitivity {
-    std::string parameter;  // key, "abs.crown"
-    std::string unit;       // SI, of the parameter
-    double height = 0.0;    // d/dparameter [m/unit]
-    double pitch = 0.0;     // [rad/unit]
-    double roll = 0.0;      // [rad/unit]
+    std::string parameter;       // key, "abs.crown"
+    std::string unit;            // SI, of the parameter
+    double height = 0.0;         // d/dparameter [m/unit]
+    double pitch = 0.0;          // [rad/unit]
+    double roll = 0.0;           // [rad/unit]
     double minimumSpacing = 0.0; // [m/unit]
 };
 
@@ -40,20 +40,20 @@ struct DiscretisationError {
 
 struct SteadyResult {
     SteadyStatus status = SteadyStatus::Failed;
-    std::string message;      // a sentence, when not converged or worth saying
-    int iterations = 0;       // Newton steps or cycles on the finest grid
-    int solves = 0;           // linear solves on all grids
+    std::string message; // a sentence, when not converged or worth saying
+    int iterations = 0;  // Newton steps or cycles on the finest grid
+    int solves = 0;      // linear solves on all grids
     double wallSeconds = 0.0;
-    double residual = 0.0;    // as FilmCase::tolerance measures it [-]
-    double loadError = 0.0;   // as SteadyCase::loadTolerance measures it [-]
+    double residual = 0.0;  // as FilmCase::tolerance measures it [-]
+    double loadError = 0.0; // as SteadyCase::loadTolerance measures it [-]
     Attitude attitude;
     double minimumSpacing = 0.0; // [m]
     SurfacePoint minimumAt;      // [m]
     FilmForces forces;
     double shearPitchTorque = 0.0; // of the air's shear, with the arm of SteadyCase [N m]
     double shearRollTorque = 0.0;  // [N m]
-    /// Rows: force [N], pitch torque, roll torque [N m]; columns: d/dheight [1/m], d/dpitch, d/droll [1/rad]. Of the film,
-    /// about the slider's centre, with the trailing edge height as the first coordinate; positive: restoring.
+    /// Rows: force [N], pitch torque, roll torque [N m]; columns: d/dheight [1/m], d/dpitch, d/droll [1/rad]. Of the
+    /// film, about the slider's centre, with the trailing edge height as the first coordinate; positive: restoring.
     std::optional<std::array<std::array<double, 3>, 3>> stiffness;
     std::vector<Sensitivity> sensitivities;
     DiscretisationError discretisationError;
@@ -67,10 +67,10 @@ struct SteadyResult {
 
 /// Told while the solution goes: about every grid level and iteration.
 struct SteadyProgress {
-    std::string stage;       // "grid 97 x 97"
+    std::string stage; // "grid 97 x 97"
     int iteration = 0;
-    double residual = 0.0;   // [-]
-    double loadError = 0.0;  // [-]
+    double residual = 0.0;  // [-]
+    double loadError = 0.0; // [-]
     Attitude attitude;
 };
 /// Return false to stop.
@@ -81,7 +81,7 @@ SteadyResult steady(const Case& c, const SteadyCallback& callback = {});
 
 /// One combination of a series of radii (with skews), speeds and altitudes.
 struct SteadySeriesPoint {
-    double radius, skew, speed; // [m], [rad], [rad/s]
+    double radius, skew, speed;     // [m], [rad], [rad/s]
     std::optional<double> altitude; // [m]
 };
 /// All combinations that the case lists: altitudes outermost, then speeds, then radii. One entry if it lists none.
@@ -91,21 +91,22 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point);
 
 /// An air bearing mode about the static state.
 struct AirBearingMode {
-    double frequency = 0.0;     // [Hz]
-    double dampingRatio = 0.0;  // [-]
-    /// Height of the mass centre [m], pitch, roll [rad] as complex amplitudes (real, imaginary), largest motion of the slider's corners 1.
+    double frequency = 0.0;    // [Hz]
+    double dampingRatio = 0.0; // [-]
+    /// Height of the mass centre [m], pitch, roll [rad] as complex amplitudes (real, imaginary), largest motion of the
+    /// slider's corners 1.
     std::array<std::array<double, 2>, 3> shape{};
-    std::string kind;           // the motion that leads: "vertical", "pitch", "roll"
+    std::string kind; // the motion that leads: "vertical", "pitch", "roll"
 };
 /// What the film answers to an oscillation, with the torques of its shear.
 struct DynamicStiffness {
-    double frequency = 0.0; // [Hz]
+    double frequency = 0.0;                           // [Hz]
     std::array<std::array<double, 3>, 3> stiffness{}; // real part, about the mass centre [N/m ...]
     std::array<std::array<double, 3>, 3> damping{};   // imaginary part over omega [N s/m ...]
 };
 struct ModesResult {
     SteadyResult steady;
-    std::vector<AirBearingMode> modes;     // by frequency
+    std::vector<AirBearingMode> modes;       // by frequency
     std::vector<DynamicStiffness> stiffness; // over frequency
     SteadyStatus status = SteadyStatus::Failed;
     std::string message;

@@ -9,7 +9,8 @@ namespace touchdown {
 
 namespace {
 
-const std::vector<std::string> models{"static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"};
+const std::vector<std::string> models{"static",  "contact-rest", "wave-answer", "small-motion",
+                                      "springs", "parts",        "sums"};
 
 constexpr double longestBudget = 1e6; // [s]
 
@@ -40,11 +41,13 @@ StudyPerformance planAdvisor(StudyReader& reader)
     AdvisorTask task;
     task.start = reader.start();
     if (task.start.model != ModelKind::Film)
-        reader.add("case", "must be of model \"film\": the ladder leaves out what a film has; springs are its last step");
+        reader.add("case",
+                   "must be of model \"film\": the ladder leaves out what a film has; springs are its last step");
     else if (const std::string reason = reasonNotToRun(task.start); !reason.empty())
         reader.add("case", "cannot be run in time: " + reason);
     else if (task.start.steady.fixedAttitude)
-        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; advice is of one that flies");
+        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries "
+                           "its load; advice is of one that flies");
     task.tolerance = reader.number("tolerance", "", "", 1e-5, 0.5).value_or(task.tolerance);
     task.spreadTolerance = reader.number("spread_tolerance", "", "", 1e-5, 2.0).value_or(task.spreadTolerance);
     task.pilot = reader.number("pilot", "", "", 0.05, 1.0).value_or(task.pilot);
@@ -54,7 +57,9 @@ StudyPerformance planAdvisor(StudyReader& reader)
     if (const auto chosen = reader.texts("models")) {
         for (const std::string& model : *chosen)
             if (std::ranges::find(models, model) == models.end())
-                reader.add("models", "\"" + model + "\" is none of static, contact-rest, wave-answer, small-motion, springs, parts, sums");
+                reader.add("models",
+                           "\"" + model +
+                               "\" is none of static, contact-rest, wave-answer, small-motion, springs, parts, sums");
         task.models = *chosen;
     }
     return [task](int jobs, const StudyCallback& callback) { return performAdvice(task, jobs, callback); };

@@ -81,9 +81,12 @@ Verdict verdictOn(const RungErrors& errors, const Allowance& allowed)
 {
     if (!errors.endKnown) return Verdict::NotKnown;
     if (!errors.sameEnd) return Verdict::AnotherEnd;
-    if (errors.mean - errors.meanUncertainty > allowed.mean || errors.spread - errors.spreadUncertainty > allowed.spread) return Verdict::TooFar;
+    if (errors.mean - errors.meanUncertainty > allowed.mean ||
+        errors.spread - errors.spreadUncertainty > allowed.spread)
+        return Verdict::TooFar;
     if (!errors.samePeak) return Verdict::AnotherPeak;
-    const bool within = errors.mean + errors.meanUncertainty <= allowed.mean && errors.spread + errors.spreadUncertainty <= allowed.spread;
+    const bool within = errors.mean + errors.meanUncertainty <= allowed.mean &&
+                        errors.spread + errors.spreadUncertainty <= allowed.spread;
     return within ? Verdict::Within : Verdict::NotKnown;
 }
 

@@ -2,14 +2,14 @@
 //
 // How far a model's end is from the full one's, what of that is claimed, and whether it is within what is allowed.
 //
-// Errors: of the mean spacing over the last tenth, of its standard deviation there. Allowed are tolerance times the mean or,
-// where a bounce has more, the spread; and spread_tolerance times the spread or, where that is more, times tolerance times the mean; of both
-// at least twice what one step of the full model may displace the slider by. Besides, a model must end in the same state (flying, in
-// contact, in and out of it) and, where the spread is more than tolerance times the mean and than that, have its largest peak at the same
-// frequency.
+// Errors: of the mean spacing over the last tenth, of its standard deviation there. Allowed are tolerance times the
+// mean or, where a bounce has more, the spread; and spread_tolerance times the spread or, where that is more, times
+// tolerance times the mean; of both at least twice what one step of the full model may displace the slider by. Besides,
+// a model must end in the same state (flying, in contact, in and out of it) and, where the spread is more than
+// tolerance times the mean and than that, have its largest peak at the same frequency.
 //
-// An error e that is known to u lies between e - u and e + u. With u <= e/2 that is a factor of two, and e is claimed; else nothing but that it
-// is below e + u.
+// An error e that is known to u lies between e - u and e + u. With u <= e/2 that is a factor of two, and e is claimed;
+// else nothing but that it is below e + u.
 #pragma once
 
 #include <cstdint>
@@ -38,14 +38,14 @@ struct RungErrors {
     double meanUncertainty = 0.0, spreadUncertainty = 0.0; // of what the pilot foretells; infinite: not known [m]
     double resolution = 0.0;                               // what the full model's steps leave open [m]
     bool sameEnd = true, samePeak = true;
-    bool endKnown = true;                                  // else the full model may still end otherwise
+    bool endKnown = true; // else the full model may still end otherwise
     Claim claimedMean() const { return claimOf(mean, meanUncertainty, resolution); }
     Claim claimedSpread() const { return claimOf(spread, spreadUncertainty, resolution); }
 };
 
 struct Allowance {
-    double mean = 0.0, spread = 0.0; // [m]
-    double step = 0.0;               // twice what one step may displace the slider by [m]
+    double mean = 0.0, spread = 0.0;             // [m]
+    double step = 0.0;                           // twice what one step may displace the slider by [m]
     double wantedMean = 0.0, wantedSpread = 0.0; // without that [m]
     bool widened() const { return mean > wantedMean || spread > wantedSpread; }
 };

@@ -20,22 +20,29 @@ std::string listed(const std::vector<LadderPart>& parts, std::string LadderPart:
 }
 
 /// So many times fewer cells along each side, to the next number of lines that a grid may have.
-int fewer(int nodes, int divisor) { return std::max(fewestLines, 16 * ((nodes - 1 + 8 * divisor) / (16 * divisor)) + 1); }
+int fewer(int nodes, int divisor)
+{
+    return std::max(fewestLines, 16 * ((nodes - 1 + 8 * divisor) / (16 * divisor)) + 1);
+}
 
 void addGrids(const Case& c, std::vector<LadderPart>& parts)
 {
     std::array<int, 2> last = c.film.nodes;
     for (const int divisor : {2, 4, 8}) {
-        const std::array<int, 2> nodes{std::min(last[0], fewer(c.film.nodes[0], divisor)), std::min(last[1], fewer(c.film.nodes[1], divisor))};
+        const std::array<int, 2> nodes{std::min(last[0], fewer(c.film.nodes[0], divisor)),
+                                       std::min(last[1], fewer(c.film.nodes[1], divisor))};
         if (nodes == last) break;
         const std::string text = std::to_string(nodes[0]) + ", " + std::to_string(nodes[1]);
         parts.push_back({std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]) + " grid lines",
-                         "grid lines beyond " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]), {{"film.nodes", text}}, "grid"});
+                         "grid lines beyond " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]),
+                         {{"film.nodes", text}},
+                         "grid"});
         last = nodes;
     }
 }
 
-/// In the order in which they are tried: those that leave out most of the work first, so that what takes longer is soon given up.
+/// In the order in which they are tried: those that leave out most of the work first, so that what takes longer is soon
+/// given up.
 std::vector<LadderPart> partsOf(const Case& c, double roll)
 {
     std::vector<LadderPart> parts;
@@ -44,7 +51,8 @@ std::vector<LadderPart> partsOf(const Case& c, double roll)
     if (c.run.steps == StepControl::Adaptive)
         for (const double factor : {100.0, 10.0}) {
             const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);
-            parts.push_back({"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
+            parts.push_back(
+                {"step error " + error, "step errors below " + error, {{"run.step_error", error}}, "steps"});
         }
     else
         for (const double factor : {4.0, 2.0}) {
@@ -61,10 +69,14 @@ std::vector<LadderPart> partsOf(const Case& c, double roll)
         parts.push_back({"no menisci", "the force of the menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"});
     if (c.contact == ContactKind::Elastic) {
         const std::string cell = fewDigits(2.0 * c.elastic.cell, "um", 6);
-        parts.push_back({"contact cells of " + cell, "contact cells finer than " + cell, {{"elastic.cell", cell}}, "cells"});
+        parts.push_back(
+            {"contact cells of " + cell, "contact cells finer than " + cell, {{"elastic.cell", cell}}, "cells"});
     }
     if (c.degreesOfFreedom == 3)
-        parts.push_back({"roll held", "motion in roll", {{"degrees_of_freedom", "2"}, {"initial.roll", formatQuantity(roll, "urad")}}, "roll"});
+        parts.push_back({"roll held",
+                         "motion in roll",
+                         {{"degrees_of_freedom", "2"}, {"initial.roll", formatQuantity(roll, "urad")}},
+                         "roll"});
     return parts;
 }
 
@@ -98,11 +110,19 @@ std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
     const std::string surface = c.diskSurface.kind != DiskSurfaceKind::Flat ? ", the disk's surface" : "";
     std::vector<Rung> ladder, reduced;
     reduced.push_back({RungKind::Static, "static state", "all motion" + surface + touches, {}, c});
-    if (c.contact == ContactKind::OnoYamane) reduced.push_back({RungKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
-    if (waves) reduced.push_back({RungKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
-    reduced.push_back({RungKind::SmallMotion, "small motions", "all that is not linear" + (waves ? "" : surface) + touches, {}, c});
+    if (c.contact == ContactKind::OnoYamane)
+        reduced.push_back({RungKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
+    if (waves)
+        reduced.push_back(
+            {RungKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
+    reduced.push_back(
+        {RungKind::SmallMotion, "small motions", "all that is not linear" + (waves ? "" : surface) + touches, {}, c});
     if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)
-        reduced.push_back({RungKind::Springs, "springs", "the film's own law" + surface + (c.degreesOfFreedom == 3 ? ", motion in roll" : ""), {}, c});
+        reduced.push_back({RungKind::Springs,
+                           "springs",
+                           "the film's own law" + surface + (c.degreesOfFreedom == 3 ? ", motion in roll" : ""),
+                           {},
+                           c});
     std::vector<LadderPart> grids{{}};
     addGrids(c, grids);
     for (const Rung& rung : reduced)
@@ -132,7 +152,8 @@ std::optional<Rung> sumOf(const AdvisorTask& task, const std::vector<LadderPart>
         if (!noContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
     if (!wanted(task, RungKind::Sum) || kept.size() < 2) return {};
     std::ranges::sort(kept, {}, &LadderPart::family);
-    Rung rung{RungKind::Sum, "film, " + listed(kept, &LadderPart::name), listed(kept, &LadderPart::leavesOut), kept, task.start};
+    Rung rung{RungKind::Sum, "film, " + listed(kept, &LadderPart::name), listed(kept, &LadderPart::leavesOut), kept,
+              task.start};
     for (const LadderPart& part : kept)
         if (!applySettings(rung.c, part.settings).empty()) return {};
     return rung;

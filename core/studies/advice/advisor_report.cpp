@@ -30,8 +30,8 @@ std::string wordFor(const RungOutcome& rung)
 /// "mean spacing 0.03 nm (0.1 nm allowed), spread ..." of an outcome.
 std::string errorsText(const RungErrors& errors, const Allowance& allowed)
 {
-    return "mean spacing " + textOf(errors.claimedMean()) + " (" + nm(allowed.mean) + " allowed), spread " + textOf(errors.claimedSpread()) +
-           " (" + nm(allowed.spread) + " allowed)";
+    return "mean spacing " + textOf(errors.claimedMean()) + " (" + nm(allowed.mean) + " allowed), spread " +
+           textOf(errors.claimedSpread()) + " (" + nm(allowed.spread) + " allowed)";
 }
 
 /// "9.108 nm" or, where it is foretold, "8.98 +- 0.12 nm".
@@ -44,24 +44,29 @@ std::string foretold(double value, double uncertainty)
 std::string endText(const TailEstimate& end)
 {
     return std::string(name(end.kind)) + ", mean spacing " + foretold(end.mean, end.meanUncertainty) + ", spread " +
-           foretold(end.spread, end.spreadUncertainty) + (end.peakFrequency > 0.0 ? ", largest peak at " + fewDigits(end.peakFrequency, "kHz", 3) : "");
+           foretold(end.spread, end.spreadUncertainty) +
+           (end.peakFrequency > 0.0 ? ", largest peak at " + fewDigits(end.peakFrequency, "kHz", 3) : "");
 }
 
 /// How far the full model was run.
 std::string windowText(const AdvisorTask& task, const AdvisorResult& result)
 {
     const std::string duration = readableTime(task.start.run.duration);
-    return result.pilotWhole ? "over the whole run of " + duration : "over the first " + readableTime(result.pilotTime) + " of " + duration;
+    return result.pilotWhole ? "over the whole run of " + duration
+                             : "over the first " + readableTime(result.pilotTime) + " of " + duration;
 }
 
 std::string applyText(const RungOutcome& advice)
 {
-    if (advice.found && advice.command == "steady") return "Its case (--apply FILE) has this answer as its static state: touchdown steady FILE.";
+    if (advice.found && advice.command == "steady")
+        return "Its case (--apply FILE) has this answer as its static state: touchdown steady FILE.";
     if (advice.found && advice.rung.kind == RungKind::ContactRest)
         return "Its case (--apply FILE) begins at this rest, over a flat disk, and stays there: touchdown run FILE. "
-               "That run checks the rest in a film over a tenth of the duration, and takes about a tenth of the full model's time.";
+               "That run checks the rest in a film over a tenth of the duration, and takes about a tenth of the full "
+               "model's time.";
     if (advice.found) return "Its case (--apply FILE) is to be run: touchdown run FILE.";
-    return "No case has this answer alone: its numbers stand in the table below, touchdown modes tells the modes, and --option models=" +
+    return "No case has this answer alone: its numbers stand in the table below, touchdown modes tells the modes, and "
+           "--option models=" +
            std::string(name(advice.rung.kind)) + " makes this model the only one that is tried.";
 }
 
@@ -69,32 +74,39 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
 {
     const bool all = result.missing.empty();
     if (result.pilotTime == 0.0) {
-        report.findings.push_back("There is no advice: the full model " +
-                                  (result.full.answers() ? "was not run." : "gives no answer: " + result.full.problem + "."));
+        report.findings.push_back(
+            "There is no advice: the full model " +
+            (result.full.answers() ? "was not run." : "gives no answer: " + result.full.problem + "."));
         return;
     }
     if (!result.full.answers()) {
-        report.findings.push_back("There is no advice: the full model was run for " + readableTime(result.pilotTime) + " of " +
-                                  readableTime(task.start.run.duration) + ". From that its end would be: " + endText(result.full.tail) + ".");
+        report.findings.push_back("There is no advice: the full model was run for " + readableTime(result.pilotTime) +
+                                  " of " + readableTime(task.start.run.duration) +
+                                  ". From that its end would be: " + endText(result.full.tail) + ".");
         return;
     }
     if (!result.advice) {
-        const std::string tried = result.rungs.empty() ? "no other model was tried."
-                                                       : "none of the models that were tried is known to be within the tolerance and takes at most 1/" +
-                                                             fewDigits(worthwhile, "") + " of the full model's time.";
+        const std::string tried =
+            result.rungs.empty()
+                ? "no other model was tried."
+                : "none of the models that were tried is known to be within the tolerance and takes at most 1/" +
+                      fewDigits(worthwhile, "") + " of the full model's time.";
         report.findings.push_back(result.advisesFull() ? "Advice: the full model; " + tried
-                                  : all ? "There is no advice: " + tried
-                                        : "So far there is no advice: " + tried);
+                                  : all                ? "There is no advice: " + tried
+                                                       : "So far there is no advice: " + tried);
     } else {
         const RungOutcome& advice = result.rungs[*result.advice];
-        report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.rung.name + ". It leaves out " + advice.rung.leavesOut + ", and takes " +
-                                  readableTime(advice.seconds) + " of a processor instead of " + readableTime(result.full.seconds) + ": " +
+        report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.rung.name + ". It leaves out " +
+                                  advice.rung.leavesOut + ", and takes " + readableTime(advice.seconds) +
+                                  " of a processor instead of " + readableTime(result.full.seconds) + ": " +
                                   times(result.full.seconds / advice.seconds) + " less.");
-        report.findings.push_back("Claimed error over the last tenth of the run: " + errorsText(advice.errors, result.allowed) +
-                                  "; measured against the full model " + windowText(task, result) +
-                                  (result.pilotWhole ? "." : ", from which its end is foretold."));
+        report.findings.push_back(
+            "Claimed error over the last tenth of the run: " + errorsText(advice.errors, result.allowed) +
+            "; measured against the full model " + windowText(task, result) +
+            (result.pilotWhole ? "." : ", from which its end is foretold."));
     }
-    report.findings.push_back("The full model's end" + std::string(result.pilotWhole ? ": " : ", foretold: ") + endText(result.full.tail) + ".");
+    report.findings.push_back("The full model's end" + std::string(result.pilotWhole ? ": " : ", foretold: ") +
+                              endText(result.full.tail) + ".");
 }
 
 /// Behind the advice and its claim.
@@ -105,8 +117,10 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
     const TailEstimate& end = *result.fullEnd;
     if (!result.pilotWhole) {
         const bool came = std::abs(full.mean - end.mean) <= full.meanUncertainty + 0.5 * result.allowed.step &&
-                          std::abs(full.spread - end.spread) <= full.spreadUncertainty + 0.5 * result.allowed.step && full.kind == end.kind;
-        report.findings.push_back("The full model, run to its end: " + endText(end) + (came ? "; as foretold." : "; NOT as foretold."));
+                          std::abs(full.spread - end.spread) <= full.spreadUncertainty + 0.5 * result.allowed.step &&
+                          full.kind == end.kind;
+        report.findings.push_back("The full model, run to its end: " + endText(end) +
+                                  (came ? "; as foretold." : "; NOT as foretold."));
         if (!came) report.warnings.push_back("the full model's end was foretold wrongly; give a longer pilot");
     }
     if (!result.found) return;
@@ -119,12 +133,17 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
         return nm(error) + " (claimed " + textOf(claim) + (held ? ")" : ": missed)");
     };
     report.findings.insert(report.findings.begin() + 2,
-                           std::string(came ? "Confirmed" : "NOT confirmed") + " by the full model to its end: error of the mean spacing " +
-                               one(mean, found.mean, meanCame) + ", of the spread " + one(spread, found.spread, spreadCame) +
+                           std::string(came ? "Confirmed" : "NOT confirmed") +
+                               " by the full model to its end: error of the mean spacing " +
+                               one(mean, found.mean, meanCame) + ", of the spread " +
+                               one(spread, found.spread, spreadCame) +
                                (found.samePeak ? "" : ", its largest peak elsewhere: missed") +
-                               (found.sameEnd ? "" : ", and it ends otherwise: missed") + "; " + readableTime(result.adviceSeconds) + " instead of " +
-                               readableTime(result.fullSeconds) + ", " + lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
-    if (!came) report.warnings.push_back("the full model's whole run does not confirm what the pilot claims; give a longer pilot");
+                               (found.sameEnd ? "" : ", and it ends otherwise: missed") + "; " +
+                               readableTime(result.adviceSeconds) + " instead of " + readableTime(result.fullSeconds) +
+                               ", " + lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
+    if (!came)
+        report.warnings.push_back(
+            "the full model's whole run does not confirm what the pilot claims; give a longer pilot");
 }
 
 void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
@@ -135,26 +154,34 @@ void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport
         report.findings.push_back(applyText(advice));
     }
     if (task.start.contact != ContactKind::None && !result.contactActed)
-        report.findings.push_back("Nothing but air acted on the slider in the pilot: contact can be left out there without any error.");
+        report.findings.push_back(
+            "Nothing but air acted on the slider in the pilot: contact can be left out there without any error.");
     std::size_t givenUp = 0;
     for (std::size_t k = 0; k < result.rungs.size(); ++k) {
         const RungOutcome& rung = result.rungs[k];
         givenUp += rung.givenUp;
         if (result.advice == k || rung.givenUp) continue;
         std::string text = rung.rung.name + " (leaves out " + rung.rung.leavesOut + "): ";
-        if (!rung.answers()) text += "no answer, " + rung.problem;
+        if (!rung.answers())
+            text += "no answer, " + rung.problem;
         else if (rung.verdict == Verdict::AnotherEnd)
-            text += "wrong here, it ends " + std::string(name(rung.tail.kind)) + " at " + fewDigits(rung.tail.mean, "nm", 3);
+            text += "wrong here, it ends " + std::string(name(rung.tail.kind)) + " at " +
+                    fewDigits(rung.tail.mean, "nm", 3);
         else
-            text += (rung.within() ? "within the tolerance, " : rung.verdict == Verdict::NotKnown ? "not known to be enough, " : "not enough, ") +
-                    errorsText(rung.errors, result.allowed) + (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; " +
+            text += (rung.within()                       ? "within the tolerance, "
+                     : rung.verdict == Verdict::NotKnown ? "not known to be enough, "
+                                                         : "not enough, ") +
+                    errorsText(rung.errors, result.allowed) +
+                    (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; " +
                     saving(result.full.seconds / rung.seconds);
         report.findings.push_back(text + ".");
     }
     if (givenUp == 1)
-        report.findings.push_back("1 model in time was given up as soon as it had taken too long to be the advice; all = true measures it.");
+        report.findings.push_back(
+            "1 model in time was given up as soon as it had taken too long to be the advice; all = true measures it.");
     if (givenUp > 1)
-        report.findings.push_back(std::to_string(givenUp) + " models in time were given up as soon as they had taken too long to be the advice; "
+        report.findings.push_back(std::to_string(givenUp) +
+                                  " models in time were given up as soon as they had taken too long to be the advice; "
                                   "all = true measures them.");
 }
 
@@ -169,46 +196,62 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
 {
     const Allowance& allowed = result.allowed;
     if (isJudged(result) && allowed.widened())
-        report.findings.push_back("Allowed are " + nm(allowed.mean) + " of the mean and " + nm(allowed.spread) + " of the spread, where the tolerances alone "
-                                  "would be " + nm(allowed.wantedMean) + " and " + nm(allowed.wantedSpread) + ", as one step may displace the slider by " +
-                                  nm(0.5 * allowed.step) + " (run.step_error).");
+        report.findings.push_back("Allowed are " + nm(allowed.mean) + " of the mean and " + nm(allowed.spread) +
+                                  " of the spread, where the tolerances alone "
+                                  "would be " +
+                                  nm(allowed.wantedMean) + " and " + nm(allowed.wantedSpread) +
+                                  ", as one step may displace the slider by " + nm(0.5 * allowed.step) +
+                                  " (run.step_error).");
     if (result.gridError > 0.0)
         report.findings.push_back("The full model's own grid errs by about " + nm(result.gridError) +
                                   " in the static spacing; errors above are against that model.");
     if (isJudged(result) && result.gridError > allowed.mean)
-        report.warnings.push_back("the full model's own grid errs by more than is allowed of a smaller model: about " + nm(result.gridError));
+        report.warnings.push_back("the full model's own grid errs by more than is allowed of a smaller model: about " +
+                                  nm(result.gridError));
     if (!result.growthProblem.empty())
-        report.warnings.push_back("whether small motions about a static state grow is not known (" + result.growthProblem +
-                                  "), so that the full model was run to its end");
+        report.warnings.push_back("whether small motions about a static state grow is not known (" +
+                                  result.growthProblem + "), so that the full model was run to its end");
     if (result.growth > 0.0)
-        report.warnings.push_back("a mode of the film about the static state grows, by " + fewDigits(result.growth, "") +
+        report.warnings.push_back("a mode of the film about the static state grows, by " +
+                                  fewDigits(result.growth, "") +
                                   " e-folds over the run: small motions do not end there");
     if (result.roughPasses)
-        report.findings.push_back("A surface without an order of its own passes by, of which no part of a run tells the rest: the full model was run to its end.");
+        report.findings.push_back("A surface without an order of its own passes by, of which no part of a run tells "
+                                  "the rest: the full model was run to its end.");
     const auto endsOtherwise = [](const RungOutcome& rung) {
-        return rung.answers() && rung.rung.kind == RungKind::Part && rung.rung.parts[0].family == "steps" && rung.verdict == Verdict::AnotherEnd;
+        return rung.answers() && rung.rung.kind == RungKind::Part && rung.rung.parts[0].family == "steps" &&
+               rung.verdict == Verdict::AnotherEnd;
     };
     if (std::ranges::any_of(result.rungs, endsOtherwise))
-        report.warnings.push_back("with looser steps the scene ends in another state: it lies near the border between two, and its end hangs on "
+        report.warnings.push_back("with looser steps the scene ends in another state: it lies near the border between "
+                                  "two, and its end hangs on "
                                   "what no model knows; study it by an ensemble of starts");
     if (!result.missing.empty())
-        report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent before these were tried: "
-                                               : "it was stopped before these were tried: ") + listOf(result.missing));
+        report.warnings.push_back(
+            (result.late ? "the budget of " + readableTime(task.budget) + " was spent before these were tried: "
+                         : "it was stopped before these were tried: ") +
+            listOf(result.missing));
     const bool confirmed = result.fullEnd && (!result.advice || result.found);
     if (task.confirm && !confirmed && isJudged(result) && (result.late || result.status == StudyStatus::Cancelled))
-        report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent" : std::string("it was stopped")) +
+        report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent"
+                                               : std::string("it was stopped")) +
                                   " before the advice was confirmed");
     report.findings.push_back("The study took " + readableTime(result.studySeconds) + " of a processor" +
-                              (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) + " what the full model takes." : "."));
+                              (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) +
+                                                               " what the full model takes."
+                                                         : "."));
 }
 
 StudyChart chartOf(const AdvisorResult& result)
 {
     StudyChart chart;
     chart.title = "Error against time, one point per model";
-    chart.caption = "Each point is a model of this scene; the shaded part is within the tolerance, the ring is the advice. Errors are those "
-                    "over the last tenth of the run against the full model; where no more is known than that an error is below a value, the point "
-                    "is drawn there and named with \"<\". Hollow points end in another state. Time is that of one processor for the whole run.";
+    chart.caption = "Each point is a model of this scene; the shaded part is within the tolerance, the ring is the "
+                    "advice. Errors are those "
+                    "over the last tenth of the run against the full model; where no more is known than that an error "
+                    "is below a value, the point "
+                    "is drawn there and named with \"<\". Hollow points end in another state. Time is that of one "
+                    "processor for the whole run.";
     for (const bool spread : {false, true}) {
         ChartPanel panel;
         panel.x = {"Time of one processor", "s", "s", true};
@@ -219,10 +262,15 @@ StudyChart chartOf(const AdvisorResult& result)
         const auto add = [&](ChartSeries& series, const RungOutcome& rung, bool chosen) {
             const Claim claim = spread ? rung.errors.claimedSpread() : rung.errors.claimedMean();
             if (!rung.answers() || !std::isfinite(claim.value) || !(claim.value > 0.0)) return;
-            series.points.push_back({.x = std::max(rung.seconds, 1e-6), .y = claim.value,
-                                     .label = rung.rung.name + (claim.bound ? ", " + textOf(claim) : ""),
-                                     .kind = rung.verdict == Verdict::AnotherEnd ? PointKind::WrongState : PointKind::Good, .chosen = chosen,
-                                     .yError = claim.bound ? 0.0 : spread ? rung.errors.spreadUncertainty : rung.errors.meanUncertainty});
+            series.points.push_back(
+                {.x = std::max(rung.seconds, 1e-6),
+                 .y = claim.value,
+                 .label = rung.rung.name + (claim.bound ? ", " + textOf(claim) : ""),
+                 .kind = rung.verdict == Verdict::AnotherEnd ? PointKind::WrongState : PointKind::Good,
+                 .chosen = chosen,
+                 .yError = claim.bound ? 0.0
+                           : spread    ? rung.errors.spreadUncertainty
+                                       : rung.errors.meanUncertainty});
         };
         for (std::size_t k = 0; k < result.rungs.size(); ++k) {
             const RungOutcome& rung = result.rungs[k];
@@ -231,8 +279,10 @@ StudyChart chartOf(const AdvisorResult& result)
         }
         add(full, result.full, result.advisesFull());
         panel.series = {reduced, film, full};
-        panel.bands.push_back({.alongX = false, .lower = -std::numeric_limits<double>::infinity(),
-                               .upper = spread ? result.allowed.spread : result.allowed.mean, .label = "tolerance"});
+        panel.bands.push_back({.alongX = false,
+                               .lower = -std::numeric_limits<double>::infinity(),
+                               .upper = spread ? result.allowed.spread : result.allowed.mean,
+                               .label = "tolerance"});
         chart.panels.push_back(std::move(panel));
     }
     return chart;
@@ -240,17 +290,26 @@ StudyChart chartOf(const AdvisorResult& result)
 
 StudyTable tableOf(const AdvisorResult& result)
 {
-    StudyTable table{.name = "models", .columns = {{"model", "", "", "Model"}, {"verdict", "", "", "Verdict"}, {"end", "", "", "End"},
-        {"mean_claim", "", "", "Claimed error of the mean spacing"}, {"spread_claim", "", "", "Claimed error of the spread"},
-        {"time", "s", "s", "Time of one processor, whole run"}, {"saving", "", "", "Time of the full model over that"},
-        {"leaves_out", "", "", "Leaves out"},
-        {"mean_error", "m", "nm", "Error of the mean spacing, where it is known to half of it", true},
-        {"mean_error_below", "m", "nm", "What that error is below, where no more is known", true},
-        {"spread_error", "m", "nm", "Error of the spread, where it is known to half of it", true},
-        {"spread_error_below", "m", "nm", "What that error is below, where no more is known", true},
-        {"mean", "m", "nm", "Mean spacing", true}, {"spread", "m", "nm", "Standard deviation of the spacing", true},
-        {"peak_frequency", "Hz", "kHz", "Frequency of the largest peak", true},
-        {"peak_amplitude", "m", "nm", "Amplitude of the largest peak", true}, {"remark", "", "", "Remark", true}}, .rows = {}};
+    StudyTable table{
+        .name = "models",
+        .columns = {{"model", "", "", "Model"},
+                    {"verdict", "", "", "Verdict"},
+                    {"end", "", "", "End"},
+                    {"mean_claim", "", "", "Claimed error of the mean spacing"},
+                    {"spread_claim", "", "", "Claimed error of the spread"},
+                    {"time", "s", "s", "Time of one processor, whole run"},
+                    {"saving", "", "", "Time of the full model over that"},
+                    {"leaves_out", "", "", "Leaves out"},
+                    {"mean_error", "m", "nm", "Error of the mean spacing, where it is known to half of it", true},
+                    {"mean_error_below", "m", "nm", "What that error is below, where no more is known", true},
+                    {"spread_error", "m", "nm", "Error of the spread, where it is known to half of it", true},
+                    {"spread_error_below", "m", "nm", "What that error is below, where no more is known", true},
+                    {"mean", "m", "nm", "Mean spacing", true},
+                    {"spread", "m", "nm", "Standard deviation of the spacing", true},
+                    {"peak_frequency", "Hz", "kHz", "Frequency of the largest peak", true},
+                    {"peak_amplitude", "m", "nm", "Amplitude of the largest peak", true},
+                    {"remark", "", "", "Remark", true}},
+        .rows = {}};
     const auto known = [](double value) { return value > 0.0 ? StudyValue(value) : StudyValue(); };
     const auto number = [](const Claim& claim, bool bound) {
         return claim.bound == bound && std::isfinite(claim.value) ? StudyValue(claim.value) : StudyValue();
@@ -259,21 +318,50 @@ StudyTable tableOf(const AdvisorResult& result)
     const auto row = [&](const RungOutcome& rung, const std::string& verdict) {
         std::vector<StudyValue>& cells = table.rows.emplace_back();
         if (!rung.answers()) {
-            cells = {rung.rung.name, verdict, {}, {}, {}, rung.givenUp ? StudyValue() : known(rung.seconds), {}, rung.rung.leavesOut};
+            cells = {rung.rung.name,     verdict, {}, {}, {}, rung.givenUp ? StudyValue() : known(rung.seconds), {},
+                     rung.rung.leavesOut};
             cells.resize(table.columns.size() - 1);
             cells.emplace_back(rung.problem);
             return;
         }
         if (!judged) {
-            cells = {rung.rung.name, verdict, std::string(name(rung.tail.kind)), {}, {}, known(rung.seconds), {}, rung.rung.leavesOut, {}, {}, {}, {},
-                     rung.tail.mean, rung.tail.spread, known(rung.tail.peakFrequency), known(rung.tail.peakAmplitude), rung.remark};
+            cells = {rung.rung.name,
+                     verdict,
+                     std::string(name(rung.tail.kind)),
+                     {},
+                     {},
+                     known(rung.seconds),
+                     {},
+                     rung.rung.leavesOut,
+                     {},
+                     {},
+                     {},
+                     {},
+                     rung.tail.mean,
+                     rung.tail.spread,
+                     known(rung.tail.peakFrequency),
+                     known(rung.tail.peakAmplitude),
+                     rung.remark};
             return;
         }
         const Claim mean = rung.errors.claimedMean(), spread = rung.errors.claimedSpread();
-        cells = {rung.rung.name, verdict, std::string(name(rung.tail.kind)), textOf(mean), textOf(spread), known(rung.seconds),
-                 known(result.full.seconds / std::max(rung.seconds, 1e-9)), rung.rung.leavesOut, number(mean, false), number(mean, true),
-                 number(spread, false), number(spread, true), rung.tail.mean, rung.tail.spread, known(rung.tail.peakFrequency),
-                 known(rung.tail.peakAmplitude), rung.remark};
+        cells = {rung.rung.name,
+                 verdict,
+                 std::string(name(rung.tail.kind)),
+                 textOf(mean),
+                 textOf(spread),
+                 known(rung.seconds),
+                 known(result.full.seconds / std::max(rung.seconds, 1e-9)),
+                 rung.rung.leavesOut,
+                 number(mean, false),
+                 number(mean, true),
+                 number(spread, false),
+                 number(spread, true),
+                 rung.tail.mean,
+                 rung.tail.spread,
+                 known(rung.tail.peakFrequency),
+                 known(rung.tail.peakAmplitude),
+                 rung.remark};
     };
     for (std::size_t k = 0; k < result.rungs.size(); ++k)
         row(result.rungs[k], result.advice == k ? "advised" : wordFor(result.rungs[k]));
@@ -298,8 +386,10 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
     if (judged) report.charts.push_back(chartOf(result));
     if (!result.rungs.empty() || judged) report.tables.push_back(tableOf(result));
     if (!judged) return;
-    if (result.advice) report.found = result.rungs[*result.advice].found;
-    else if (result.advisesFull()) report.found = task.start;
+    if (result.advice)
+        report.found = result.rungs[*result.advice].found;
+    else if (result.advisesFull())
+        report.found = task.start;
 }
 
 } // namespace touchdown

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/numerics/wall_clock.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"
 #include "core/studies/advice/scene_motion.h"
+#include "core/studies/runs/parallel.h"
 
 namespace touchdown {
 
@@ -23,20 +23,25 @@ bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind 
 
 void lower(std::atomic<double>& least, double value)
 {
-    for (double now = least; value < now && !least.compare_exchange_weak(now, value);) {}
+    for (double now = least; value < now && !least.compare_exchange_weak(now, value);) {
+    }
 }
 
 class Advisor {
 public:
-    Advisor(const AdvisorTask& task, int jobs, const AdvisorTell& tell) : task_(task), jobs_(jobs), tell_(tell), begin_(wallClock()) {}
+    Advisor(const AdvisorTask& task, int jobs, const AdvisorTell& tell)
+        : task_(task), jobs_(jobs), tell_(tell), begin_(wallClock())
+    {}
 
     AdvisorResult advise()
     {
         const bool went = runFast() && runFull() && climb();
         if (went || result_.status == StudyStatus::Failed) return std::move(result_);
-        if (result_.late && result_.full.answers() && result_.pilotTime > 0.0) return std::move(result_); // an answer, with what is missing
+        if (result_.late && result_.full.answers() && result_.pilotTime > 0.0)
+            return std::move(result_); // an answer, with what is missing
         result_.status = result_.late ? StudyStatus::Failed : StudyStatus::Cancelled;
-        result_.message = result_.late ? "the budget was spent before the full model's end was known; give it more" : "stopped before all models were tried";
+        result_.message = result_.late ? "the budget was spent before the full model's end was known; give it more"
+                                       : "stopped before all models were tried";
         return std::move(result_);
     }
 
@@ -50,8 +55,9 @@ private:
     /// Where the scene rests and rings, and the models that hang on nothing else. False: stopped.
     bool runFast()
     {
-        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { scene_ = sceneMotion(task_.start, goOn); },
-                                      [&](std::size_t) { return tell(0.0, "small motions"); });
+        const bool went = runParallel(
+            1, 1, [&](std::size_t, const GoOn& goOn) { scene_ = sceneMotion(task_.start, goOn); },
+            [&](std::size_t) { return tell(0.0, "small motions"); });
         if (!went) return false;
         result_.studySeconds += scene_.seconds;
         result_.growth = scene_.growth;
@@ -69,21 +75,25 @@ private:
     {
         bool went = runRungs(rests_, 0.6, 0.65);
         went = runRungs(parts_, 0.65, 0.85, went);
-        if (went) went = runSums();
-        else leaveSums();
+        if (went)
+            went = runSums();
+        else
+            leaveSums();
         choose();
         return went && (!task_.confirm || confirm());
     }
 
-    /// Without several parts: the cheapest one that may be left out, and all others that may, too; where that is too much, one after the
-    /// other as long as it stays within.
+    /// Without several parts: the cheapest one that may be left out, and all others that may, too; where that is too
+    /// much, one after the other as long as it stays within.
     bool runSums()
     {
         const RungOutcome* first = nullptr;
         std::vector<LadderPart> others; // the larger one of a family first
         for (const RungOutcome& rung : result_.rungs) {
             if (rung.rung.kind != RungKind::Part) continue;
-            if (rung.within() && rung.seconds < result_.full.seconds && (first == nullptr || rung.seconds < first->seconds)) first = &rung;
+            if (rung.within() && rung.seconds < result_.full.seconds &&
+                (first == nullptr || rung.seconds < first->seconds))
+                first = &rung;
             if (rung.within() || rung.givenUp) others.push_back(rung.rung.parts[0]);
         }
         if (first == nullptr) return true;
@@ -110,7 +120,9 @@ private:
     bool runSum(const std::vector<LadderPart>& parts, bool& within)
     {
         const std::optional<Rung> sum = sumOf(task_, parts);
-        if (!sum || std::ranges::any_of(result_.rungs, [&](const RungOutcome& rung) { return rung.rung.name == sum->name; })) return true;
+        if (!sum ||
+            std::ranges::any_of(result_.rungs, [&](const RungOutcome& rung) { return rung.rung.name == sum->name; }))
+            return true;
         if (!runRungs({*sum}, 0.85, 1.0)) return false;
         within = result_.rungs.back().within();
         return true;
@@ -154,21 +166,25 @@ private:
             return known && !task_.confirm;
         };
         std::atomic<double> share = 0.0;
-        const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) {
-            const auto asked = [&](const SpacingSamples& samples) {
-                share = samples.reached() / duration;
-                return enough(samples);
-            };
-            full_ = pilotRun(task_.start, asked, goOn);
-            if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
-        }, [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
+        const bool went = runParallel(
+            1, 1,
+            [&](std::size_t, const GoOn& goOn) {
+                const auto asked = [&](const SpacingSamples& samples) {
+                    share = samples.reached() / duration;
+                    return enough(samples);
+                };
+                full_ = pilotRun(task_.start, asked, goOn);
+                if (full_.problem.empty() && !full_.samples.spacing.empty()) describeFull();
+            },
+            [&](std::size_t) { return tell(0.15 + 0.45 * share, "the full model"); });
         // Stopped on the way to confirm what is known does not undo it.
         if ((!went || full_.stopped) && !known && !full_.samples.reachEnd(duration)) {
             result_.full.problem = "it was not run far enough";
             return leaveTheRest();
         }
         if (!full_.problem.empty()) return fail(full_.problem);
-        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean)) return fail("its samples do not tell its end");
+        if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean))
+            return fail("its samples do not tell its end");
         for (RungOutcome& rung : result_.rungs) judge(rung);
         choose();
         return (went && !full_.stopped && tell(0.6, "the ladder", &result_)) || leaveTheRest();
@@ -179,10 +195,12 @@ private:
     {
         std::vector<LadderPart> parts; // one of a family
         for (const Rung& rung : parts_)
-            if (std::ranges::find(parts, rung.parts[0].family, &LadderPart::family) == parts.end()) parts.push_back(rung.parts[0]);
+            if (std::ranges::find(parts, rung.parts[0].family, &LadderPart::family) == parts.end())
+                parts.push_back(rung.parts[0]);
         std::ptrdiff_t kept = 0; // none of all of them may be left out: there is no sum
         for (const RungOutcome& rung : result_.rungs) kept += rung.rung.kind == RungKind::Part && !rung.within();
-        if (kept < std::ranges::ssize(parts_) && sumOf(task_, parts)) result_.missing.push_back("film without several parts");
+        if (kept < std::ranges::ssize(parts_) && sumOf(task_, parts))
+            result_.missing.push_back("film without several parts");
     }
 
     bool leaveTheRest()
@@ -204,7 +222,8 @@ private:
     void describeFull()
     {
         const double duration = task_.start.run.duration;
-        if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval) result_.pilotTime = full_.samples.reached();
+        if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval)
+            result_.pilotTime = full_.samples.reached();
         result_.pilotWhole = full_.samples.until(result_.pilotTime).reachEnd(duration);
         RungOutcome& full = result_.full;
         full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
@@ -226,17 +245,24 @@ private:
         std::vector<char> ended(rungs.size(), 0);
         std::vector<double> seconds(rungs.size(), 0.0);
         most_ = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
-        const bool went = go && runParallel(rungs.size(), jobs_, [&](std::size_t k, const GoOn& goOn) {
-            outcomes[k] = solve(rungs[k], goOn, seconds[k]);
-            ended[k] = goOn();
-        }, [&](std::size_t done) {
-            return tell(from + (to - from) * static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(1, rungs.size())),
-                        done < rungs.size() ? rungs[done].name : "the ladder");
-        });
+        const bool went =
+            go && runParallel(
+                      rungs.size(), jobs_,
+                      [&](std::size_t k, const GoOn& goOn) {
+                          outcomes[k] = solve(rungs[k], goOn, seconds[k]);
+                          ended[k] = goOn();
+                      },
+                      [&](std::size_t done) {
+                          return tell(from + (to - from) * static_cast<double>(done) /
+                                                 static_cast<double>(std::max<std::size_t>(1, rungs.size())),
+                                      done < rungs.size() ? rungs[done].name : "the ladder");
+                      });
         for (std::size_t k = 0; k < rungs.size(); ++k) {
             result_.studySeconds += seconds[k];
-            if (ended[k] != 0) result_.rungs.push_back(std::move(outcomes[k]));
-            else result_.missing.push_back(rungs[k].name);
+            if (ended[k] != 0)
+                result_.rungs.push_back(std::move(outcomes[k]));
+            else
+                result_.missing.push_back(rungs[k].name);
         }
         if (!went) return false;
         choose();
@@ -257,7 +283,8 @@ private:
         RungOutcome outcome;
         if (!inTime(rung)) {
             const bool known = rung.kind == RungKind::SmallMotion && rung.c.film.nodes == task_.start.film.nodes;
-            outcome = known ? describeSmallMotion(rung, scene_.motion, scene_.seconds) : solveReduced(rung, result_.full.tail.mean, goOn);
+            outcome = known ? describeSmallMotion(rung, scene_.motion, scene_.seconds)
+                            : solveReduced(rung, result_.full.tail.mean, goOn);
             seconds = outcome.seconds - (known ? scene_.seconds : 0.0);
             judge(outcome);
             return outcome;
@@ -266,24 +293,31 @@ private:
         outcome.found = rung.c;
         outcome.command = "run";
         // Contact that never acts changes nothing: no run can tell more.
-        const bool same = rung.parts.size() == 1 && (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") && !full_.contactActs;
+        const bool same = rung.parts.size() == 1 &&
+                          (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") &&
+                          !full_.contactActs;
         if (same) {
             outcome.tail = result_.full.tail;
             outcome.seconds = result_.full.seconds;
-            outcome.remark = "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
+            outcome.remark =
+                "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
             judge(outcome);
             return outcome;
         }
         const double begin = threadSeconds();
-        const PilotRun run = pilotRun(rung.c, [&](const SpacingSamples&) {
-            outcome.givenUp = threadSeconds() - begin > most_;
-            return outcome.givenUp;
-        }, goOn);
+        const PilotRun run = pilotRun(
+            rung.c,
+            [&](const SpacingSamples&) {
+                outcome.givenUp = threadSeconds() - begin > most_;
+                return outcome.givenUp;
+            },
+            goOn);
         seconds = threadSeconds() - begin;
         outcome.problem = run.problem;
         outcome.seconds = run.secondsTo(task_.start.run.duration);
         outcome.tail = estimateTail(run.samples, task_.start.run.duration);
-        if (outcome.answers() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+        if (outcome.answers() && outcome.tail.kind == EndKind::Failed)
+            outcome.problem = "it has too few samples to tell its end";
         judge(outcome);
         if (outcome.within() && !task_.all) lower(most_, outcome.seconds);
         return outcome;
@@ -319,8 +353,9 @@ private:
         result_.adviceSeconds = advice.seconds;
         if (inTime(advice.rung)) {
             PilotRun run;
-            const bool went = runParallel(1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
-                                          [&](std::size_t) { return tell(1.0, "confirming the advice"); });
+            const bool went = runParallel(
+                1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
+                [&](std::size_t) { return tell(1.0, "confirming the advice"); });
             if (!went) return false;
             end = estimateTail(run.samples, duration);
             if (!run.valid()) end.kind = EndKind::Failed;
@@ -337,13 +372,16 @@ private:
     double begin_;
     SceneMotion scene_;
     std::vector<Rung> rests_, parts_; // of the ladder
-    std::atomic<double> most_ = 0.0; // seconds, that a model in time may take
+    std::atomic<double> most_ = 0.0;  // seconds, that a model in time may take
     PilotRun full_;
     AdvisorResult result_;
 };
 
 } // namespace
 
-AdvisorResult advise(const AdvisorTask& task, int jobs, const AdvisorTell& tell) { return Advisor(task, jobs, tell).advise(); }
+AdvisorResult advise(const AdvisorTask& task, int jobs, const AdvisorTell& tell)
+{
+    return Advisor(task, jobs, tell).advise();
+}
 
 } // namespace touchdown

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/run.h"
 #include "core/studies/advice/pilot_run.h"
+#include "core/simulation/run.h"
 
 #include <time.h>
 

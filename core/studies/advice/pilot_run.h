@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first part of a run, with what it took. The case runs as to its end, so that its steps are those of the whole run, and is stopped
-// where enough is known. What it takes is the time of its thread on a processor, so that runs at the same time do not count.
+// The first part of a run, with what it took. The case runs as to its end, so that its steps are those of the whole
+// run, and is stopped where enough is known. What it takes is the time of its thread on a processor, so that runs at
+// the same time do not count.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "core/studies/runs/parallel.h"
 #include "core/studies/advice/tail_estimate.h"
+#include "core/studies/runs/parallel.h"
 
 namespace touchdown {
 
@@ -18,10 +19,10 @@ double threadSeconds();
 
 struct PilotRun {
     SpacingSamples samples;
-    std::string problem;            // why it ended before, in a sentence; "" where it did not
-    bool stopped = false;           // by goOn
-    double lowest = 0.0;            // spacing at all samples [m]
-    bool contactActs = false;       // at any sample, be it contact or adhesion
+    std::string problem;                           // why it ended before, in a sentence; "" where it did not
+    bool stopped = false;                          // by goOn
+    double lowest = 0.0;                           // spacing at all samples [m]
+    bool contactActs = false;                      // at any sample, be it contact or adhesion
     std::vector<std::pair<double, double>> course; // time reached [s], thread's time [s]
 
     bool valid() const { return problem.empty() && !stopped; }

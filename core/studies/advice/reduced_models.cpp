@@ -7,15 +7,15 @@
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/small_motions/linear_motion.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/spring_fit.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double restShare = 0.1;    // of a run, to see that it rests
+constexpr double restShare = 0.1;     // of a run, to see that it rests
 constexpr double restSamples = 100.0; // at least
 
 std::string percent(double share) { return fewDigits(100.0 * share, "", 2) + " %"; }
@@ -32,7 +32,8 @@ TailEstimate atRest(double spacing)
 void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
 {
     Case still = c;
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria = false;
+    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
+        false;
     const SteadyResult rest = steady(still, [&](const SteadyProgress&) { return !goOn || goOn(); });
     if (rest.status != SteadyStatus::Converged) {
         outcome.problem = rest.message.empty() ? "no static state was found" : rest.message;
@@ -90,18 +91,22 @@ void tellMotion(const Case& c, const LinearMotion& motion, RungOutcome& outcome)
     const double interval = pilotInterval(c);
     const auto count = static_cast<std::size_t>(c.run.duration / interval * (1.0 + 1e-9)) + 1;
     SpacingSamples samples{interval, std::vector<double>(count), std::vector<char>(count, 0)};
-    for (std::size_t k = count / 2; k < count; ++k) samples.spacing[k] = spacing.at(motion.at(static_cast<double>(k) * interval)).spacing;
+    for (std::size_t k = count / 2; k < count; ++k)
+        samples.spacing[k] = spacing.at(motion.at(static_cast<double>(k) * interval)).spacing;
     outcome.tail = estimateTail(samples, c.run.duration);
     const auto last = static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, count / 10));
     const double lowest = *std::min_element(samples.spacing.end() - last, samples.spacing.end());
     if (!std::isfinite(outcome.tail.mean) || lowest <= 0.0)
         outcome.problem = motion.unstable() ? "a mode of the film grows, so that its motion does not stay small"
-                                              : "the motion does not stay above the disk, so that it is not small";
+                                            : "the motion does not stay above the disk, so that it is not small";
 }
 
 void solveMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
 {
-    tellMotion(c, linearMotion(c, [&](const SteadyProgress&) { return !goOn || goOn(); }, parts), outcome);
+    tellMotion(c,
+               linearMotion(
+                   c, [&](const SteadyProgress&) { return !goOn || goOn(); }, parts),
+               outcome);
 }
 
 void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
@@ -109,11 +114,12 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     SpringFit fit = fitSprings(c, goOn);
     outcome.problem = fit.problem;
     if (!fit.problem.empty()) return;
-    outcome.remark = "fitted springs leave " + percent(fit.stiffnessLeft) + " of the film's stiffness matrix; modes at " +
-                     fewDigits(fit.springFrequency[0], "kHz", 3) + " and " + fewDigits(fit.springFrequency[1], "kHz", 3) + " (film: " +
-                     fewDigits(fit.filmFrequency[0], "kHz", 3) + ", " + fewDigits(fit.filmFrequency[1], "kHz", 3) + ") with damping ratios " +
-                     percent(fit.springDamping[0]) + " and " + percent(fit.springDamping[1]) + " (film: " + percent(fit.filmDamping[0]) +
-                     ", " + percent(fit.filmDamping[1]) + ")";
+    outcome.remark =
+        "fitted springs leave " + percent(fit.stiffnessLeft) + " of the film's stiffness matrix; modes at " +
+        fewDigits(fit.springFrequency[0], "kHz", 3) + " and " + fewDigits(fit.springFrequency[1], "kHz", 3) +
+        " (film: " + fewDigits(fit.filmFrequency[0], "kHz", 3) + ", " + fewDigits(fit.filmFrequency[1], "kHz", 3) +
+        ") with damping ratios " + percent(fit.springDamping[0]) + " and " + percent(fit.springDamping[1]) +
+        " (film: " + percent(fit.filmDamping[0]) + ", " + percent(fit.filmDamping[1]) + ")";
     const PilotRun run = pilotRun(fit.springs, {}, goOn);
     outcome.problem = run.problem;
     outcome.tail = estimateTail(run.samples, c.run.duration);
@@ -123,7 +129,8 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
 
 void checkEnd(RungOutcome& outcome)
 {
-    if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed) outcome.problem = "it has too few samples to tell its end";
+    if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed)
+        outcome.problem = "it has too few samples to tell its end";
 }
 
 } // namespace

@@ -9,8 +9,8 @@
 
 namespace touchdown {
 
-/// Of a rung that is not of kind Full, Part or Sum. Of several places to rest in contact it is the one nearest to `end`, the full model's
-/// spacing [m].
+/// Of a rung that is not of kind Full, Part or Sum. Of several places to rest in contact it is the one nearest to
+/// `end`, the full model's spacing [m].
 RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn);
 
 /// The same of small motions that are known, and took `seconds` of a processor.

@@ -17,7 +17,7 @@ constexpr int improvements = 6;
 constexpr std::size_t mostSamples = 1000; // that are fitted: more tell nothing of rates far below theirs
 constexpr double fewestPeriods = 1.5;     // of the slowest motion
 constexpr double largestChange = 0.2;     // of a rate, in one improvement [-]
-constexpr double slowest = 0.3;        // decay over the samples [-]
+constexpr double slowest = 0.3;           // decay over the samples [-]
 constexpr double worthImproving = 0.02;   // of the largest amplitude: rates of smaller motions stay [-]
 
 } // namespace
@@ -29,23 +29,28 @@ double RingingFit::at(double time) const
     return sum;
 }
 
-std::optional<RingingFit> fitRinging(std::span<const double> samples, double interval, const std::vector<RingingRate>& rates)
+std::optional<RingingFit> fitRinging(std::span<const double> samples, double interval,
+                                     const std::vector<RingingRate>& rates)
 {
-    const std::size_t stride = std::max<std::size_t>(1, samples.size() / mostSamples), count = samples.empty() ? 0 : (samples.size() - 1) / stride + 1;
+    const std::size_t stride = std::max<std::size_t>(1, samples.size() / mostSamples),
+                      count = samples.empty() ? 0 : (samples.size() - 1) / stride + 1;
     if (count < 8 * (rates.size() + 1)) return {};
     const double span = interval * static_cast<double>(samples.size());
     RingingFit fit;
     for (const RingingRate& rate : rates) {
-        if (rate.rate.imag() != 0.0 && std::abs(rate.rate.imag()) * span < 2.0 * std::numbers::pi * fewestPeriods) return {};
+        if (rate.rate.imag() != 0.0 && std::abs(rate.rate.imag()) * span < 2.0 * std::numbers::pi * fewestPeriods)
+            return {};
         fit.rates.push_back(rate.rate);
     }
     const auto rows = static_cast<Eigen::Index>(count);
     Eigen::VectorXd right(rows);
-    for (Eigen::Index row = 0; row < rows; ++row) right[row] = samples[static_cast<std::size_t>(row) * stride] - samples[0];
+    for (Eigen::Index row = 0; row < rows; ++row)
+        right[row] = samples[static_cast<std::size_t>(row) * stride] - samples[0];
 
     for (int pass = 0; pass <= improvements; ++pass) {
         const bool improves = pass < improvements;
-        const auto known = static_cast<Eigen::Index>(fit.rates.size()), perRate = static_cast<Eigen::Index>(improves ? 4 : 2);
+        const auto known = static_cast<Eigen::Index>(fit.rates.size()),
+                   perRate = static_cast<Eigen::Index>(improves ? 4 : 2);
         Eigen::MatrixXd matrix(rows, 1 + perRate * known);
         matrix.setZero();
         matrix.col(0).setOnes();

@@ -14,7 +14,8 @@ constexpr double mostGrowth = 0.3; // e-folds of a mode over the run, beyond whi
 
 bool hasNoOrder(const DiskSurface& surface)
 {
-    return surface.kind != DiskSurfaceKind::Flat && surface.kind != DiskSurfaceKind::Waves && surface.motion == SurfaceMotion::Moving;
+    return surface.kind != DiskSurfaceKind::Flat && surface.kind != DiskSurfaceKind::Waves &&
+           surface.motion == SurfaceMotion::Moving;
 }
 
 } // namespace
@@ -28,7 +29,8 @@ SceneMotion sceneMotion(const Case& c, const GoOn& goOn)
     scene.roughPasses = hasNoOrder(c.diskSurface);
     scene.motion = linearMotion(c, [&](const SteadyProgress&) { return !goOn || goOn(); });
     const LinearMotion& motion = scene.motion;
-    if (motion.modes.empty()) scene.growthProblem = motion.message.empty() ? "no static state was found" : motion.message;
+    if (motion.modes.empty())
+        scene.growthProblem = motion.message.empty() ? "no static state was found" : motion.message;
     for (const MotionTerm& mode : motion.modes) {
         scene.rates.push_back({mode.rate, false});
         scene.growth = std::max(scene.growth, mode.rate.real() * c.run.duration);

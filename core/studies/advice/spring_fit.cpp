@@ -31,7 +31,8 @@ UndampedModes undampedModes(const Eigen::Matrix2d& stiffness, const Case& c)
 }
 
 /// Dashpots at both arms that give modes these damping ratios: 2 zeta omega = sum c (b phi)^2, b = (1, arm).
-Eigen::Vector2d dashpots(const UndampedModes& modes, const std::array<double, 2>& arms, const std::array<double, 2>& ratios)
+Eigen::Vector2d dashpots(const UndampedModes& modes, const std::array<double, 2>& arms,
+                         const std::array<double, 2>& ratios)
 {
     Eigen::Matrix2d shares;
     Eigen::Vector2d wanted;
@@ -90,7 +91,8 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     flat.diskSurface.kind = DiskSurfaceKind::Flat;
     flat.steady.fixedAttitude = flat.steady.stiffness = flat.steady.sensitivities = flat.steady.allEquilibria = false;
     const SteadyResult rest = steady(flat, [&](const SteadyProgress&) { return ask(); });
-    if (rest.status != SteadyStatus::Converged) return failed("there is no static state to fit springs about: " + rest.message);
+    if (rest.status != SteadyStatus::Converged)
+        return failed("there is no static state to fit springs about: " + rest.message);
     FilmModes film(flat, rest);
     const std::vector<FilmModes::Mode> modes = film.find([&](std::size_t) { return ask(); });
     if (!ask()) return failed("stopped");
@@ -109,7 +111,8 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     const double padDistance = rest.minimumAt.x - 0.5 * c.slider.length;
     const double mean = K(0, 1) / K(0, 0), variance = K(1, 1) / K(0, 0) - mean * mean, toRear = mean + padDistance;
     if (!(K(0, 0) > 0.0) || !(variance > 0.0) || !(toRear > 0.0) || !(padDistance > 0.0))
-        return failed("two springs with positive stiffness, one where the slider is lowest, cannot have the film's stiffness matrix");
+        return failed("two springs with positive stiffness, one where the slider is lowest, cannot have the film's "
+                      "stiffness matrix");
 
     Case& springs = fit.springs = c;
     springs.model = ModelKind::Springs;
@@ -130,11 +133,13 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     springs.onoYamane.padDistance = padDistance;
     SuspensionCase& suspension = springs.suspension;
     suspension.dampingRatio = dampingRatio(c.suspension.damping, c.slider.mass, c.suspension.stiffness);
-    suspension.pitchDampingRatio = dampingRatio(c.suspension.pitchDamping, c.slider.pitchInertia, c.suspension.pitchStiffness);
+    suspension.pitchDampingRatio =
+        dampingRatio(c.suspension.pitchDamping, c.slider.pitchInertia, c.suspension.pitchStiffness);
     takeStart(springs, c, rest, padDistance);
     springs.run.integrator = IntegratorKind::Dopri5;
     springs.title = "Springs fitted to: " + c.title;
-    springs.about.assumed = "Two springs fitted to the film about its static state, with the rear one where the slider is lowest.";
+    springs.about.assumed =
+        "Two springs fitted to the film about its static state, with the rear one where the slider is lowest.";
 
     // Frequencies and damping with the suspension, as those of the film are.
     const std::array<double, 2> arms{s.frontDistance, -s.rearDistance};
@@ -145,12 +150,13 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     const Eigen::Vector2d scale(1.0, 1.0 / c.slider.length);
     fit.stiffnessLeft = (scale.asDiagonal() * (answer - fitted) * scale.asDiagonal()).norm() /
                         (scale.asDiagonal() * answer * scale.asDiagonal()).norm();
-    const UndampedModes undamped =
-        undampedModes(fitted + Eigen::Matrix2d(Eigen::Vector2d(c.suspension.stiffness, c.suspension.pitchStiffness).asDiagonal()), c);
+    const UndampedModes undamped = undampedModes(
+        fitted + Eigen::Matrix2d(Eigen::Vector2d(c.suspension.stiffness, c.suspension.pitchStiffness).asDiagonal()), c);
     std::array<double, 2> own{};
     for (Eigen::Index k = 0; k < 2; ++k)
         own[static_cast<std::size_t>(k)] = (c.suspension.damping * std::pow(undamped.shapes(0, k), 2) +
-                                            c.suspension.pitchDamping * std::pow(undamped.shapes(1, k), 2)) / (2.0 * undamped.omega[k]);
+                                            c.suspension.pitchDamping * std::pow(undamped.shapes(1, k), 2)) /
+                                           (2.0 * undamped.omega[k]);
     const Eigen::Vector2d damping = dashpots(undamped, arms, {ratios[0] - own[0], ratios[1] - own[1]});
     s.frontDampingRatio = dampingRatio(damping[0], c.slider.mass, s.frontStiffness);
     s.rearDampingRatio = dampingRatio(damping[1], c.slider.mass, s.rearStiffness);
@@ -158,7 +164,8 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
         const auto at = static_cast<std::size_t>(k);
         double sum = own[at] * 2.0 * undamped.omega[k];
         for (Eigen::Index i = 0; i < 2; ++i)
-            sum += damping[i] * std::pow(undamped.shapes(0, k) + arms[static_cast<std::size_t>(i)] * undamped.shapes(1, k), 2);
+            sum += damping[i] *
+                   std::pow(undamped.shapes(0, k) + arms[static_cast<std::size_t>(i)] * undamped.shapes(1, k), 2);
         fit.springDamping[at] = sum / (2.0 * undamped.omega[k]);
         fit.springFrequency[at] = undamped.omega[k] / twoPi;
     }

@@ -15,13 +15,13 @@ namespace touchdown {
 
 namespace {
 
-constexpr double sameVariance = 0.1; // change from block to block within which a variance stays [-]
-constexpr double leak = 3e-3;         // of the spread, that a block's mean takes of a motion [-]
-constexpr double slowestCreep = 0.9;  // of a mean, from block to block: slower ones have no end to be told [-]
-constexpr double ringsTo = 0.1;      // of the spread: what a fit may leave [-]
+constexpr double sameVariance = 0.1;        // change from block to block within which a variance stays [-]
+constexpr double leak = 3e-3;               // of the spread, that a block's mean takes of a motion [-]
+constexpr double slowestCreep = 0.9;        // of a mean, from block to block: slower ones have no end to be told [-]
+constexpr double ringsTo = 0.1;             // of the spread: what a fit may leave [-]
 constexpr std::array lessShares{0.9, 0.8};  // of the part, that foretell the same
 constexpr std::array seenShares{0.65, 0.5}; // of the part, that foretell what was seen of it
-constexpr double fewestSamples = 48.0; // that tell anything
+constexpr double fewestSamples = 48.0;      // that tell anything
 
 struct Moments {
     double mean = 0.0, variance = 0.0;
@@ -63,10 +63,12 @@ Moments windowed(std::span<const double> values)
 double meanPower(double r, double a, double b)
 {
     const double rate = std::log(r);
-    return std::abs(rate) * (b - a) < 1e-9 ? std::pow(r, a) : (std::exp(rate * b) - std::exp(rate * a)) / (rate * (b - a));
+    return std::abs(rate) * (b - a) < 1e-9 ? std::pow(r, a)
+                                           : (std::exp(rate * b) - std::exp(rate * a)) / (rate * (b - a));
 }
 
-/// The variance over the tail, n blocks' distances after the third one, n from `from` to `to`; negative where the three do not tell.
+/// The variance over the tail, n blocks' distances after the third one, n from `from` to `to`; negative where the three
+/// do not tell.
 double foretoldVariance(double v1, double v2, double v3, double from, double to)
 {
     const double d1 = v2 - v1, d2 = v3 - v2;
@@ -112,7 +114,8 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, Windo
 }
 
 /// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.
-std::optional<Moments> rungOn(std::span<const double> spacing, double interval, Window window, const std::vector<RingingRate>& rates)
+std::optional<Moments> rungOn(std::span<const double> spacing, double interval, Window window,
+                              const std::vector<RingingRate>& rates)
 {
     const std::span<const double> half = spacing.subspan(spacing.size() / 2);
     const std::optional<RingingFit> fit = fitRinging(half, interval, rates);
@@ -148,7 +151,10 @@ Moments foretold(std::span<const double> spacing, double interval, Window window
 
 } // namespace
 
-bool SpacingSamples::reachEnd(double duration) const { return !spacing.empty() && reached() > duration - interval * (1.0 - 1e-6); }
+bool SpacingSamples::reachEnd(double duration) const
+{
+    return !spacing.empty() && reached() > duration - interval * (1.0 - 1e-6);
+}
 
 SpacingSamples SpacingSamples::until(double time) const
 {
@@ -168,14 +174,16 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
         return estimate;
     }
 
-    const Spectrum spectrum = welch(all.subspan(count / 2), samples.interval, {.scaling = SpectrumScaling::Amplitude, .segment = count - count / 2});
+    const Spectrum spectrum = welch(all.subspan(count / 2), samples.interval,
+                                    {.scaling = SpectrumScaling::Amplitude, .segment = count - count / 2});
     estimate.resolution = spectrum.equivalentNoiseBandwidth;
     if (const std::vector<Peak> peaks = findPeaks(spectrum, SpectrumScaling::Amplitude, 1); !peaks.empty()) {
         estimate.peakFrequency = peaks[0].frequency;
         estimate.peakAmplitude = peaks[0].amplitude;
     }
     if (samples.reachEnd(duration)) {
-        const std::size_t first = std::min(count - 1, static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / samples.interval - 1e-6)));
+        const std::size_t first = std::min(
+            count - 1, static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / samples.interval - 1e-6)));
         const Moments tail = plain(all.subspan(first));
         estimate.mean = tail.mean;
         estimate.spread = std::sqrt(tail.variance);
@@ -196,7 +204,8 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     estimate.sameKind = estimate.kind != EndKind::Intermittent;
     const auto deviates = [&](const Moments& by, const Moments& from, double factor) {
         estimate.meanUncertainty = std::max(estimate.meanUncertainty, factor * std::abs(by.mean - from.mean));
-        estimate.spreadUncertainty = std::max(estimate.spreadUncertainty, factor * std::abs(std::sqrt(by.variance) - std::sqrt(from.variance)));
+        estimate.spreadUncertainty =
+            std::max(estimate.spreadUncertainty, factor * std::abs(std::sqrt(by.variance) - std::sqrt(from.variance)));
     };
     for (const double share : lessShares) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
@@ -212,7 +221,8 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
             const Window seen{to - length, to};
             const auto first = static_cast<std::size_t>(std::ceil(seen.from / samples.interval - 1e-6)),
                        end = std::min(count, static_cast<std::size_t>(seen.to / samples.interval * (1.0 + 1e-9)) + 1);
-            deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first, end - first)), std::max(1.0, further));
+            deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first, end - first)),
+                     std::max(1.0, further));
         }
     }
     return estimate;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/wall_clock.h"
 #include "core/case/contact_check.h"
+#include "core/formats/units.h"
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/contact/contact_run.h"
 #include "core/simulation/contact/elastic_pad.h"
-#include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "core/studies/runs/parallel.h"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far the cells of a contact patch decide what comes out: one contact state, the closest approach, solved with cells
-// each half as large as the last, down to half of what the case asks for.
+// How far the cells of a contact patch decide what comes out: one contact state, the closest approach, solved with
+// cells each half as large as the last, down to half of what the case asks for.
 //
-// Of three neighbouring levels f_1, f_2, f_3 with cells h, h/2, h/4: the observed order p = log2((f_2 - f_1)/(f_3 - f_2)), the
-// limit f_3 + (f_3 - f_2)/(2^p - 1) (Richardson 1911), and the distance of f_3 from it as its error. Where the differences do
-// not shrink with one sign, or faster than with third order, there is none, and the larger of the last two differences stands for the error.
+// Of three neighbouring levels f_1, f_2, f_3 with cells h, h/2, h/4: the observed order p = log2((f_2 - f_1)/(f_3 -
+// f_2)), the limit f_3 + (f_3 - f_2)/(2^p - 1) (Richardson 1911), and the distance of f_3 from it as its error. Where
+// the differences do not shrink with one sign, or faster than with third order, there is none, and the larger of the
+// last two differences stands for the error.
 #pragma once
 
 #include <functional>
@@ -56,7 +57,8 @@ struct ConvergenceStudy {
 /// Why a valid case cannot be studied so, in a sentence; "" when it can.
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
 
-/// `done` is told how many levels are solved, and stops the study by returning false. Called on the thread of the study.
+/// `done` is told how many levels are solved, and stops the study by returning false. Called on the thread of the
+/// study.
 ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
                                   const std::function<bool(int)>& done = {});
 

@@ -5,8 +5,8 @@
 
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
-#include "core/results/results_layout.h"
 #include "core/formats/text_file.h"
+#include "core/results/results_layout.h"
 
 namespace touchdown {
 

@@ -2,7 +2,8 @@
 //
 // A convergence study on disk. HDF5:
 //
-//   /                        attributes format ("touchdown-convergence"), format_version, software_version, date, title, status,
+//   /                        attributes format ("touchdown-convergence"), format_version, software_version, date,
+//   title, status,
 //                            message
 //   /case/text, parameters   the input, as in a results file of a run
 //   /levels/cell, cells, seconds, <quantity>   one element for each level, from coarse to fine

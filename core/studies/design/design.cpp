@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/numerics/bounded_step.h"
 #include "core/case/fields.h"
-#include "core/simulation/static_state/steady_quantities.h"
 #include "core/formats/units.h"
+#include "core/numerics/bounded_step.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 
@@ -125,7 +125,8 @@ private:
         best_ = trial.point.misfit;
     }
 
-    /// J by a difference of each parameter, away from the bound that is nearer; on the other side where there is no state.
+    /// J by a difference of each parameter, away from the bound that is nearer; on the other side where there is no
+    /// state.
     bool differentiate(const std::vector<double>& u, const Trial& best, Slopes& slopes)
     {
         for (std::size_t i = 0; i < u.size(); ++i) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A search for the values of a film case with which its static state is as wanted. Parameters x lie between bounds and are
-// counted as u = (x - minimum)/(maximum - minimum); each quantity q_i has a target t_i with a tolerance e_i:
+// A search for the values of a film case with which its static state is as wanted. Parameters x lie between bounds and
+// are counted as u = (x - minimum)/(maximum - minimum); each quantity q_i has a target t_i with a tolerance e_i:
 //
 //   r_i(u) = (q_i - t_i)/e_i,   |r|^2 least,   found where every |r_i| <= 1
 //
-// Damped Gauss-Newton (Levenberg 1944, Marquardt 1963), core/numerics/bounded_step.h, with J by differences of one parameter
-// at a time. The static state is that of `touchdown steady` from the initial attitude of the case; a state in which the film
-// alone leaves rails below the mean plane of the disk counts too, since contact may carry the rest there.
+// Damped Gauss-Newton (Levenberg 1944, Marquardt 1963), core/numerics/bounded_step.h, with J by differences of one
+// parameter at a time. The static state is that of `touchdown steady` from the initial attitude of the case; a state in
+// which the film alone leaves rails below the mean plane of the disk counts too, since contact may carry the rest
+// there.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,8 @@
 
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/studies/study/study.h"
 #include "core/studies/runs/design_key.h"
+#include "core/studies/study/study.h"
 
 namespace touchdown {
 
@@ -71,7 +72,8 @@ std::string reasonNotToDesign(const Case& c);
 /// The case with one value for each parameter; what is wrong with it, in a sentence, or "".
 std::string applyParameters(Case& c, const std::vector<DesignParameter>& parameters, const std::vector<double>& values);
 
-/// `c` has no reason not to; the task has parameters and targets, and its bounds were accepted by the keys. Deterministic.
+/// `c` has no reason not to; the task has parameters and targets, and its bounds were accepted by the keys.
+/// Deterministic.
 DesignStudy studyDesign(const Case& c, const DesignTask& task, const DesignCallback& callback = {});
 
 } // namespace touchdown

@@ -10,10 +10,10 @@
 #include "core/formats/decimal.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
-#include "core/simulation/static_state/steady_quantities.h"
 #include "core/formats/text_file.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
+#include "core/simulation/static_state/steady_quantities.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
@@ -86,9 +86,10 @@ private:
     void readSearch()
     {
         DesignTask& task = document_.task;
-        task.maximumIterations = reader_.integer("search.iterations", 1, mostIterations).value_or(task.maximumIterations);
-        task.difference =
-            reader_.number("search.difference", "", "", smallestDifference, largestDifference).value_or(task.difference);
+        task.maximumIterations =
+            reader_.integer("search.iterations", 1, mostIterations).value_or(task.maximumIterations);
+        task.difference = reader_.number("search.difference", "", "", smallestDifference, largestDifference)
+                              .value_or(task.difference);
     }
 
     void openStart(const std::filesystem::path& folder, const std::vector<std::string>& settings)
@@ -105,9 +106,11 @@ private:
     std::vector<std::string> tables(const std::string& kind, std::size_t most)
     {
         std::vector<std::string> list = reader_.tables(kind);
-        if (list.empty() && !reader_.has(kind)) reader_.add(kind, "a study needs one or more; write [[" + kind + "]] for each");
+        if (list.empty() && !reader_.has(kind))
+            reader_.add(kind, "a study needs one or more; write [[" + kind + "]] for each");
         if (list.size() <= most) return list;
-        reader_.add(list[most], std::to_string(list.size()) + " are too many; at most " + std::to_string(most) + " are possible");
+        reader_.add(list[most],
+                    std::to_string(list.size()) + " are too many; at most " + std::to_string(most) + " are possible");
         return {};
     }
 
@@ -122,7 +125,8 @@ private:
             reader_.add(one, "is one key, and keys are several; write one of the two");
             return {};
         }
-        return reader_.texts(several, "a list such as [\"abs.rail[1].recess\", \"abs.rail[3].recess\"]").value_or(std::vector<std::string>{});
+        return reader_.texts(several, "a list such as [\"abs.rail[1].recess\", \"abs.rail[3].recess\"]")
+            .value_or(std::vector<std::string>{});
     }
 
     /// What they may be depends on the case.
@@ -232,14 +236,16 @@ DesignDocument readDesign(const std::filesystem::path& file, const std::vector<s
     if (const SampleStudy* sample = findSampleStudy("design", file.string()); sample != nullptr && !isFile)
         return parseDesign(sample->text, sample->name, {}, settings);
     const auto content = readTextFile(file, maximumStudyFileSize);
-    if (const auto* text = std::get_if<std::string>(&content)) return parseDesign(*text, file.string(), file.parent_path(), settings);
+    if (const auto* text = std::get_if<std::string>(&content))
+        return parseDesign(*text, file.string(), file.parent_path(), settings);
     DesignDocument document;
     document.name = file.string();
     std::string message = std::get<FileProblem>(content).message;
     if (!isFile && !document.name.empty() && !file.has_parent_path())
         message = isSampleCase(document.name)
                       ? "is a case; a design needs the file of a study, which says what may change and what is wanted"
-                      : "is neither a file nor a sample study of this kind" + didYouMean(nearestName(document.name, sampleStudyNames("design")));
+                      : "is neither a file nor a sample study of this kind" +
+                            didYouMean(nearestName(document.name, sampleStudyNames("design")));
     document.problems.push_back({document.name, 0, "", std::move(message)});
     return document;
 }

@@ -6,10 +6,9 @@
 //   case = "../film_fig4_pico.toml"   # beside the study; or the name of a sample case
 //
 //   [[parameter]]
-//   key = "abs.rail[3].width"         # see core/studies/runs/design_key.h; keys = [...] change all by as much as the first
-//   start = "0.5 mm"                  # the value of the case where it is left out
-//   minimum = "0.2 mm"
-//   maximum = "0.9 mm"
+//   key = "abs.rail[3].width"         # see core/studies/runs/design_key.h; keys = [...] change all by as much as the
+//   first start = "0.5 mm"                  # the value of the case where it is left out minimum = "0.2 mm" maximum =
+//   "0.9 mm"
 //
 //   [[target]]
 //   quantity = "minimum_spacing"      # of core/simulation/static_state/steady_quantities.h
@@ -36,7 +35,7 @@ inline constexpr std::size_t mostTargets = 20;
 struct DesignDocument {
     CaseDocument start; // the case as it is before any parameter is changed
     DesignTask task;
-    std::string name, title, text; // of the study's file
+    std::string name, title, text;      // of the study's file
     std::vector<InputProblem> problems; // all of them, those of the case among them
     bool valid() const { return problems.empty(); }
 };

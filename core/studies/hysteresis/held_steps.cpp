@@ -36,7 +36,8 @@ double meanBetween(const std::vector<double>& time, const std::vector<double>& c
 ContactBranch branchAfter(const HeldEnd& before)
 {
     const Summary& end = before.summary;
-    if (valueOf(end.final, "contact_force").value_or(0.0) != 0.0 || valueOf(end.final, "adhesion_force").value_or(0.0) != 0.0)
+    if (valueOf(end.final, "contact_force").value_or(0.0) != 0.0 ||
+        valueOf(end.final, "adhesion_force").value_or(0.0) != 0.0)
         return ContactBranch::TakeOff;
     for (auto event = end.events.rbegin(); event != end.events.rend(); ++event) {
         if (event->name.find("spring") != std::string::npos) continue;
@@ -79,7 +80,8 @@ void carryOver(Case& next, const HeldEnd& before)
     initial.rollVelocity = last("roll_velocity");
 }
 
-HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings, const GoOn& goOn)
+HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings,
+                   const GoOn& goOn)
 {
     HeldStep step;
     step.value = value;
@@ -107,7 +109,8 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
     }
     for (const std::string& warning : run.summary.warnings)
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
-    step.drift = std::abs(step.end.spacing - meanBetween(run.time, run.columns[0], 0.45 * steps.hold, 0.55 * steps.hold));
+    step.drift =
+        std::abs(step.end.spacing - meanBetween(run.time, run.columns[0], 0.45 * steps.hold, 0.55 * steps.hold));
     const double begin = run.columns[0].empty() ? 0.0 : run.columns[0].front();
     last = {std::move(c), std::move(run.summary), begin, run.end.kind != EndKind::Failed};
     return step;

@@ -13,7 +13,7 @@
 namespace touchdown {
 
 struct HeldSteps {
-    Case start;                 // as it stands, with the first value's start
+    Case start; // as it stands, with the first value's start
     DesignKey parameter;
     std::vector<double> values; // in their order, there [unit of the parameter]
     double hold = 1e-3;         // [s]
@@ -26,7 +26,7 @@ struct HeldStep {
     double value = 0.0; // [unit of the parameter]
     bool back = false;  // on the way back
     bool done = false;
-    bool anew = false;  // began as the case says, since the run before failed
+    bool anew = false; // began as the case says, since the run before failed
     EndState end;
     Statistics spacing; // over the last tenth [m]
     double pitch = 0.0; // its mean there [rad]
@@ -53,7 +53,8 @@ struct HeldEnd {
 void carryOver(Case& next, const HeldEnd& before);
 
 /// One run, its state carried from `last` unless that is not valid; `last` becomes it.
-HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings, const GoOn& goOn);
+HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings,
+                   const GoOn& goOn);
 
 /// All of them in turn, there and back; `done` is told each. False when stopped.
 bool holdAll(const HeldSteps& steps, const GoOn& goOn, const std::function<void(std::size_t, HeldStep&&)>& done,

@@ -7,12 +7,12 @@
 #include <mutex>
 #include <optional>
 
-#include "core/numerics/wall_clock.h"
 #include "core/case/fields.h"
 #include "core/formats/units.h"
+#include "core/numerics/wall_clock.h"
 #include "core/simulation/run.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -28,8 +28,8 @@ struct Range {
     double hold; // [s]
 };
 
-/// What a film in time costs by node of its grid and second of the run, on one core: measured on two sliders, one flying quietly and one
-/// falling into contact. Elastic contact of surfaces comes on top.
+/// What a film in time costs by node of its grid and second of the run, on one core: measured on two sliders, one
+/// flying quietly and one falling into contact. Elastic contact of surfaces comes on top.
 constexpr double leastCost = 0.5, mostCost = 5.0; // [s/s per node]
 constexpr double patience = 600.0;                // for a study by its defaults [s]
 constexpr double settling = 200e-6;               // what the disk drags through a film takes as long to leave it [s]
@@ -43,13 +43,14 @@ std::string expectedTime(const Case& c, int runs, double hold)
     const double work = runs * hold * nodesOf(c);
     const bool minutes = mostCost * work >= 120.0;
     const double unit = minutes ? 60.0 : 1.0; // [s]
-    const std::string least = fewDigits(leastCost * work / unit, "", 1), most = fewDigits(mostCost * work / unit, "", 1);
+    const std::string least = fewDigits(leastCost * work / unit, "", 1),
+                      most = fewDigits(mostCost * work / unit, "", 1);
     return "some " + least + " to " + most + (minutes ? " min" : " s");
 }
 
-/// Of a film the disk is slowed to half its speed, in a few steps and for as long as patience allows. Of springs the static height falls
-/// from twice its value to a fifth, or as far as a spring has a spacing: as pressure or speed would lower it, and so that an end takes
-/// off again.
+/// Of a film the disk is slowed to half its speed, in a few steps and for as long as patience allows. Of springs the
+/// static height falls from twice its value to a fifth, or as far as a spring has a spacing: as pressure or speed would
+/// lower it, and so that an end takes off again.
 Range defaultRange(const Case& c)
 {
     if (c.model == ModelKind::Film) {
@@ -70,7 +71,10 @@ Range defaultRange(const Case& c)
     return range;
 }
 
-std::string reasonNotToTrace(const Case& c) { return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c); }
+std::string reasonNotToTrace(const Case& c)
+{
+    return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c);
+}
 
 /// Its branches lie on one grid.
 std::string reasonNotToTrace(const Case& c, const std::string& key)
@@ -88,10 +92,12 @@ struct Plan {
 
 class HysteresisPerformance {
 public:
-    HysteresisPerformance(const Plan& plan, const StudyCallback& callback) : plan_(plan), task_(plan.steps), callback_(callback)
+    HysteresisPerformance(const Plan& plan, const StudyCallback& callback)
+        : plan_(plan), task_(plan.steps), callback_(callback)
     {
         result_.steps.resize(task_.count());
-        for (std::size_t i = 0; i < result_.steps.size(); ++i) result_.steps[i].value = task_.values[i % task_.values.size()];
+        for (std::size_t i = 0; i < result_.steps.size(); ++i)
+            result_.steps[i].value = task_.values[i % task_.values.size()];
     }
 
     StudyReport perform(int jobs)
@@ -102,16 +108,22 @@ public:
         const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
         // There and back is one task, since each value needs the one before; the equilibria are another.
         const auto work = [&](std::size_t i, const GoOn& goOn) {
-            if (i >= sweeps) trace(goOn);
-            else if (task_.fresh) holdFresh(i, goOn);
-            else holdAll(task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); }, stepWarnings_[i]);
+            if (i >= sweeps)
+                trace(goOn);
+            else if (task_.fresh)
+                holdFresh(i, goOn);
+            else
+                holdAll(
+                    task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); },
+                    stepWarnings_[i]);
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
         if (!task_.fresh && task_.start.model == ModelKind::Film)
-            result_.warnings.push_back(std::string("each value begins with the air steady at the attitude of the one before") +
-                                       (task_.start.contact == ContactKind::Elastic
-                                            ? ", and without what contact and adhesion of the surfaces remember of the way there"
-                                            : ""));
+            result_.warnings.push_back(
+                std::string("each value begins with the air steady at the attitude of the one before") +
+                (task_.start.contact == ContactKind::Elastic
+                     ? ", and without what contact and adhesion of the surfaces remember of the way there"
+                     : ""));
         addStepWarnings();
         if (!plan_.notTraced.empty()) result_.warnings.push_back(plan_.notTraced);
         StudyReport report = hysteresisReport(task_, result_);
@@ -186,7 +198,8 @@ private:
         progress.share = plan_.equilibria ? 0.5 * (sweep + traced_) : sweep;
         progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
                          std::to_string(result_.steps.size()) + " values";
-        if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold); held_ == 0 && !time.empty())
+        if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold);
+            held_ == 0 && !time.empty())
             progress.doing += ", " + time + " in all by an estimate";
         std::optional<StudyReport> soFar;
         if (held_ > told_) {
@@ -231,9 +244,11 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
     const double maximum = field ? field->maximum : std::numeric_limits<double>::infinity();
     const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
         const bool given = reader.has(name);
-        std::optional<double> value = reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, minimum, maximum);
+        std::optional<double> value =
+            reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, minimum, maximum);
         if (!given && key != standard.key) {
-            reader.add(name, "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));
+            reader.add(name,
+                       "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));
             return {};
         }
         if (!given) value = otherwise;
@@ -264,7 +279,8 @@ StudyPerformance planHysteresis(StudyReader& reader)
     plan.steps.start = c;
     if (c.model == ModelKind::Contact) {
         reader.allow("", {"parameter", "from", "to", "steps", "hold", "anew", "equilibria"});
-        reader.add("case", "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
+        reader.add("case",
+                   "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
         return {};
     }
     const Range standard = defaultRange(c);
@@ -279,20 +295,24 @@ StudyPerformance planHysteresis(StudyReader& reader)
     if (!asked && reasonNotToTrace(c).empty()) plan.notTraced = reasonNot;
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) reader.add("case", reason);
     if (c.model == ModelKind::Film && c.steady.fixedAttitude)
-        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries its load; a hysteresis study takes one that flies");
+        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries "
+                           "its load; a hysteresis study takes one that flies");
     if (!ranged) return {};
 
     plan.equilibria = wanted;
     const bool ofStart = belongsToStart(plan.steps.parameter.key);
     plan.steps.fresh = anew.value_or(ofStart);
     if (ofStart && !plan.steps.fresh) {
-        reader.add("anew", plan.steps.parameter.key + " belongs to the start: each value begins anew, and nothing can be carried over (anew = true)");
+        reader.add("anew",
+                   plan.steps.parameter.key +
+                       " belongs to the start: each value begins anew, and nothing can be carried over (anew = true)");
         return {};
     }
     const double from = plan.steps.values.front(), to = plan.steps.values.back();
     plan.steps.values.clear();
     for (int i = 0; i <= count; ++i) plan.steps.values.push_back(std::lerp(from, to, double(i) / count));
-    return [plan](int jobs, const StudyCallback& callback) { return HysteresisPerformance(plan, callback).perform(jobs); };
+    return
+        [plan](int jobs, const StudyCallback& callback) { return HysteresisPerformance(plan, callback).perform(jobs); };
 }
 
 std::string hysteresisTemplate(const Case& c)
@@ -306,10 +326,11 @@ std::string hysteresisTemplate(const Case& c)
     if (const std::string time = expectedTime(c, 2 * (range.steps + 1), range.hold); !time.empty())
         text += "# " + std::to_string(2 * (range.steps + 1)) + " runs of the film take " + time +
                 " by an estimate; equilibria and contact of surfaces come on top.\n"
-                "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " + fewDigits(settling, "us") +
-                " may end before the film has settled.\n";
+                "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " +
+                fewDigits(settling, "us") + " may end before the film has settled.\n";
     line("parameter = \"" + range.key + "\"", "any number of the case");
-    line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"", "the first value begins as the case says");
+    line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"",
+         "the first value begins as the case says");
     line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
     line("steps = " + std::to_string(range.steps), "from one end to the other");
     line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");

@@ -10,16 +10,17 @@
 //   anew = false        # true: each value begins as the case says, not where the one before ended
 //   equilibria = true   # trace them, too
 //
-// Each value begins where the one before ended: with that position over the disk, those velocities and that branch of the contact law;
-// a film begins steady at that attitude, and what an elastic contact or an adhesion remembers is not taken along. The first value,
-// and one after a run that failed, begins as the case says. Anew each one does, and there is no way back: so it is where the value
-// belongs to the start itself (initial.*). Values at which the two ways end in different states are the hysteresis; touch-down and
-// take-off are known to half of a step.
+// Each value begins where the one before ended: with that position over the disk, those velocities and that branch of
+// the contact law; a film begins steady at that attitude, and what an elastic contact or an adhesion remembers is not
+// taken along. The first value, and one after a run that failed, begins as the case says. Anew each one does, and there
+// is no way back: so it is where the value belongs to the start itself (initial.*). Values at which the two ways end in
+// different states are the hysteresis; touch-down and take-off are known to half of a step.
 //
-// Equilibria are found in all modes of the contact law and traced by continuation, with their folds, Hopf points and ends: of the spring
-// model in core/simulation/equilibria/spring_equilibria.h, of a film under Ono and Yamane's characteristic in core/simulation/equilibria/film_branches.h. With
-// the eigenvalues of small motions they answer "self-excited or forced?": where an equilibrium is unstable by an oscillation, or there
-// is none and the slider bounces, bouncing needs no cause from outside; where all are stable, what starts near them fades.
+// Equilibria are found in all modes of the contact law and traced by continuation, with their folds, Hopf points and
+// ends: of the spring model in core/simulation/equilibria/spring_equilibria.h, of a film under Ono and Yamane's
+// characteristic in core/simulation/equilibria/film_branches.h. With the eigenvalues of small motions they answer
+// "self-excited or forced?": where an equilibrium is unstable by an oscillation, or there is none and the slider
+// bounces, bouncing needs no cause from outside; where all are stable, what starts near them fades.
 #pragma once
 
 #include <string>

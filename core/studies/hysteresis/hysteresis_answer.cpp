@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/studies/study/few_digits.h"
 #include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -23,8 +23,7 @@ class EquilibriumFindings {
 public:
     EquilibriumFindings(const HeldSteps& task, const HysteresisResult& result, std::vector<std::string>& findings)
         : task_(task), result_(result), text_(parameterText(task.parameter)), findings_(findings)
-    {
-    }
+    {}
 
     void addAnswer()
     {
@@ -32,9 +31,8 @@ public:
         const auto is = [&](Stability stability) {
             return where([=](const StudiedEquilibrium& at) { return at.stability == stability; });
         };
-        const auto flutter = where([&](const StudiedEquilibrium& at) {
-            return at.stability == Stability::Flutter && !result_.doubtful(at);
-        });
+        const auto flutter = where(
+            [&](const StudiedEquilibrium& at) { return at.stability == Stability::Flutter && !result_.doubtful(at); });
         const auto doubtful = where([&](const StudiedEquilibrium& at) { return result_.doubtful(at); });
         const auto incomplete = where([](const StudiedEquilibrium& at) { return at.incomplete(); });
         const auto divergence = is(Stability::Divergence), neutral = is(Stability::Neutral);
@@ -46,9 +44,11 @@ public:
             say("Not known: " + of(incomplete) +
                 " an oscillation about an equilibrium could not be followed, or is damped so much that it is none");
         const bool missing = addMissing();
-        if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty()) addForced(divergence);
+        if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty())
+            addForced(divergence);
         else if (!neutral.empty())
-            say(of(neutral, true) + " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them");
+            say(of(neutral, true) +
+                " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them");
         if (const auto bounces = bouncing(); !bounces.empty())
             say("In and out of contact to the end: " + counted(std::ptrdiff_t(bounces.size()), "run", "runs") + " of " +
                 std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
@@ -60,7 +60,8 @@ public:
         if (!several.empty())
             say(belongsToStart(task_.parameter.key)
                     ? "More than one equilibrium is stable: which one the slider comes to rest in depends on the start"
-                    : "More than one equilibrium is stable " + of(several) + ": which one the slider comes to rest in depends on the way there");
+                    : "More than one equilibrium is stable " + of(several) +
+                          ": which one the slider comes to rest in depends on the way there");
     }
 
     /// The held states against the equilibria, two ways to the same.
@@ -70,7 +71,8 @@ public:
         std::ptrdiff_t atRest = 0, compared = 0;
         double farthest = 0.0;
         for (const HeldStep& step : result_.steps) {
-            if (!step.done || (step.end.kind != EndKind::Flying && step.end.kind != EndKind::Contact) || !step.atRest()) continue;
+            if (!step.done || (step.end.kind != EndKind::Flying && step.end.kind != EndKind::Contact) || !step.atRest())
+                continue;
             double nearest = std::numeric_limits<double>::infinity();
             for (const EquilibriumAt& at : equilibriaAt(result_.lines, step.value))
                 if (!at.outside && at.flying == (step.end.kind == EndKind::Flying) &&
@@ -83,9 +85,10 @@ public:
         }
         if (compared == 0) return;
         const std::string within = "did so within " + fewDigits(std::max(farthest, told), "nm") + " of an equilibrium";
-        say(compared == atRest ? "What came to rest, " + counted(compared, "run", "runs") + ", " + within
-                               : "Of " + counted(atRest, "run", "runs") + " that came to rest, " + std::to_string(compared) + " " + within +
-                                     " that is stable and in the same state; of the others none is known");
+        say(compared == atRest
+                ? "What came to rest, " + counted(compared, "run", "runs") + ", " + within
+                : "Of " + counted(atRest, "run", "runs") + " that came to rest, " + std::to_string(compared) + " " +
+                      within + " that is stable and in the same state; of the others none is known");
     }
 
 private:
@@ -96,7 +99,10 @@ private:
         if (begins) where[0] = where[0] == 'a' ? 'A' : where[0] == 'i' ? 'I' : 'F';
         return where;
     }
-    std::string inRange() const { return "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()); }
+    std::string inRange() const
+    {
+        return "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back());
+    }
 
     std::vector<double> bouncing() const
     {
@@ -107,8 +113,8 @@ private:
     }
     std::ptrdiff_t validEnds() const { return std::ranges::count_if(result_.steps, ended); }
 
-    /// Values without an equilibrium: sought in vain while the slider bounces, or while it does not, or not sought to the end. True where
-    /// there are any.
+    /// Values without an equilibrium: sought in vain while the slider bounces, or while it does not, or not sought to
+    /// the end. True where there are any.
     bool addMissing()
     {
         const std::vector<double> bounces = bouncing();
@@ -129,8 +135,10 @@ private:
             say("Self-excited: " + where(excited) +
                 " the slider ends in and out of contact, and no equilibrium was found that it could come to rest in");
         if (!quiet.empty())
-            say(where(quiet, true) + " no equilibrium was found, and no run ends in and out of contact; one may have been missed");
-        if (!unsought.empty()) say("Not known: " + where(unsought) + " the search for equilibria did not come to its end");
+            say(where(quiet, true) +
+                " no equilibrium was found, and no run ends in and out of contact; one may have been missed");
+        if (!unsought.empty())
+            say("Not known: " + where(unsought) + " the search for equilibria did not come to its end");
         return !excited.empty() || !quiet.empty() || !unsought.empty();
     }
 
@@ -138,7 +146,8 @@ private:
     {
         std::string sentence = "Forced, as far as small motions tell: ";
         sentence += divergence.empty() ? "all equilibria " + inRange() + " are stable, and there is no Hopf point"
-                                       : "no equilibrium " + inRange() + " loses its stability by an oscillation, and those that are unstable (" +
+                                       : "no equilibrium " + inRange() +
+                                             " loses its stability by an oscillation, and those that are unstable (" +
                                              of(divergence) + ") are left without oscillating";
         sentence += ". Bouncing that lasts must be forced from outside, or be a cycle far from any equilibrium";
         double slowest = -std::numeric_limits<double>::infinity();
@@ -150,16 +159,19 @@ private:
         say(sentence);
         if (bouncing().empty() && validEnds() > 0)
             say(validEnds() == 1 ? "No such cycle was seen: the run does not end in and out of contact"
-                                 : "No such cycle was seen: none of the " + std::to_string(validEnds()) + " runs ends in and out of contact");
+                                 : "No such cycle was seen: none of the " + std::to_string(validEnds()) +
+                                       " runs ends in and out of contact");
     }
 
     void addFlutter(const std::vector<ValueRange>& flutter)
     {
-        std::string sentence = "Self-excited: an equilibrium is unstable by an oscillation that grows, " + of(flutter), points;
+        std::string sentence = "Self-excited: an equilibrium is unstable by an oscillation that grows, " + of(flutter),
+                    points;
         int count = 0;
         for (const StudiedMark& mark : result_.marks) {
             // What diverges there was unstable before, and is after.
-            if (mark.kind != EquilibriumMark::Hopf || mark.outside || mark.at.stability == Stability::Divergence) continue;
+            if (mark.kind != EquilibriumMark::Hopf || mark.outside || mark.at.stability == Stability::Divergence)
+                continue;
             double frequency = 0.0, least = std::numeric_limits<double>::infinity();
             for (const std::complex<double>& value : mark.at.eigenvalues) {
                 if (value.imag() == 0.0 || std::abs(value.real()) > least) continue;
@@ -167,8 +179,8 @@ private:
                 frequency = std::abs(value.imag()) / (2.0 * std::numbers::pi);
             }
             ++count;
-            points += (points.empty() ? "" : ", ") + text_.of(mark.at.value) + " (" + fewDigits(mark.at.spacing, "nm", 3) + " spacing, " +
-                      fewDigits(frequency, "kHz", 3) + ")";
+            points += (points.empty() ? "" : ", ") + text_.of(mark.at.value) + " (" +
+                      fewDigits(mark.at.spacing, "nm", 3) + " spacing, " + fewDigits(frequency, "kHz", 3) + ")";
         }
         if (count > 0) sentence += std::string(count == 1 ? "; Hopf point at " : "; Hopf points at ") + points;
         say(sentence);

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "core/formats/units.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/hysteresis/hysteresis_answer.h"
 #include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -17,31 +17,42 @@ class RunFindings {
 public:
     RunFindings(const HeldSteps& task, const HysteresisResult& result, std::vector<std::string>& findings)
         : task_(task), result_(result), text_(parameterText(task.parameter)), findings_(findings)
-    {
-    }
+    {}
 
     void addTransitions()
     {
         const std::vector<Transition> transitions = transitionsOf(result_.steps);
         for (const Transition& each : transitions)
             say(std::string(each.down ? "Touch-down" : "Take-off") + " at " + text_.of(each.middle()) + " +- " +
-                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) + (&each == &transitions.front() ? " of " + text_.inSentence() : "") + ", " +
+                fewDigits(0.5 * std::abs(each.after - each.before), text_.displayUnit) +
+                (&each == &transitions.front() ? " of " + text_.inSentence() : "") + ", " +
                 (each.after > each.before ? "rising" : "falling") + equilibriumEnd(each));
         const auto first = std::ranges::find_if(result_.steps, ended);
         if (first == result_.steps.end()) return;
         const auto last = std::ranges::find_if(result_.steps.rbegin(), result_.steps.rend(), ended);
         const bool flies = last->end.kind == EndKind::Flying;
         const bool whole = std::ranges::all_of(result_.steps, ended);
-        const std::string ways = "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()) + " and back";
-        if (std::ranges::all_of(result_.steps, [&](const HeldStep& step) { return !ended(step) || touches(step.end) != flies; }))
-            say(seenThroughout(flies) + (whole ? " at every value " : " at every value with a valid end ") + ways + throughout(flies));
+        const std::string ways =
+            "from " + text_.of(task_.values.front()) + " to " + text_.of(task_.values.back()) + " and back";
+        if (std::ranges::all_of(result_.steps,
+                                [&](const HeldStep& step) { return !ended(step) || touches(step.end) != flies; }))
+            say(seenThroughout(flies) + (whole ? " at every value " : " at every value with a valid end ") + ways +
+                throughout(flies));
         else if (transitions.size() == 1 && flies != transitions.front().down)
-            say(std::string("From there on the slider ") + (flies ? "flies" : last->end.kind == EndKind::Contact ? "stays in contact" : "keeps touching the disk") +
+            say(std::string("From there on the slider ") +
+                (flies                                ? "flies"
+                 : last->end.kind == EndKind::Contact ? "stays in contact"
+                                                      : "keeps touching the disk") +
                 ": on the way back, to " + text_.of(task_.values.front()) + ", " +
-                (flies ? "it does not touch down again" : last->end.kind == EndKind::Contact ? "it does not take off again" : "it does not come to fly again"));
+                (flies                                ? "it does not touch down again"
+                 : last->end.kind == EndKind::Contact ? "it does not take off again"
+                                                      : "it does not come to fly again"));
         else if (transitions.size() <= 1)
-            say((transitions.empty() ? "The slider does not end in one state throughout " + ways + ", but it changed only " : "It also changed ") +
-                (whole ? "while the last value was held a second time" : "beside runs without a valid end, or while the last value was held again") +
+            say((transitions.empty()
+                     ? "The slider does not end in one state throughout " + ways + ", but it changed only "
+                     : "It also changed ") +
+                (whole ? "while the last value was held a second time"
+                       : "beside runs without a valid end, or while the last value was held again") +
                 ": at which value is not known");
     }
 
@@ -53,13 +64,15 @@ public:
         const auto all = std::ssize(flying) + std::ssize(contact);
         if (all == 0) return;
         const std::string begins = "Begun anew at each value the slider ends ";
-        const auto where = [&](const std::vector<double>& values) { return " (" + text(rangesAmong(task_.values, values), text_) + ")"; };
+        const auto where = [&](const std::vector<double>& values) {
+            return " (" + text(rangesAmong(task_.values, values), text_) + ")";
+        };
         if (flying.empty() || contact.empty())
             say(begins + (flying.empty() ? "touching the disk, some of the time or all of it," : "flying") + " in " +
                 (all == 1 ? "its one run" : "all " + std::to_string(all) + " runs"));
         else
-            say(begins + "flying in " + std::to_string(flying.size()) + " of " + std::to_string(all) + " runs" + where(flying) +
-                ", touching the disk in " + std::to_string(contact.size()) + where(contact));
+            say(begins + "flying in " + std::to_string(flying.size()) + " of " + std::to_string(all) + " runs" +
+                where(flying) + ", touching the disk in " + std::to_string(contact.size()) + where(contact));
     }
 
     void addLoop()
@@ -67,14 +80,16 @@ public:
         const LoopOf loop = loopOf(result_.steps);
         if (loop.known == 0) return;
         if (loop.values.empty()) {
-            say("No hysteresis: there and back the slider ends in the same states" + std::string(loop.whole ? "" : ", where both are known"));
+            say("No hysteresis: there and back the slider ends in the same states" +
+                std::string(loop.whole ? "" : ", where both are known"));
             return;
         }
         const bool plain = text_.displayUnit.empty() || text_.displayUnit == "1";
         const std::string unit = plain ? " nm" : text_.displayUnit == "nm" ? " nm^2" : " nm " + text_.displayUnit;
         const double factor = plain ? 1.0 : unitFactor(text_.displayUnit);
         const bool lag = loop.moving == loop.values.size();
-        std::string sentence = std::string(lag ? "Hysteresis or a lag " : "Hysteresis ") + text(rangesAmong(task_.values, loop.values), text_) +
+        std::string sentence = std::string(lag ? "Hysteresis or a lag " : "Hysteresis ") +
+                               text(rangesAmong(task_.values, loop.values), text_) +
                                ": there and back the slider ends in different states";
         if (loop.moving > 0)
             sentence += ", but " +
@@ -82,16 +97,16 @@ public:
                              : "at " + std::to_string(loop.moving) + " of these " + std::to_string(loop.values.size()) +
                                    " values not both have come to rest") +
                         ": a longer hold tells hysteresis from a lag";
-        say(sentence + ". The mean spacing runs round an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
-            (loop.whole ? "" : ", without the values at which a run failed"));
+        say(sentence + ". The mean spacing runs round an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) +
+            unit + (loop.whole ? "" : ", without the values at which a run failed"));
     }
 
     void addUnsettled()
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            say(counted(count, "run has", "runs have") + " not come to rest (more than 0.1 nm since the middle of " + fewDigitsOfTime(task_.hold, 3) +
-                "); a longer hold tells more");
+            say(counted(count, "run has", "runs have") + " not come to rest (more than 0.1 nm since the middle of " +
+                fewDigitsOfTime(task_.hold, 3) + "); a longer hold tells more");
     }
 
     void addFailures()
@@ -115,18 +130,22 @@ private:
     std::string seenThroughout(bool flying) const
     {
         const auto all = [&](EndKind kind) {
-            return std::ranges::none_of(result_.steps, [&](const HeldStep& step) { return ended(step) && step.end.kind != kind; });
+            return std::ranges::none_of(result_.steps,
+                                        [&](const HeldStep& step) { return ended(step) && step.end.kind != kind; });
         };
         if (flying) return "The slider flies";
         return all(EndKind::Intermittent) ? "The slider goes in and out of contact"
-                                          : all(EndKind::Contact) ? "The slider is in contact" : "The slider touches the disk, some of the time or all of it,";
+               : all(EndKind::Contact)    ? "The slider is in contact"
+                                          : "The slider touches the disk, some of the time or all of it,";
     }
     static std::string throughout(bool flying)
     {
-        return flying ? ": no touch-down was seen" : ", which it came to from its start at the first one; no take-off was seen";
+        return flying ? ": no touch-down was seen"
+                      : ", which it came to from its start at the first one; no take-off was seen";
     }
 
-    /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider swinging.
+    /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider
+    /// swinging.
     std::string equilibriumEnd(const Transition& each) const
     {
         const double slack = 1e-6 * std::abs(each.after - each.before); // rounding of the held values
@@ -147,8 +166,8 @@ private:
         return beyond;
     }
 
-    /// A branch may have lost its stability before it ends. Where it has not, and the disk is flat, nothing but the step can have set the
-    /// slider swinging; else no reason is known.
+    /// A branch may have lost its stability before it ends. Where it has not, and the disk is flat, nothing but the
+    /// step can have set the slider swinging; else no reason is known.
     std::string reasonToLeaveEarly(const Transition& each, double end) const
     {
         bool any = false, allStable = true;
@@ -156,7 +175,8 @@ private:
             for (const StudiedEquilibrium& at : line.points) {
                 const bool between = (at.value - each.before) * (end - at.value) >= 0.0;
                 if (line.outside || line.flies() != each.down || !between) continue;
-                if (at.stability == Stability::Flutter && !result_.doubtful(at)) return ": on the way there it is unstable";
+                if (at.stability == Stability::Flutter && !result_.doubtful(at))
+                    return ": on the way there it is unstable";
                 any = true;
                 allStable = allStable && at.stability == Stability::Stable && !at.incomplete();
             }
@@ -177,7 +197,8 @@ std::vector<std::string> hysteresisFindings(const HeldSteps& task, const Hystere
     std::vector<std::string> findings;
     RunFindings runs(task, result, findings);
     if (result.traced) addAnswer(task, result, findings);
-    if (task.fresh) runs.addEndStates();
+    if (task.fresh)
+        runs.addEndStates();
     else {
         runs.addTransitions();
         runs.addLoop();

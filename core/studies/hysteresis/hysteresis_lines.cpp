@@ -3,19 +3,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/studies/study/few_digits.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
 namespace {
 
-/// Along a wave that the disk drags through the film, for the damping of its motion to 5 %, and for its sign: core/simulation/small_motions/modes.cpp.
+/// Along a wave that the disk drags through the film, for the damping of its motion to 5 %, and for its sign:
+/// core/simulation/small_motions/modes.cpp.
 constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
 
 StudiedEquilibrium studied(const SpringEquilibrium& at)
 {
-    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0, false};
+    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0,
+            false};
 }
 
 StudiedEquilibrium studied(const FilmBranchPoint& point)
@@ -31,15 +33,17 @@ void setEdges(HysteresisResult& result)
         if (mark.kind != EquilibriumMark::Fold && mark.kind != EquilibriumMark::Hopf) continue;
         for (EquilibriumLine& line : result.lines)
             for (StudiedEquilibrium& at : line.points)
-                at.edge = at.edge || (at.value == mark.at.value && at.spacing == mark.at.spacing && at.pitch == mark.at.pitch);
+                at.edge = at.edge ||
+                          (at.value == mark.at.value && at.spacing == mark.at.spacing && at.pitch == mark.at.pitch);
     }
 }
 
 void addLostEnds(int count, HysteresisResult& result)
 {
     if (count > 0)
-        result.warnings.push_back(std::to_string(count) + (count == 1 ? " branch of equilibria ends" : " branches of equilibria end") +
-                                  " within the range without a switch of the law: the case is not valid beyond, or no step led on");
+        result.warnings.push_back(
+            std::to_string(count) + (count == 1 ? " branch of equilibria ends" : " branches of equilibria end") +
+            " within the range without a switch of the law: the case is not valid beyond, or no step led on");
 }
 
 } // namespace
@@ -87,7 +91,8 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
         for (const FilmBranchPoint& point : branch.points) {
             line.points.push_back(studied(point));
             lost = lost || !line.points.back().followed();
-            for (const auto& eigenvalue : point.at.eigenvalues) fastest = std::max(fastest, eigenvalue.imag() / (2.0 * std::numbers::pi));
+            for (const auto& eigenvalue : point.at.eigenvalues)
+                fastest = std::max(fastest, eigenvalue.imag() / (2.0 * std::numbers::pi));
         }
         result.lines.push_back(std::move(line));
     }
@@ -96,24 +101,29 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
         StudiedMark added{mark.kind, mark.name, studied(mark.at), false};
         // Where the grid gives damping a wrong sign, a change of sign means nothing.
         const auto& rates = added.at.eigenvalues;
-        const bool unknown = mark.kind == EquilibriumMark::Hopf &&
-                             (rates.empty() || std::abs(rates.front().imag()) > 2.0 * std::numbers::pi * result.resolved);
+        const bool unknown =
+            mark.kind == EquilibriumMark::Hopf &&
+            (rates.empty() || std::abs(rates.front().imag()) > 2.0 * std::numbers::pi * result.resolved);
         if (!unknown) result.marks.push_back(std::move(added));
     }
     for (const std::string& problem : found.problems)
-        result.warnings.push_back("at one value or more no equilibria were sought: there is no static state of the film: " + problem);
+        result.warnings.push_back(
+            "at one value or more no equilibria were sought: there is no static state of the film: " + problem);
     if (found.givenUp > 0)
-        result.warnings.push_back("at " + std::to_string(found.givenUp) + (found.givenUp == 1 ? " value" : " values") +
-                                  " the search for equilibria in contact did not come to its end from every start: one may be missed");
+        result.warnings.push_back(
+            "at " + std::to_string(found.givenUp) + (found.givenUp == 1 ? " value" : " values") +
+            " the search for equilibria in contact did not come to its end from every start: one may be missed");
     setEdges(result);
     addLostEnds(found.endsLost, result);
     if (lost)
-        result.warnings.push_back("about some equilibria an oscillation could not be followed, or is damped so much that it is none");
+        result.warnings.push_back(
+            "about some equilibria an oscillation could not be followed, or is damped so much that it is none");
     if (fastest > found.resolved && found.resolved > 0.0)
-        result.warnings.push_back("above " + fewDigits(found.resolved, "kHz", 2) +
-                                  " the waves that the disk drags along span fewer than ten cells, and the damping of oscillations there is "
-                                  "known roughly; above " + fewDigits(result.resolved, "kHz", 2) +
-                                  " not even its sign: take more film.nodes along the slider");
+        result.warnings.push_back(
+            "above " + fewDigits(found.resolved, "kHz", 2) +
+            " the waves that the disk drags along span fewer than ten cells, and the damping of oscillations there is "
+            "known roughly; above " +
+            fewDigits(result.resolved, "kHz", 2) + " not even its sign: take more film.nodes along the slider");
 }
 
 } // namespace touchdown

@@ -22,9 +22,11 @@ double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.i
 std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
 {
     const bool stable = at.stability == Stability::Stable || at.stability == Stability::Neutral;
-    if (stable && at.incomplete()) return std::string("equilibria of unknown stability") + (outside ? ", outside the model" : "");
+    if (stable && at.incomplete())
+        return std::string("equilibria of unknown stability") + (outside ? ", outside the model" : "");
     return std::string(stable ? (at.stability == Stability::Stable ? "stable equilibria" : "neutral equilibria")
-                              : result.doubtful(at) ? "unstable equilibria, on this grid" : "unstable equilibria") +
+                       : result.doubtful(at) ? "unstable equilibria, on this grid"
+                                             : "unstable equilibria") +
            (outside ? ", outside the model" : "");
 }
 
@@ -32,7 +34,8 @@ std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at
 void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordinate& ordinate)
 {
     const auto add = [&](ChartSeries& series, const StudiedEquilibrium& at, const std::string& label) {
-        if (const std::optional<double> y = ordinate(at)) series.points.push_back({.x = at.value, .y = *y, .label = label});
+        if (const std::optional<double> y = ordinate(at))
+            series.points.push_back({.x = at.value, .y = *y, .label = label});
     };
     for (const EquilibriumLine& line : result.lines) {
         for (std::size_t begin = 0; begin < line.points.size();) {
@@ -89,7 +92,9 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
     const ChartAxis x{.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     ChartPanel& spacing = chart.panels.emplace_back();
     spacing.x = x;
-    spacing.y = {.label = task.start.model == ModelKind::Springs ? "Flying height" : "Minimum spacing", .unit = "m", .displayUnit = "nm"};
+    spacing.y = {.label = task.start.model == ModelKind::Springs ? "Flying height" : "Minimum spacing",
+                 .unit = "m",
+                 .displayUnit = "nm"};
     addEquilibria(spacing, result, [](const StudiedEquilibrium& at) { return at.spacing; });
     addSteps(spacing, task, result, spacingPoint);
 
@@ -101,14 +106,16 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
         second.bands.push_back({.alongX = false, .lower = 0.0, .upper = 0.0, .label = "above: unstable"});
     } else {
         second.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};
-        addSteps(second, task, result, [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
+        addSteps(second, task, result,
+                 [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
     }
     chart.panels.push_back(std::move(second));
     chart.caption = "Points: mean over the last tenth of " + fewDigitsOfTime(task.hold, 3) +
                     " at each value; bars: the range there.";
     if (!result.lines.empty())
         chart.caption += std::string(" Lines: equilibria") +
-                         (task.start.model == ModelKind::Film ? ", all on one grid" : "") + ". An equilibrium ends where the contact law or a spring switches with a jump of its force.";
+                         (task.start.model == ModelKind::Film ? ", all on one grid" : "") +
+                         ". An equilibrium ends where the contact law or a spring switches with a jump of its force.";
     return chart;
 }
 
@@ -139,10 +146,14 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
         if (!step.done) continue;
         std::string remark = step.problem;
         if (step.anew && step.back) remark = "begun anew" + (remark.empty() ? "" : "; " + remark);
-        std::vector<StudyValue> row{std::string(task.fresh ? "anew" : rising != step.back ? "rising" : "falling"), step.value,
-                                    std::string(name(step.end.kind))};
-        if (step.end.kind == EndKind::Failed) row.insert(row.end(), 4, StudyValue{});
-        else row.insert(row.end(), {step.end.spacing, step.spacing.min, step.spacing.max, step.pitch});
+        std::vector<StudyValue> row{std::string(task.fresh            ? "anew"
+                                                : rising != step.back ? "rising"
+                                                                      : "falling"),
+                                    step.value, std::string(name(step.end.kind))};
+        if (step.end.kind == EndKind::Failed)
+            row.insert(row.end(), 4, StudyValue{});
+        else
+            row.insert(row.end(), {step.end.spacing, step.spacing.min, step.spacing.max, step.pitch});
         row.push_back(std::move(remark));
         table.rows.push_back(std::move(row));
     }
@@ -171,9 +182,10 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
         ++branch;
         for (const StudiedEquilibrium& at : line.points) {
             const bool known = !at.incomplete() || at.stability == Stability::Divergence;
-            std::vector<StudyValue> row{branch, line.state, at.value, at.spacing, at.pitch,
-                                        std::string(known ? name(at.stability) : "not known")};
-            for (const std::complex<double>& value : at.eigenvalues) row.insert(row.end(), {value.real(), frequency(value)});
+            std::vector<StudyValue> row{branch,     line.state, at.value,
+                                        at.spacing, at.pitch,   std::string(known ? name(at.stability) : "not known")};
+            for (const std::complex<double>& value : at.eigenvalues)
+                row.insert(row.end(), {value.real(), frequency(value)});
             row.resize(table.columns.size());
             table.rows.push_back(std::move(row));
         }
@@ -192,8 +204,10 @@ StudyTable markTable(const HysteresisResult& result, const ParameterText& text)
                      {"frequency", "Hz", "kHz", "Frequency of the first eigenvalue"}};
     for (const StudiedMark& mark : result.marks) {
         StudyValue oscillates{};
-        if (!mark.at.eigenvalues.empty() && mark.at.eigenvalues.front().imag() != 0.0) oscillates = frequency(mark.at.eigenvalues.front());
-        table.rows.push_back({std::string(name(mark.kind)), mark.name, mark.at.value, mark.at.spacing, mark.at.pitch, oscillates});
+        if (!mark.at.eigenvalues.empty() && mark.at.eigenvalues.front().imag() != 0.0)
+            oscillates = frequency(mark.at.eigenvalues.front());
+        table.rows.push_back(
+            {std::string(name(mark.kind)), mark.name, mark.at.value, mark.at.spacing, mark.at.pitch, oscillates});
     }
     return table;
 }
@@ -208,7 +222,8 @@ StudyReport hysteresisReport(const HeldSteps& task, const HysteresisResult& resu
     report.warnings = result.warnings;
     if (allFailed(result.steps)) {
         report.status = StudyStatus::Failed;
-        report.message = result.steps.empty() ? "no value was held" : "no value has a valid end: " + result.steps.front().problem;
+        report.message =
+            result.steps.empty() ? "no value was held" : "no value has a valid end: " + result.steps.front().problem;
     }
     report.charts.push_back(spacingChart(task, result, text));
     if (!result.lines.empty()) report.charts.push_back(pitchChart(task, result, text));

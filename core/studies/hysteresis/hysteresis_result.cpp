@@ -61,7 +61,8 @@ std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps)
     for (std::size_t i = 1; i < steps.size(); ++i) {
         const HeldStep &a = steps[i - 1], &b = steps[i];
         if (!a.done || !b.done || a.back != b.back) continue;
-        if (a.end.kind == EndKind::Failed || b.end.kind == EndKind::Failed || touches(a.end) == touches(b.end)) continue;
+        if (a.end.kind == EndKind::Failed || b.end.kind == EndKind::Failed || touches(a.end) == touches(b.end))
+            continue;
         list.push_back({touches(b.end), b.back, a.value, b.value, a.end.spacing, b.end.spacing});
     }
     return list;
@@ -74,7 +75,8 @@ bool stillMoves(const HeldStep& step)
 
 bool allFailed(const std::vector<HeldStep>& steps)
 {
-    return std::ranges::all_of(steps, [](const HeldStep& step) { return step.done && step.end.kind == EndKind::Failed; });
+    return std::ranges::all_of(steps,
+                               [](const HeldStep& step) { return step.done && step.end.kind == EndKind::Failed; });
 }
 
 LoopOf loopOf(const std::vector<HeldStep>& steps)
@@ -84,7 +86,8 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
     std::vector<double> differences;
     for (std::size_t i = 0; i < count; ++i) {
         const HeldStep &there = steps[i], &back = steps[2 * count - 1 - i];
-        const bool known = there.done && back.done && there.end.kind != EndKind::Failed && back.end.kind != EndKind::Failed;
+        const bool known =
+            there.done && back.done && there.end.kind != EndKind::Failed && back.end.kind != EndKind::Failed;
         loop.whole = loop.whole && known;
         differences.push_back(known ? std::abs(there.end.spacing - back.end.spacing) : 0.0);
         if (known) ++loop.known;
@@ -94,7 +97,8 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
             loop.values.push_back(there.value);
             if (moving) ++loop.moving;
         }
-        if (i > 0 && known) loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
+        if (i > 0 && known)
+            loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
     }
     std::ranges::sort(loop.values);
     return loop;
@@ -108,13 +112,15 @@ std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& line
             const StudiedEquilibrium &a = line.points[i], &b = line.points[i + 1];
             const bool last = i + 2 == line.points.size();
             // Half open, so that a point between two spans counts once.
-            double share = a.value == b.value ? (a.value == value ? 0.0 : -1.0) : (value - a.value) / (b.value - a.value);
+            double share =
+                a.value == b.value ? (a.value == value ? 0.0 : -1.0) : (value - a.value) / (b.value - a.value);
             // Where a line ends at the range's end, it does so but for rounding.
             if (i == 0 && std::abs(share) < rounding) share = 0.0;
             if (last && std::abs(share - 1.0) < rounding) share = 1.0;
             if (share < 0.0 || share > 1.0 || (share == 1.0 && !last)) continue;
             const StudiedEquilibrium& nearer = a.edge != b.edge ? (a.edge ? b : a) : share < 0.5 ? a : b;
-            list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete(), line.flies()});
+            list.push_back({std::lerp(a.spacing, b.spacing, share), nearer.stability, line.outside, nearer.incomplete(),
+                            line.flies()});
         }
         if (line.points.size() == 1 && line.points[0].value == value)
             list.push_back({line.points[0].spacing, line.points[0].stability, line.outside, line.points[0].incomplete(),

@@ -23,10 +23,13 @@ struct StudiedEquilibrium {
     double pitch = 0.0;   // [rad]
     Stability stability = Stability::Stable;
     std::vector<std::complex<double>> eigenvalues; // by falling real part [1/s]
-    int lost = 0;      // oscillations that were not followed
+    int lost = 0;                                  // oscillations that were not followed
     bool edge = false; // a fold or Hopf point, at which the stability changes and its own means nothing
     /// None where no motion was followed.
-    std::optional<double> growth() const { return eigenvalues.empty() ? std::nullopt : std::optional(eigenvalues.front().real()); }
+    std::optional<double> growth() const
+    {
+        return eigenvalues.empty() ? std::nullopt : std::optional(eigenvalues.front().real());
+    }
     /// What grows without oscillating is no oscillation, and not lost.
     bool followed() const { return lost <= (stability == Stability::Divergence ? 1 : 0); }
     /// Nothing grows of the oscillations that were followed, but not every one was.
@@ -53,7 +56,8 @@ struct HysteresisResult {
     bool traced = false;         // whether equilibria were sought
     std::vector<EquilibriumLine> lines;
     std::vector<StudiedMark> marks;
-    double resolved = std::numeric_limits<double>::infinity(); // frequency up to which a film's grid knows whether a motion grows [Hz]
+    double resolved = std::numeric_limits<double>::infinity(); // frequency up to which a film's grid knows whether a
+                                                               // motion grows [Hz]
     bool unsought = false; // somewhere the search for equilibria did not come to its end
     std::vector<std::string> warnings;
     /// An oscillation grows at a frequency at which the grid does not know.
@@ -67,7 +71,7 @@ void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result);
 
 /// The parameter as charts and sentences name it.
 struct ParameterText {
-    std::string label;       // "Static flying height"
+    std::string label;              // "Static flying height"
     std::string inSentence() const; // "static flying height"
     std::string unit, displayUnit;
     /// Four digits.
@@ -80,8 +84,8 @@ bool touches(const EndState& end);
 
 /// A change of the end's kind between neighbouring values of one way.
 struct Transition {
-    bool down = false; // touch-down; else take-off
-    bool back = false; // on the way back
+    bool down = false;                // touch-down; else take-off
+    bool back = false;                // on the way back
     double before = 0.0, after = 0.0; // the values [unit of the parameter]
     double left = 0.0, reached = 0.0; // mean spacings there [m]
     double middle() const { return 0.5 * (before + after); }

@@ -21,8 +21,10 @@ std::vector<ValueRange> merged(std::vector<ValueRange> ranges)
     const double near = ranges.empty() ? 0.0 : meeting * (upper - ranges.front().lower);
     std::vector<ValueRange> result;
     for (const ValueRange& each : ranges) {
-        if (!result.empty() && each.lower <= result.back().upper + near) result.back().upper = std::max(result.back().upper, each.upper);
-        else result.push_back(each);
+        if (!result.empty() && each.lower <= result.back().upper + near)
+            result.back().upper = std::max(result.back().upper, each.upper);
+        else
+            result.push_back(each);
     }
     return result;
 }
@@ -35,14 +37,17 @@ std::vector<ValueRange> rangesAmong(std::vector<double> all, std::vector<double>
     bool before = false;
     for (const double value : all) {
         const bool is = std::ranges::find(chosen, value) != chosen.end();
-        if (is && before) result.back().upper = value;
-        else if (is) result.push_back({value, value});
+        if (is && before)
+            result.back().upper = value;
+        else if (is)
+            result.push_back({value, value});
         before = is;
     }
     return result;
 }
 
-std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines, const std::function<bool(const StudiedEquilibrium&)>& isSo)
+std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines,
+                                    const std::function<bool(const StudiedEquilibrium&)>& isSo)
 {
     const auto is = [&](const StudiedEquilibrium& at) { return !at.edge && isSo(at); };
     std::vector<ValueRange> ranges;
@@ -71,14 +76,18 @@ std::vector<ValueRange> coexistence(const std::vector<EquilibriumLine>& lines)
     std::ranges::sort(ends);
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     const auto rests = [](const EquilibriumAt& at) {
-        return !at.outside && !at.incomplete && (at.stability == Stability::Stable || at.stability == Stability::Neutral);
+        return !at.outside && !at.incomplete &&
+               (at.stability == Stability::Stable || at.stability == Stability::Neutral);
     };
     std::vector<ValueRange> ranges;
     for (std::size_t i = 1; i < ends.size(); ++i)
-        if (std::ranges::count_if(equilibriaAt(lines, std::midpoint(ends[i - 1], ends[i])), rests) > 1) ranges.push_back({ends[i - 1], ends[i]});
+        if (std::ranges::count_if(equilibriaAt(lines, std::midpoint(ends[i - 1], ends[i])), rests) > 1)
+            ranges.push_back({ends[i - 1], ends[i]});
     ranges = merged(std::move(ranges));
     // Where one line ends and the next begins they may overlap by rounding.
-    std::erase_if(ranges, [&](const ValueRange& range) { return range.upper - range.lower <= meeting * (ends.back() - ends.front()); });
+    std::erase_if(ranges, [&](const ValueRange& range) {
+        return range.upper - range.lower <= meeting * (ends.back() - ends.front());
+    });
     return ranges;
 }
 
@@ -93,7 +102,8 @@ std::string text(const std::vector<ValueRange>& ranges, const ParameterText& par
         return "in " + std::to_string(ranges.size()) + " places from " + parameter.of(ranges.front().lower) + " to " +
                parameter.of(ranges.back().upper);
     std::string sentence = one(ranges.front());
-    for (std::size_t i = 1; i < ranges.size(); ++i) sentence += (i + 1 < ranges.size() ? ", " : " and ") + one(ranges[i]);
+    for (std::size_t i = 1; i < ranges.size(); ++i)
+        sentence += (i + 1 < ranges.size() ? ", " : " and ") + one(ranges[i]);
     return sentence;
 }
 

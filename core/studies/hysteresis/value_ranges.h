@@ -21,8 +21,10 @@ std::vector<ValueRange> merged(std::vector<ValueRange> ranges);
 /// Of `chosen` among all values: neighbours are one range.
 std::vector<ValueRange> rangesAmong(std::vector<double> all, std::vector<double> chosen);
 
-/// Where points of lines within the model are so: neighbours along a line are one range, which reaches to a fold or Hopf point next to it.
-std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines, const std::function<bool(const StudiedEquilibrium&)>& isSo);
+/// Where points of lines within the model are so: neighbours along a line are one range, which reaches to a fold or
+/// Hopf point next to it.
+std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines,
+                                    const std::function<bool(const StudiedEquilibrium&)>& isSo);
 
 /// Where more than one equilibrium is stable or neutral, between the points of the lines.
 std::vector<ValueRange> coexistence(const std::vector<EquilibriumLine>& lines);

@@ -33,7 +33,9 @@ void splitBySpacing(std::vector<Place>& places, const std::function<void(std::sp
     std::ranges::sort(places, {}, &Place::spacing);
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= places.size(); ++i) {
-        if (i < places.size() && places[i].spacing - places[i - 1].spacing <= std::max(sameSpacing, places[i].spread + places[i - 1].spread)) continue;
+        if (i < places.size() &&
+            places[i].spacing - places[i - 1].spacing <= std::max(sameSpacing, places[i].spread + places[i - 1].spread))
+            continue;
         take(std::span(places).subspan(begin, i - begin));
         begin = i;
     }
@@ -65,7 +67,8 @@ std::vector<double> startsOf(const Case& c, const EnsembleTask& task)
     return starts;
 }
 
-bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs, const std::function<bool(std::size_t)>& poll)
+bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs,
+                  const std::function<bool(std::size_t)>& poll)
 {
     const auto count = static_cast<std::size_t>(task.starts);
     const Field& key = *findField(task.key);
@@ -90,8 +93,10 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
         result.of.emplace_back(ensembles[e].ends.size());
         for (std::size_t s = 0; s < ensembles[e].ends.size(); ++s) {
             const EnsembleEnd& end = ensembles[e].ends[s];
-            if (end.state.kind == EndKind::Failed) byFailure[end.failure].push_back({e, s, 0.0, 0.0});
-            else byKind[end.state.kind].push_back({e, s, end.state.spacing, end.state.spread});
+            if (end.state.kind == EndKind::Failed)
+                byFailure[end.failure].push_back({e, s, 0.0, 0.0});
+            else
+                byKind[end.state.kind].push_back({e, s, end.state.spacing, end.state.spread});
         }
     }
 
@@ -103,12 +108,18 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
     };
     for (auto& [kind, places] : byKind) {
         // A pad that goes in and out has no spacing of its own.
-        if (kind == EndKind::Intermittent) add({std::string(name(kind)), kind}, places);
-        else splitBySpacing(places, [&](std::span<const Place> some) {
-            add({(kind == EndKind::Flying ? "flying at " : "in contact at ") + fewDigits(std::round(meanSpacing(some) * 1e11) / 1e11, "nm", 6), kind}, some);
-        });
+        if (kind == EndKind::Intermittent)
+            add({std::string(name(kind)), kind}, places);
+        else
+            splitBySpacing(places, [&](std::span<const Place> some) {
+                add({(kind == EndKind::Flying ? "flying at " : "in contact at ") +
+                         fewDigits(std::round(meanSpacing(some) * 1e11) / 1e11, "nm", 6),
+                     kind},
+                    some);
+            });
     }
-    for (const auto& [failure, places] : byFailure) add({"failed: " + std::string(name(failure)), EndKind::Failed}, places);
+    for (const auto& [failure, places] : byFailure)
+        add({"failed: " + std::string(name(failure)), EndKind::Failed}, places);
 
     std::vector<std::size_t> order(found.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -129,7 +140,8 @@ Share shareOf(std::size_t count, std::size_t total)
     return {count, p, std::max(0.0, (middle - half) / scale), std::min(1.0, (middle + half) / scale)};
 }
 
-ShareDifference shareDifference(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second, std::size_t end)
+ShareDifference shareDifference(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second,
+                                std::size_t end)
 {
     double b = 0.0, c = 0.0;
     for (std::size_t i = 0; i < first.size(); ++i) {

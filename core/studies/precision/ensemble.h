@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Many runs of a case from starts close to each other. Where two end states lie close by, or a bounce is chaotic, one trajectory
-// depends on the last digit of everything, and its error means nothing; the share of starts that ends in each state does mean
-// something, and has an uncertainty.
+// Many runs of a case from starts close to each other. Where two end states lie close by, or a bounce is chaotic, one
+// trajectory depends on the last digit of everything, and its error means nothing; the share of starts that ends in
+// each state does mean something, and has an uncertainty.
 //
-// Starts lie evenly at the middles of N equal parts of [x0 - s, x0 + s]. Of n starts out of N with an end, p = n/N, Wilson's
-// interval at 95 % (z = 1.96; Wilson, J. Am. Stat. Assoc. 22, 1927):
+// Starts lie evenly at the middles of N equal parts of [x0 - s, x0 + s]. Of n starts out of N with an end, p = n/N,
+// Wilson's interval at 95 % (z = 1.96; Wilson, J. Am. Stat. Assoc. 22, 1927):
 //
 //   (p + z^2/2N -+ z sqrt(p (1 - p)/N + z^2/4N^2)) / (1 + z^2/N)
 //
-// Two ways to run the same starts are compared start by start (McNemar, Psychometrika 12, 1947): with b starts that only the first
-// one ends so, and c that only the second one does, the shares differ by (b - c)/N. Were they the same, that would be 0 with the
-// standard error sqrt(b + c)/N. Where |b - c| - 1 > 2 sqrt(b + c) (the 1 for small numbers: Edwards, Psychometrika 13, 1948), the difference
-// is not by chance.
+// Two ways to run the same starts are compared start by start (McNemar, Psychometrika 12, 1947): with b starts that
+// only the first one ends so, and c that only the second one does, the shares differ by (b - c)/N. Were they the same,
+// that would be 0 with the standard error sqrt(b + c)/N. Where |b - c| - 1 > 2 sqrt(b + c) (the 1 for small numbers:
+// Edwards, Psychometrika 13, 1948), the difference is not by chance.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ struct EnsembleTask {
 struct EnsembleEnd {
     EndState state;
     RunFailure failure = RunFailure::None;
-    double work = 0.0;      // right-hand sides, or film solves
+    double work = 0.0; // right-hand sides, or film solves
 };
 
 /// One way to run all starts.
@@ -50,11 +50,13 @@ double workOf(const Case& c, const Summary& summary);
 /// The values of the key, in rising order.
 std::vector<double> startsOf(const Case& c, const EnsembleTask& task);
 
-/// Runs all starts of all ensembles on up to `jobs` threads; the outcome does not depend on their number. `poll` is told how many runs
-/// are done, and stops all by returning false. Returns whether all ended.
-bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs, const std::function<bool(std::size_t)>& poll);
+/// Runs all starts of all ensembles on up to `jobs` threads; the outcome does not depend on their number. `poll` is
+/// told how many runs are done, and stops all by returning false. Returns whether all ended.
+bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs,
+                  const std::function<bool(std::size_t)>& poll);
 
-/// An end that several starts share: of one kind, the spacings of neighbours no more than 0.1 nm apart; or the same failure.
+/// An end that several starts share: of one kind, the spacings of neighbours no more than 0.1 nm apart; or the same
+/// failure.
 struct EndClass {
     std::string name; // "flying at 7 nm"
     EndKind kind = EndKind::Failed;
@@ -76,7 +78,8 @@ struct ShareDifference {
     double error = 0.0;      // standard error
     bool significant = false;
 };
-ShareDifference shareDifference(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second, std::size_t end);
+ShareDifference shareDifference(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second,
+                                std::size_t end);
 /// Starts that end in another class.
 std::size_t otherwise(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 

@@ -33,7 +33,10 @@ ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
             largest = std::max(largest, *error);
         }
     constexpr double some = 1e-15; // [unit of the quantity]
-    if (largest == 0.0) least = largest = scale.uncertainty > 0.0 ? scale.uncertainty : std::isfinite(task.agreement) ? task.agreement : some;
+    if (largest == 0.0)
+        least = largest = scale.uncertainty > 0.0         ? scale.uncertainty
+                          : std::isfinite(task.agreement) ? task.agreement
+                                                          : some;
     scale.lowest = scale.uncertainty > 0.0 ? lowestShare * scale.uncertainty : least;
     scale.failed = failedBeyond * std::max(largest, scale.uncertainty);
     scale.border = scale.failed / std::sqrt(failedBeyond);
@@ -46,20 +49,24 @@ ChartAxis errorAxis(const PrecisionTask& task)
     if (!what.empty() && (what.size() < 2 || !std::isupper(static_cast<unsigned char>(what[1]))))
         what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
     const ErrorUnit unit = unitOf(task, task.measure);
-    return {std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + what), unit.si, unit.displayed, true};
+    return {std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + what),
+            unit.si, unit.displayed, true};
 }
 
 ChartAxis workAxis(const PrecisionTask& task)
 {
     if (!task.inTime) return {"Linear solves", "", "", true};
-    return {task.start.model == ModelKind::Film ? "Attitudes at which the film is solved" : "Right-hand sides", "", "", true};
+    return {task.start.model == ModelKind::Film ? "Attitudes at which the film is solved" : "Right-hand sides", "", "",
+            true};
 }
 
 template <class Height>
-ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y, Height height)
+ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y,
+                   Height height)
 {
     ChartPanel panel{errorAxis(task), std::move(y), {}, {}, {}, false};
-    for (const SweptMethod& method : task.methods) panel.series.push_back({method.name, {}, ChartLine::Solid, true, false});
+    for (const SweptMethod& method : task.methods)
+        panel.series.push_back({method.name, {}, ChartLine::Solid, true, false});
     bool failed = false, elsewhere = false;
     for (const PrecisionPoint& point : runs.points) {
         const std::optional<double> error = errorOf(task, point);
@@ -75,8 +82,10 @@ ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const E
     for (const PrecisionPoint* point : paretoFront(task, runs, height))
         front.points.push_back({std::max(*worthOf(task, runs, *point), scale.lowest), height(*point)});
     if (!front.points.empty()) panel.series.push_back(std::move(front));
-    if (scale.uncertainty > 0.0) panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
-    if (failed || elsewhere) panel.bands.push_back({true, scale.border, INFINITY, elsewhere ? "without an error" : "no valid end"});
+    if (scale.uncertainty > 0.0)
+        panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
+    if (failed || elsewhere)
+        panel.bands.push_back({true, scale.border, INFINITY, elsewhere ? "without an error" : "no valid end"});
     return panel;
 }
 
@@ -84,17 +93,23 @@ std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, cons
 {
     const ProvenReference& reference = runs.reference;
     std::string caption = "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
-                          " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
-                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there the largest error of a setting and of all "
+                          " repeats after a warm-up; of one run where that takes longer than " +
+                          fewDigitsOfTime(task.timeLimit) +
+                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there the "
+                          "largest error of a setting and of all "
                           "finer ones of its method counts, as a smaller one is luck.";
     if (scale.uncertainty > 0.0)
-        caption += " Shaded at the left: the reference and the run that proves it differ by " + fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
-                   "; smaller errors cannot be told apart.";
+        caption += " Shaded at the left: the reference and the run that proves it differ by " +
+                   fewDigits(scale.uncertainty, errorAxis(task).displayUnit) + "; smaller errors cannot be told apart.";
     const auto isAny = [&](PointKind kind) {
-        return std::ranges::any_of(runs.points, [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
+        return std::ranges::any_of(runs.points,
+                                   [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
     };
-    if (isAny(PointKind::WrongState)) caption += " Hollow: ends in another state than the reference; at the right edge where that leaves it without an error.";
-    if (isAny(PointKind::Failed)) caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
+    if (isAny(PointKind::WrongState))
+        caption += " Hollow: ends in another state than the reference; at the right edge where that leaves it without "
+                   "an error.";
+    if (isAny(PointKind::Failed))
+        caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
     if (reference.horizon)
         caption += " From " + fewDigitsOfTime(*reference.horizon, 3) +
                    " of simulated time on the trajectory is not determined; errors are those of the time before.";
@@ -107,9 +122,11 @@ StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs)
 {
     const ErrorScale scale = scaleOf(task, runs);
     StudyChart chart{"Accuracy against speed", captionOf(task, runs, scale), {}};
-    chart.panels.push_back(panelOf(task, runs, scale, {"Time of the solver", "s", task.start.model == ModelKind::Springs ? "ms" : "s", true},
-                                   [](const PrecisionPoint& point) { return point.fastest(); }));
-    chart.panels.push_back(panelOf(task, runs, scale, workAxis(task), [](const PrecisionPoint& point) { return point.work; }));
+    chart.panels.push_back(panelOf(
+        task, runs, scale, {"Time of the solver", "s", task.start.model == ModelKind::Springs ? "ms" : "s", true},
+        [](const PrecisionPoint& point) { return point.fastest(); }));
+    chart.panels.push_back(
+        panelOf(task, runs, scale, workAxis(task), [](const PrecisionPoint& point) { return point.work; }));
     return chart;
 }
 

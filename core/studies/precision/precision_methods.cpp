@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/cvode.h"
 #include "core/case/fields.h"
+#include "core/numerics/cvode.h"
 #include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double mostSteps = 1e7;          // of a method's finest run
+constexpr double mostSteps = 1e7; // of a method's finest run
 constexpr double fewestReferenceSteps = 4e6, mostReferenceSteps = 4e7;
-constexpr std::size_t mostOfSeries = 13;   // 1, 2, 5, 10 ..: four decades
+constexpr std::size_t mostOfSeries = 13; // 1, 2, 5, 10 ..: four decades
 
 /// 1, 2, 5 times a power of ten, from coarse to fine.
 std::vector<std::string> stepSeries(double duration)
@@ -23,7 +23,8 @@ std::vector<std::string> stepSeries(double duration)
     std::vector<std::string> series;
     for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade < duration; decade *= 10.0)
         for (const double mantissa : {1.0, 2.0, 5.0})
-            if (const double step = roundedTo(mantissa * decade, 1); step >= least && step < duration && series.size() < mostOfSeries)
+            if (const double step = roundedTo(mantissa * decade, 1);
+                step >= least && step < duration && series.size() < mostOfSeries)
                 series.push_back(fewDigits(step, step < 0.999e-6 ? "ns" : "us", 1));
     std::ranges::reverse(series);
     return series;
@@ -32,7 +33,8 @@ std::vector<std::string> stepSeries(double duration)
 std::vector<MethodSpec> springMethods(const Case& c)
 {
     const std::vector<std::string> steps = stepSeries(c.run.duration);
-    const std::vector<std::string> tolerances{"1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11", "1e-12"};
+    const std::vector<std::string> tolerances{"1e-4", "1e-5",  "1e-6",  "1e-7", "1e-8",
+                                              "1e-9", "1e-10", "1e-11", "1e-12"};
     std::vector<MethodSpec> methods;
     for (const std::string integrator : {"rk4", "rk4-events", "newmark"}) {
         methods.push_back({integrator, {{"run.integrator", integrator}}, "run.step", steps, {"10 ns"}});
@@ -46,12 +48,14 @@ std::vector<MethodSpec> springMethods(const Case& c)
 
 std::vector<MethodSpec> filmMethods(const Case& c, bool inTime)
 {
-    const std::vector<std::string> nodes = inTime ? std::vector<std::string>{"49", "97", "145", "193"}
-                                                  : std::vector<std::string>{"33", "49", "65", "97", "145", "193", "289"};
+    const std::vector<std::string> nodes = inTime
+                                               ? std::vector<std::string>{"49", "97", "145", "193"}
+                                               : std::vector<std::string>{"33", "49", "65", "97", "145", "193", "289"};
     const std::string ownScheme = toText(c, *findField("film.scheme")), ownGrid = toText(c, *findField("film.grid"));
     std::vector<MethodSpec> methods;
     const auto add = [&](const std::string& scheme, const std::string& grid) {
-        methods.push_back({scheme + ", " + grid, {{"film.scheme", scheme}, {"film.grid", grid}}, "film.nodes", nodes, {"97"}});
+        methods.push_back(
+            {scheme + ", " + grid, {{"film.scheme", scheme}, {"film.grid", grid}}, "film.nodes", nodes, {"97"}});
     };
     for (const std::string grid : {"adapted", "graded", "uniform"}) add(ownScheme, grid);
     for (const std::string scheme : {"upwind", "power-law", "exponential", "complete-flux"})
@@ -108,7 +112,8 @@ std::vector<ReferenceCase> defaultReferences(const Case& c, bool inTime, const s
     const int cells = nodesOfFinest(methods) - 1;
     const int nodes = std::min(2049, std::max(cells / 16 + 1, cells * 3 / 2 / 16) * 16 + 1);
     if (!inTime) return gridReferences(c, nodes, {});
-    return gridReferences(c, nodes, 0.25 * leastOf(methods, c.run.stepError, [](const Case& each) { return each.run.stepError; }));
+    return gridReferences(
+        c, nodes, 0.25 * leastOf(methods, c.run.stepError, [](const Case& each) { return each.run.stepError; }));
 }
 
 } // namespace touchdown

@@ -10,12 +10,13 @@
 
 namespace touchdown {
 
-/// Springs: every integrator over four decades of steps, whose finest takes up to ten million of them, or eight of tolerances. Film:
-/// grids and schemes over the number of nodes; in time also the step error, with both couplings; in a static state also the solvers.
+/// Springs: every integrator over four decades of steps, whose finest takes up to ten million of them, or eight of
+/// tolerances. Film: grids and schemes over the number of nodes; in time also the step error, with both couplings; in a
+/// static state also the solvers.
 std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime);
 
-/// Finer than any setting of the methods. Springs: rk4-events at half of the finest step, with four to forty million of them. Film: grids
-/// with half as many nodes more than the finest, in time with a quarter of the smallest step error.
+/// Finer than any setting of the methods. Springs: rk4-events at half of the finest step, with four to forty million of
+/// them. Film: grids with half as many nodes more than the finest, in time with a quarter of the smallest step error.
 std::vector<ReferenceCase> defaultReferences(const Case& c, bool inTime, const std::vector<SweptMethod>& methods);
 
 } // namespace touchdown

@@ -19,7 +19,8 @@ double timeOf(const PrecisionPoint& point) { return point.fastest(); }
 std::string endText(const PrecisionPoint& point)
 {
     if (!point.ran) return "not run";
-    return std::string(point.summary.status == RunStatus::Completed ? name(point.end.kind) : name(point.summary.failure));
+    return std::string(point.summary.status == RunStatus::Completed ? name(point.end.kind)
+                                                                    : name(point.summary.failure));
 }
 
 std::string verdictText(const PrecisionPoint& point, const ProvenReference& reference)
@@ -37,28 +38,34 @@ StudyValue valueOf(const std::vector<TrajectoryError>& errors, std::size_t quant
     return value ? StudyValue(*value) : StudyValue();
 }
 
-constexpr std::array measures{ErrorMeasure::Final,     ErrorMeasure::L2,            ErrorMeasure::Worst,        ErrorMeasure::Mean,
-                              ErrorMeasure::Deviation, ErrorMeasure::PeakFrequency, ErrorMeasure::PeakAmplitude};
+constexpr std::array measures{ErrorMeasure::Final,        ErrorMeasure::L2,        ErrorMeasure::Worst,
+                              ErrorMeasure::Mean,         ErrorMeasure::Deviation, ErrorMeasure::PeakFrequency,
+                              ErrorMeasure::PeakAmplitude};
 
 StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    StudyTable table{"runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}, {}};
+    StudyTable table{
+        "runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}, {}};
     const std::size_t shown = task.inTime ? measures.size() : 1;
     for (std::size_t i = 0; i < shown; ++i) {
         const ErrorUnit unit = unitOf(task, measures[i]);
-        StudyColumn column{"error_" + std::string(name(measures[i])), unit.si, unit.displayed, std::string(title(measures[i]))};
+        StudyColumn column{"error_" + std::string(name(measures[i])), unit.si, unit.displayed,
+                           std::string(title(measures[i]))};
         std::ranges::replace(column.name, '-', '_');
         column.secondary = task.inTime && measures[i] != task.measure;
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
-        table.columns.push_back({"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
+        table.columns.push_back(
+            {"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
     for (const StudyColumn& column : std::vector<StudyColumn>{
              {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Time of the solver, the least"},
              {.name = "time_median", .unit = "s", .displayUnit = "ms", .longName = "Its median", .secondary = true},
              {.name = "timed", .longName = "Timed runs", .secondary = true},
              {.name = "work", .longName = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves"},
-             {.name = "steps", .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid", .secondary = true},
+             {.name = "steps",
+             .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid",
+             .secondary = true},
              {.name = "verdict", .longName = "Against the reference"},
              {.name = "end", .longName = "End"},
              {.name = "end_spacing", .unit = "m", .displayUnit = "nm", .longName = "Mean spacing over the last tenth"},
@@ -69,12 +76,15 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
         const MethodSetting& setting = task.methods[point.method].settings[point.setting];
         std::vector<StudyValue> row{task.methods[point.method].name, setting.label};
         for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, measures[i]));
-        for (std::size_t i = 0; i < task.also.size(); ++i) row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
+        for (std::size_t i = 0; i < task.also.size(); ++i)
+            row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
         const auto number = [&](double value) { return point.ran ? StudyValue(value) : StudyValue(); };
-        row.insert(row.end(), {number(point.fastest()), number(point.median()), number(static_cast<double>(point.seconds.size())),
-                               number(point.work), number(static_cast<double>(point.summary.steps)), verdictText(point, runs.reference), endText(point),
-                               point.ran && point.end.kind != EndKind::Failed ? StudyValue(point.end.spacing) : StudyValue(),
-                               std::string(setting.chosen ? "yes" : ""), point.summary.message});
+        row.insert(row.end(),
+                   {number(point.fastest()), number(point.median()), number(static_cast<double>(point.seconds.size())),
+                    number(point.work), number(static_cast<double>(point.summary.steps)),
+                    verdictText(point, runs.reference), endText(point),
+                    point.ran && point.end.kind != EndKind::Failed ? StudyValue(point.end.spacing) : StudyValue(),
+                    std::string(setting.chosen ? "yes" : ""), point.summary.message});
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -84,18 +94,22 @@ StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
     const ErrorUnit unit = unitOf(task, task.measure);
     StudyTable table{"front",
-                     {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"},
-                      {"worth", unit.si, unit.displayed, std::string(title(task.measure)) + ", no less than those of finer settings"},
+                     {{.name = "method", .longName = "Method"},
+                      {.name = "setting", .longName = "Setting"},
+                      {"worth", unit.si, unit.displayed,
+                       std::string(title(task.measure)) + ", no less than those of finer settings"},
                       {"time", "s", "ms", "Time of the solver"}},
                      {}};
     for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
         const SweptMethod& method = task.methods[point->method];
-        table.rows.push_back({method.name, method.settings[point->setting].label, *worthOf(task, runs, *point), point->fastest()});
+        table.rows.push_back(
+            {method.name, method.settings[point->setting].label, *worthOf(task, runs, *point), point->fastest()});
     }
     return table;
 }
 
-const PrecisionPoint* findPoint(const PrecisionTask& task, const PrecisionRuns& runs, const std::function<bool(const MethodSetting&)>& is)
+const PrecisionPoint* findPoint(const PrecisionTask& task, const PrecisionRuns& runs,
+                                const std::function<bool(const MethodSetting&)>& is)
 {
     for (const PrecisionPoint& point : runs.points)
         if (point.ran && is(task.methods[point.method].settings[point.setting])) return &point;
@@ -120,8 +134,10 @@ std::string costOf(const PrecisionTask& task, const PrecisionPoint& point)
 {
     const std::optional<double> error = errorOf(task, point);
     std::string text = nameOf(task, point) + ", takes " + fewDigitsOfTime(point.fastest());
-    if (point.kind == PointKind::Failed) text += " and has no valid end";
-    else if (error) text += "; its " + errorText(task, *error);
+    if (point.kind == PointKind::Failed)
+        text += " and has no valid end";
+    else if (error)
+        text += "; its " + errorText(task, *error);
     if (point.kind == PointKind::WrongState) text += ", and ends in another state than the reference";
     return text + ".";
 }
@@ -131,17 +147,21 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
 {
     const PrecisionPoint* chosen = findPoint(task, runs, [](const MethodSetting& setting) { return setting.chosen; });
     if (chosen == nullptr) return;
-    const PrecisionPoint* paper = task.start.model != ModelKind::Springs ? nullptr : findPoint(task, runs, [](const MethodSetting& setting) {
-        return setting.c.run.integrator == IntegratorKind::Rk4 && std::abs(setting.c.run.step - 10e-9) < 1e-15;
-    });
+    const PrecisionPoint* paper =
+        task.start.model != ModelKind::Springs ? nullptr : findPoint(task, runs, [](const MethodSetting& setting) {
+            return setting.c.run.integrator == IntegratorKind::Rk4 && std::abs(setting.c.run.step - 10e-9) < 1e-15;
+        });
     const double uncertainty = uncertaintyOf(task, runs);
     const std::optional<double> error = errorOf(task, *chosen);
     std::string text = "The case's own setting, " + costOf(task, *chosen);
     if (paper != nullptr && paper != chosen) {
         text += " The paper's method, " + costOf(task, *paper);
         if (const auto its = errorOf(task, *paper); its && error && *error > 0.0 && *its > 0.0)
-            text += " So the case's own setting is " + timesAs(paper->fastest() / chosen->fastest(), "faster", "slower", "as fast") + " and " +
-                    timesAs(std::max(*its, uncertainty) / std::max(*error, uncertainty), "more accurate", "less accurate", "as accurate") + ".";
+            text += " So the case's own setting is " +
+                    timesAs(paper->fastest() / chosen->fastest(), "faster", "slower", "as fast") + " and " +
+                    timesAs(std::max(*its, uncertainty) / std::max(*error, uncertainty), "more accurate",
+                            "less accurate", "as accurate") +
+                    ".";
     }
     report.findings.push_back(text);
 }
@@ -156,33 +176,54 @@ void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport
     std::string text;
     for (std::size_t i = 0; i < told; ++i) {
         const PrecisionPoint* point = front[told == 1 ? 0 : i * (all - 1) / (told - 1)];
-        text += (i == 0 ? "" : "; ") + nameOf(task, *point) + ", " + fewDigits(*worthOf(task, runs, *point), unitOf(task, task.measure).displayed) + " in " + fewDigitsOfTime(point->fastest());
+        text += (i == 0 ? "" : "; ") + nameOf(task, *point) + ", " +
+                fewDigits(*worthOf(task, runs, *point), unitOf(task, task.measure).displayed) + " in " +
+                fewDigitsOfTime(point->fastest());
     }
-    const bool own = std::ranges::any_of(front, [&](const PrecisionPoint* point) { return task.methods[point->method].settings[point->setting].chosen; });
-    report.findings.push_back("Nothing is both faster and more accurate than " + (all == 1 ? std::string("this") : all == told ? std::string("these") : "these " + std::to_string(all) + ", of which " + std::to_string(told) + " are listed") +
-                              ": " + text + ". The case's own setting is " + (own ? "" : "not ") + "among them.");
+    const bool own = std::ranges::any_of(front, [&](const PrecisionPoint* point) {
+        return task.methods[point->method].settings[point->setting].chosen;
+    });
+    report.findings.push_back(
+        "Nothing is both faster and more accurate than " +
+        (all == 1      ? std::string("this")
+         : all == told ? std::string("these")
+                       : "these " + std::to_string(all) + ", of which " + std::to_string(told) + " are listed") +
+        ": " + text + ". The case's own setting is " + (own ? "" : "not ") + "among them.");
 }
 
 void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
     const ProvenReference& reference = runs.reference;
     const std::string distance = fewDigits(reference.apart, task.quantity.displayUnit);
-    std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other + " confirms to " + distance + "; smaller errors count as that.";
+    std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other +
+                       " confirms to " + distance + "; smaller errors count as that.";
     if (reference.horizon) {
-        text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " + fewDigits(task.agreement, task.quantity.displayUnit) +
-               " at " + fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance + " later. Errors are those of the time before. ";
-        if (reference.endKnown) text += "The end is determined: it " + outcomeText(reference.run) + ", by both.";
-        else text += "Nor is the end: " + std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end otherwise" : "the two end otherwise") +
-                     ", and only the shares of an ensemble of starts have a meaning.";
+        text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " +
+               fewDigits(task.agreement, task.quantity.displayUnit) + " at " + fewDigitsOfTime(*reference.horizon, 3) +
+               " and by up to " + distance + " later. Errors are those of the time before. ";
+        if (reference.endKnown)
+            text += "The end is determined: it " + outcomeText(reference.run) + ", by both.";
+        else
+            text += "Nor is the end: " +
+                    std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end otherwise"
+                                                                            : "the two end otherwise") +
+                    ", and only the shares of an ensemble of starts have a meaning.";
     }
     if (!reference.horizon && !reference.endKnown)
-        text += " How it ends is not determined: starts that hardly differ end otherwise, and only the shares of an ensemble of starts have a meaning.";
+        text += " How it ends is not determined: starts that hardly differ end otherwise, and only the shares of an "
+                "ensemble of starts have a meaning.";
     report.findings.push_back(text);
     if (!reference.run.valid())
-        report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message + ". Runs that fail in the same way agree with the reference.");
+        report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message +
+                                  ". Runs that fail in the same way agree with the reference.");
     if (reference.horizon && task.measure >= ErrorMeasure::Mean)
-        report.warnings.push_back("Where the trajectory is not determined no run has an error of the kind \"" + std::string(name(task.measure)) + "\", which needs all of it: take error = \"worst\".");
-    if (runs.referencesLate) report.warnings.push_back("Some of the runs that may prove the reference were cut off: they took more than their share of the budget of " + fewDigitsOfTime(task.budget) + ".");
+        report.warnings.push_back("Where the trajectory is not determined no run has an error of the kind \"" +
+                                  std::string(name(task.measure)) +
+                                  "\", which needs all of it: take error = \"worst\".");
+    if (runs.referencesLate)
+        report.warnings.push_back("Some of the runs that may prove the reference were cut off: they took more than "
+                                  "their share of the budget of " +
+                                  fewDigitsOfTime(task.budget) + ".");
 }
 
 /// "rk4 (2 us, 1 us); newmark (2 us)", a few of many.
@@ -200,8 +241,10 @@ std::string listOf(const PrecisionTask& task, const std::vector<const PrecisionP
             ++left;
             continue;
         }
-        if (another) list += (list.empty() ? "" : "; ") + nameOf(method.name, label);
-        else list.insert(list.size() - 1, ", " + label);
+        if (another)
+            list += (list.empty() ? "" : "; ") + nameOf(method.name, label);
+        else
+            list.insert(list.size() - 1, ", " + label);
     }
     return left > 0 ? list + "; and " + std::to_string(left) + " more" : list;
 }
@@ -210,14 +253,19 @@ void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
 {
     std::vector<const PrecisionPoint*> wrong, failed, missing;
     for (const PrecisionPoint& point : runs.points) {
-        if (!point.ran) missing.push_back(&point);
-        else if (point.kind == PointKind::WrongState) wrong.push_back(&point);
-        else if (point.kind == PointKind::Failed) failed.push_back(&point);
+        if (!point.ran)
+            missing.push_back(&point);
+        else if (point.kind == PointKind::WrongState)
+            wrong.push_back(&point);
+        else if (point.kind == PointKind::Failed)
+            failed.push_back(&point);
     }
-    if (!wrong.empty()) report.findings.push_back("These end in another state than the reference: " + listOf(task, wrong) + ".");
+    if (!wrong.empty())
+        report.findings.push_back("These end in another state than the reference: " + listOf(task, wrong) + ".");
     if (!failed.empty()) report.findings.push_back("These have no valid end: " + listOf(task, failed) + ".");
     if (!missing.empty() && runs.late)
-        report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) + " was spent before these were run: " + listOf(task, missing) + ".");
+        report.warnings.push_back("The budget of " + fewDigitsOfTime(task.budget) +
+                                  " was spent before these were run: " + listOf(task, missing) + ".");
 }
 
 } // namespace
@@ -247,7 +295,8 @@ std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& ru
     *worth = std::max(*worth, uncertaintyOf(task, runs));
     if (!task.methods[point.method].ordered) return worth;
     for (const PrecisionPoint& finer : runs.points)
-        if (finer.method == point.method && finer.setting > point.setting) *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
+        if (finer.method == point.method && finer.setting > point.setting)
+            *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
     return worth;
 }
 
@@ -258,7 +307,8 @@ std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const 
     const auto error = [&](const PrecisionPoint* point) { return *worthOf(task, runs, *point); };
     for (const PrecisionPoint& point : runs.points)
         if (point.kind == PointKind::Good && errorOf(task, point) && cost(point) > 0.0) order.push_back(&point);
-    std::ranges::stable_sort(order, {}, [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
+    std::ranges::stable_sort(order, {},
+                             [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
     for (const PrecisionPoint* point : order)
         if (front.empty() || error(point) < error(front.back())) front.push_back(point);
     std::ranges::reverse(front);

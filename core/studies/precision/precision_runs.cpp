@@ -14,10 +14,10 @@ namespace touchdown {
 namespace {
 
 constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
-constexpr double budgetOfFirstRuns = 0.7; // what is left is for repeats
+constexpr double budgetOfFirstRuns = 0.7;                         // what is left is for repeats
 constexpr double budgetOfReferences = 0.6;
-constexpr double shortRun = 5e-3;         // [s]
-constexpr double sameState = 0.5;         // a film's spacings in one state differ by no more than this share, whatever the grid
+constexpr double shortRun = 5e-3; // [s]
+constexpr double sameState = 0.5; // a film's spacings in one state differ by no more than this share, whatever the grid
 
 std::vector<std::string> namesOf(const PrecisionTask& task)
 {
@@ -62,10 +62,12 @@ double secondsOf(const PrecisionTask& task, const Summary& summary)
 }
 
 /// Over what is determined, first the task's quantity, then the others.
-std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredRun& run, const ProvenReference& reference)
+std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredRun& run,
+                                      const ProvenReference& reference)
 {
     std::vector<TrajectoryError> errors;
-    for (std::size_t i = 0; i <= task.also.size(); ++i) errors.push_back(trajectoryError(run, reference.run, i, reference.samples));
+    for (std::size_t i = 0; i <= task.also.size(); ++i)
+        errors.push_back(trajectoryError(run, reference.run, i, reference.samples));
     return errors;
 }
 
@@ -73,7 +75,8 @@ std::vector<TrajectoryError> errorsOf(const PrecisionTask& task, const MeasuredR
 double distanceOfEnds(const PrecisionTask& task, const MeasuredRun& reference)
 {
     if (!task.inTime) return INFINITY;
-    return task.start.model == ModelKind::Springs ? sameSpacing : std::max(sameSpacing, sameState * std::abs(reference.end.spacing));
+    return task.start.model == ModelKind::Springs ? sameSpacing
+                                                  : std::max(sameSpacing, sameState * std::abs(reference.end.spacing));
 }
 
 class Performance {
@@ -133,14 +136,17 @@ private:
         runs_.referencesLate = ended == Ended::Late;
         const auto ran = [](const MeasuredRun& run) { return run.summary.status != RunStatus::Cancelled; };
         if (std::ranges::count_if(found, ran) < 2) {
-            runs_.reference.problem = "fewer than two of the runs that may prove it ended within " + fewDigitsOfTime(budgetOfReferences * task_.budget) +
-                                      ", their share of the budget of " + fewDigitsOfTime(task_.budget) + "; give it more";
+            runs_.reference.problem = "fewer than two of the runs that may prove it ended within " +
+                                      fewDigitsOfTime(budgetOfReferences * task_.budget) +
+                                      ", their share of the budget of " + fewDigitsOfTime(task_.budget) +
+                                      "; give it more";
             return true;
         }
         const auto valid = std::ranges::find_if(found, &MeasuredRun::valid);
         sameDistance_ = distanceOfEnds(task_, valid != found.end() ? *valid : found.front());
         runs_.reference = proveReference(task_.references, std::move(found), task_.agreement, sameDistance_);
-        if (runs_.reference.problem.empty()) runs_.uncertainty = errorsOf(task_, runs_.reference.check, runs_.reference);
+        if (runs_.reference.problem.empty())
+            runs_.uncertainty = errorsOf(task_, runs_.reference.check, runs_.reference);
         share_ = shareOfReference;
         changed_ = true;
         return proveEnd();
@@ -156,14 +162,18 @@ private:
         const std::vector<Case> starts = nudgedStarts(task_.references[reference.which].c);
         std::vector<MeasuredRun> ends(starts.size());
         const Ended ended = runTasks(
-            ends.size(), jobs_, budgetOfReferences * task_.budget, [&](std::size_t i, const GoOn& goOn) { ends[i] = measure(task_, starts[i], goOn); },
+            ends.size(), jobs_, budgetOfReferences * task_.budget,
+            [&](std::size_t i, const GoOn& goOn) { ends[i] = measure(task_, starts[i], goOn); },
             [](std::size_t) { return std::string("starts that hardly differ"); });
         if (ended == Ended::Well) touchdown::proveEnd(reference, ends, sameDistance_);
         runs_.referencesLate = runs_.referencesLate || ended == Ended::Late;
         return ended != Ended::Stopped;
     }
 
-    const Case& caseOf(const PrecisionPoint& point) const { return task_.methods[point.method].settings[point.setting].c; }
+    const Case& caseOf(const PrecisionPoint& point) const
+    {
+        return task_.methods[point.method].settings[point.setting].c;
+    }
 
     /// Coarse settings of all methods before fine ones of any.
     std::vector<PrecisionPoint*> byFineness()
@@ -198,7 +208,8 @@ private:
                 break;
             }
             record(*order[i], run);
-            share_ = shareOfReference + shareOfFirstRuns * static_cast<double>(i + 1) / static_cast<double>(order.size());
+            share_ =
+                shareOfReference + shareOfFirstRuns * static_cast<double>(i + 1) / static_cast<double>(order.size());
             changed_ = true;
         }
         return true;
@@ -222,7 +233,8 @@ private:
     bool repeat()
     {
         std::vector<PrecisionPoint*> order = byFineness();
-        std::erase_if(order, [&](const PrecisionPoint* point) { return !point->ran || point->fastest() > task_.timeLimit; });
+        std::erase_if(order,
+                      [&](const PrecisionPoint* point) { return !point->ran || point->fastest() > task_.timeLimit; });
         const double first = share_;
         const std::size_t all = order.size() * static_cast<std::size_t>(task_.repeats);
         std::vector<std::vector<double>> timed(order.size());
@@ -248,9 +260,9 @@ private:
     int jobs_;
     PrecisionRuns& runs_;
     const RunsCallback& callback_;
-    double begin_;         // wall clock [s]
-    double share_ = 0.0;   // done
-    bool changed_ = false; // since the last call
+    double begin_;                      // wall clock [s]
+    double share_ = 0.0;                // done
+    bool changed_ = false;              // since the last call
     double sameDistance_ = sameSpacing; // of ends [m]
 };
 

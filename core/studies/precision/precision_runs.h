@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The runs of a study of accuracy against speed: those that prove the reference, one of each setting for its errors, and the
-// repeats for their times.
+// The runs of a study of accuracy against speed: those that prove the reference, one of each setting for its errors,
+// and the repeats for their times.
 //
 // Reference runs get a share of the budget; those that have not ended by then prove nothing.
 //
-// Timed runs run alone, coarse settings first. The first run of a setting warms up and gives its errors; then, as long as the budget
-// lasts, the others are repeated in turns, so that a disturbance does not meet all repeats of one.
+// Timed runs run alone, coarse settings first. The first run of a setting warms up and gives its errors; then, as long
+// as the budget lasts, the others are repeated in turns, so that a disturbance does not meet all repeats of one.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,14 @@ namespace touchdown {
 
 struct PrecisionPoint {
     std::size_t method = 0, setting = 0;
-    bool ran = false;                    // false: the budget was spent
+    bool ran = false; // false: the budget was spent
     Summary summary;
     EndState end;
-    std::vector<TrajectoryError> errors; // of the task's quantity, then of the others; empty of a run that failed otherwise than the reference
+    std::vector<TrajectoryError>
+        errors; // of the task's quantity, then of the others; empty of a run that failed otherwise than the reference
     PointKind kind = PointKind::Failed;
-    std::vector<double> seconds;         // of the solver, of the timed runs in rising order [s]
-    double work = 0.0;                   // right-hand sides, or films solved
+    std::vector<double> seconds; // of the solver, of the timed runs in rising order [s]
+    double work = 0.0;           // right-hand sides, or films solved
 
     double fastest() const { return seconds.empty() ? 0.0 : seconds.front(); }
     double median() const;
@@ -39,9 +40,10 @@ std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point);
 struct PrecisionRuns {
     ProvenReference reference;
     std::vector<TrajectoryError> uncertainty; // what the reference does not know, as PrecisionPoint::errors
-    std::vector<PrecisionPoint> points; // method by method
-    bool late = false;                  // the budget was spent before
-    bool referencesLate = false;        // not all of the runs that may prove the reference, or its end, ended in their share of the budget
+    std::vector<PrecisionPoint> points;       // method by method
+    bool late = false;                        // the budget was spent before
+    bool referencesLate =
+        false; // not all of the runs that may prove the reference, or its end, ended in their share of the budget
 };
 
 /// Tells how far it is, 0 to 1, and what it does; false stops. `changed`: there is more to show than at the last call.

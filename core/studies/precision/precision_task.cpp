@@ -31,7 +31,8 @@ std::vector<Quantity> quantitiesOf(const PrecisionTask& task)
 void leaveOut(Case& c)
 {
     c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
-    for (std::vector<double>* series : {&c.steady.radii, &c.steady.skews, &c.steady.speeds, &c.steady.altitudes}) series->clear();
+    for (std::vector<double>* series : {&c.steady.radii, &c.steady.skews, &c.steady.speeds, &c.steady.altitudes})
+        series->clear();
 }
 
 void readQuantity(StudyReader& reader, PrecisionTask& task)
@@ -64,8 +65,10 @@ void readTimes(StudyReader& reader, PrecisionTask& task)
     task.timeLimit = reader.number("time_limit", "s", "s", 0.0, longestBudget).value_or(film ? 1.0 : 0.1);
     task.budget = reader.number("budget", "s", "s", 0.01, longestBudget).value_or(film ? 120.0 : 15.0);
     const Quantity& q = task.quantity;
-    if (const auto bound = reader.number("agreement", q.unit, q.displayUnit, 1e-24, INFINITY)) task.agreement = *bound;
-    else if (q.unit != "m") task.agreement = INFINITY; // of what is no length there is no natural one
+    if (const auto bound = reader.number("agreement", q.unit, q.displayUnit, 1e-24, INFINITY))
+        task.agreement = *bound;
+    else if (q.unit != "m")
+        task.agreement = INFINITY; // of what is no length there is no natural one
 }
 
 void readMethods(StudyReader& reader, PrecisionTask& task)
@@ -77,11 +80,17 @@ void readMethods(StudyReader& reader, PrecisionTask& task)
         SweptMethod method;
         const std::string problem = makeMethod(task.start, specs[i], method);
         // A default method that this case does not allow is left out.
-        if (problem.empty()) task.methods.push_back(std::move(method));
-        else if (!own) reader.add("method[" + std::to_string(i + 1) + "]", problem);
+        if (problem.empty())
+            task.methods.push_back(std::move(method));
+        else if (!own)
+            reader.add("method[" + std::to_string(i + 1) + "]", problem);
     }
-    const auto chosen = [](const SweptMethod& method) { return std::ranges::any_of(method.settings, &MethodSetting::chosen); };
-    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen)) task.methods.push_back({.name = "the case as it is", .settings = {{.label = "", .c = task.start, .chosen = true, .inEnsemble = true}}});
+    const auto chosen = [](const SweptMethod& method) {
+        return std::ranges::any_of(method.settings, &MethodSetting::chosen);
+    };
+    if (!task.methods.empty() && std::ranges::none_of(task.methods, chosen))
+        task.methods.push_back({.name = "the case as it is",
+                                .settings = {{.label = "", .c = task.start, .chosen = true, .inEnsemble = true}}});
 }
 
 void readReferences(StudyReader& reader, PrecisionTask& task)
@@ -90,11 +99,14 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
-        if (const std::string problem = applySettings(reference.c, readSettings(reader, table + ".set")); !problem.empty()) reader.add(table, problem);
+        if (const std::string problem = applySettings(reference.c, readSettings(reader, table + ".set"));
+            !problem.empty())
+            reader.add(table, problem);
         task.references.push_back(std::move(reference));
     }
     if (tables.empty()) task.references = defaultReferences(task.start, task.inTime, task.methods);
-    if (!tables.empty() && tables.size() < 2) reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
+    if (!tables.empty() && tables.size() < 2)
+        reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
 }
 
 void readEnsemble(StudyReader& reader, PrecisionTask& task)
@@ -102,13 +114,15 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     task.ensembleWanted = reader.has("ensemble");
     EnsembleTask& ensemble = task.ensemble;
     if (task.start.model == ModelKind::Film)
-        ensemble.key = task.start.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
+        ensemble.key = task.start.initial.state == InitialState::Static ? "initial.height_offset"
+                                                                        : "initial.nominal_trailing_edge_height";
     if (const auto starts = reader.integer("ensemble.starts", 2, mostStarts)) ensemble.starts = *starts;
     if (const auto key = reader.text("ensemble.key")) {
         const Field* field = findField(*key);
         if (field == nullptr || field->kind != FieldKind::Number) {
             const std::string near = nearestKey(*key);
-            reader.add("ensemble.key", inQuotes(*key) + " is no key of a number" + (near.empty() ? "" : "; did you mean " + near + "?"));
+            reader.add("ensemble.key", inQuotes(*key) + " is no key of a number" +
+                                           (near.empty() ? "" : "; did you mean " + near + "?"));
         } else if (const std::string unused = unusedMessage(task.start, *field); !unused.empty()) {
             reader.add("ensemble.key", inQuotes(*key) + " " + unused);
         } else {
@@ -117,13 +131,16 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     }
     const Field& field = *findField(ensemble.key);
     if (field.unit != "m") ensemble.spread = 0.01 * std::abs(std::get<double>(field.get(task.start)));
-    if (const auto spread = reader.number("ensemble.spread", field.unit, field.displayUnit, 0.0, INFINITY)) ensemble.spread = *spread;
+    if (const auto spread = reader.number("ensemble.spread", field.unit, field.displayUnit, 0.0, INFINITY))
+        ensemble.spread = *spread;
     const std::vector<CaseSetting> settings = readSettings(reader, "ensemble.set");
     task.ensembleReference = ensembleReference(task.start);
     if (settings.empty()) return;
     task.ensembleReference = {"", task.start};
-    for (const CaseSetting& setting : settings) task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
-    if (const std::string problem = applySettings(task.ensembleReference.c, settings); !problem.empty()) reader.add("ensemble.set", problem);
+    for (const CaseSetting& setting : settings)
+        task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
+    if (const std::string problem = applySettings(task.ensembleReference.c, settings); !problem.empty())
+        reader.add("ensemble.set", problem);
 }
 
 } // namespace
@@ -134,9 +151,12 @@ PrecisionTask readPrecisionTask(StudyReader& reader)
     task.start = reader.start();
     leaveOut(task.start);
     task.inTime = reader.choice("of", {"run", "static"}).value_or("run") == "run";
-    if (!task.inTime && task.start.model != ModelKind::Film) reader.add("of", "\"static\" is for cases of model \"film\"");
-    if (task.start.model == ModelKind::Contact && (reader.tables("method").empty() || reader.tables("reference").empty()))
-        reader.add("case", "is of model \"contact\", for which this study knows neither methods nor references: list them as [[method]] and [[reference]], or let "
+    if (!task.inTime && task.start.model != ModelKind::Film)
+        reader.add("of", "\"static\" is for cases of model \"film\"");
+    if (task.start.model == ModelKind::Contact &&
+        (reader.tables("method").empty() || reader.tables("reference").empty()))
+        reader.add("case", "is of model \"contact\", for which this study knows neither methods nor references: list "
+                           "them as [[method]] and [[reference]], or let "
                            "\"touchdown study convergence\" refine its cells");
     else if (const std::string reason = task.inTime ? reasonNotToRun(task.start) : std::string(); !reason.empty())
         reader.add("case", reason);

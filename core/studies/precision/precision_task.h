@@ -15,18 +15,18 @@ namespace touchdown {
 
 struct PrecisionTask {
     Case start;
-    bool inTime = true;                // false: the static state
-    Quantity quantity;                 // of which the errors are
-    std::vector<Quantity> also;        // whose errors the table lists besides
+    bool inTime = true;         // false: the static state
+    Quantity quantity;          // of which the errors are
+    std::vector<Quantity> also; // whose errors the table lists besides
     ErrorMeasure measure = ErrorMeasure::Worst;
     std::vector<SweptMethod> methods;
     std::vector<ReferenceCase> references; // two or more
-    int repeats = 5;                   // of a timed run, after the one that warms up
-    double timeLimit = 0.1;            // a run that takes longer is timed once [s]
-    double budget = 15.0;              // for references and timed runs, of wall time [s]
-    double agreement = 0.1e-9;         // within which the references must stay together [unit of the quantity]
+    int repeats = 5;                       // of a timed run, after the one that warms up
+    double timeLimit = 0.1;                // a run that takes longer is timed once [s]
+    double budget = 15.0;                  // for references and timed runs, of wall time [s]
+    double agreement = 0.1e-9;             // within which the references must stay together [unit of the quantity]
     EnsembleTask ensemble;
-    bool ensembleWanted = false;       // else only where the trajectory is not determined
+    bool ensembleWanted = false; // else only where the trajectory is not determined
     ReferenceCase ensembleReference;
 };
 

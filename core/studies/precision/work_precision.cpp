@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
-#include "core/numerics/wall_clock.h"
 #include "core/formats/toml_document.h"
+#include "core/numerics/wall_clock.h"
 #include "core/studies/precision/ensemble_report.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/precision/precision_methods.h"
 #include "core/studies/precision/precision_report.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -20,7 +20,9 @@ constexpr double secondsBetweenReports = 0.5;
 
 class PrecisionStudy {
 public:
-    PrecisionStudy(const PrecisionTask& task, int jobs, const StudyCallback& callback) : task_(task), jobs_(jobs), callback_(callback) {}
+    PrecisionStudy(const PrecisionTask& task, int jobs, const StudyCallback& callback)
+        : task_(task), jobs_(jobs), callback_(callback)
+    {}
 
     StudyReport perform()
     {
@@ -30,14 +32,18 @@ public:
             if (changed) renew();
             return tell(runsShare * share, doing);
         });
-        // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked for.
+        // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked
+        // for.
         const ProvenReference& reference = runs_.reference;
-        const bool undetermined = !runs_.referencesLate && (reference.horizon || !reference.problem.empty() || !reference.endKnown);
-        const bool ensembles = task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
+        const bool undetermined =
+            !runs_.referencesLate && (reference.horizon || !reference.problem.empty() || !reference.endKnown);
+        const bool ensembles =
+            task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
         if (went && !ensembles_.empty())
-            reportEnsembles({describeStarts(task_.start, task_.ensemble), task_.start.model == ModelKind::Film ? "Film solves" : "Right-hand sides", ensembles_},
+            reportEnsembles({describeStarts(task_.start, task_.ensemble),
+                             task_.start.model == ModelKind::Film ? "Film solves" : "Right-hand sides", ensembles_},
                             report);
         if (!went) {
             report.status = StudyStatus::Cancelled;
@@ -46,12 +52,14 @@ public:
             report.status = StudyStatus::Failed;
             report.message = "there is no reference: " + runs_.reference.problem;
         } else if (!runs_.reference.problem.empty()) {
-            report.warnings.push_back("There is no reference, so that no run has an error: " + runs_.reference.problem + ".");
+            report.warnings.push_back("There is no reference, so that no run has an error: " + runs_.reference.problem +
+                                      ".");
         }
         const bool none = std::ranges::none_of(runs_.points, &PrecisionPoint::ran);
         if (report.status == StudyStatus::Completed && none && ensembles_.empty()) {
             report.status = StudyStatus::Failed;
-            report.message = "the budget of " + fewDigitsOfTime(task_.budget) + " was spent on the reference: no run was made; give it more";
+            report.message = "the budget of " + fewDigitsOfTime(task_.budget) +
+                             " was spent on the reference: no run was made; give it more";
         }
         report.wallSeconds = wallClock() - begin;
         return report;
@@ -66,8 +74,10 @@ private:
                 if (setting.inEnsemble) ensembles_.push_back({method.name, setting.label, setting.c, {}});
         const std::size_t all = ensembles_.size() * static_cast<std::size_t>(task_.ensemble.starts);
         const auto poll = [&](std::size_t done) {
-            const Ensemble& now = ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
-            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all), "ensemble: " + now.method + ", " + now.setting);
+            const Ensemble& now =
+                ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
+            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all),
+                        "ensemble: " + now.method + ", " + now.setting);
         };
         return runEnsembles(ensembles_, task_.ensemble, jobs_, poll);
     }
@@ -100,7 +110,7 @@ private:
     int jobs_;
     const StudyCallback& callback_;
     PrecisionRuns runs_;
-    std::vector<Ensemble> ensembles_; // the first one is the reference
+    std::vector<Ensemble> ensembles_;    // the first one is the reference
     std::unique_ptr<StudyReport> soFar_; // not told yet
     double reported_ = 0.0;
 };
@@ -109,7 +119,9 @@ private:
 
 StudyPerformance planWorkPrecision(StudyReader& reader)
 {
-    return [task = readPrecisionTask(reader)](int jobs, const StudyCallback& callback) { return PrecisionStudy(task, jobs, callback).perform(); };
+    return [task = readPrecisionTask(reader)](int jobs, const StudyCallback& callback) {
+        return PrecisionStudy(task, jobs, callback).perform();
+    };
 }
 
 std::string workPrecisionTemplate(const Case& c)
@@ -117,11 +129,15 @@ std::string workPrecisionTemplate(const Case& c)
     const bool film = c.model == ModelKind::Film;
     std::string text;
     if (film) text += "of = \"run\"               # or \"static\": the static state\n";
-    text += "quantity = " + tomlString(std::string(c.model == ModelKind::Contact ? "contact_force" : spacingOf(c))) + " # of which the errors are\n";
+    text += "quantity = " + tomlString(std::string(c.model == ModelKind::Contact ? "contact_force" : spacingOf(c))) +
+            " # of which the errors are\n";
     text += "error = \"worst\"          # final, l2, worst, mean, deviation, peak-frequency, peak-amplitude\n";
-    text += std::string("repeats = ") + (film ? "3" : "5") + "                # of a timed run, after one that warms up\n";
-    text += std::string("time_limit = \"") + (film ? "1 s\"   " : "0.1 s\" ") + "    # runs that take longer are timed once\n";
-    text += std::string("budget = \"") + (film ? "120 s\"" : "15 s\" ") + "         # what is not run yet when it is spent is left out\n";
+    text +=
+        std::string("repeats = ") + (film ? "3" : "5") + "                # of a timed run, after one that warms up\n";
+    text += std::string("time_limit = \"") + (film ? "1 s\"   " : "0.1 s\" ") +
+            "    # runs that take longer are timed once\n";
+    text += std::string("budget = \"") + (film ? "120 s\"" : "15 s\" ") +
+            "         # what is not run yet when it is spent is left out\n";
     text += "agreement = \"0.1 nm\"     # within which two references must stay together\n";
     text += "\n# Each method sweeps one key, from coarse to fine; without any, these are taken.\n";
     for (const MethodSpec& spec : defaultMethods(c, true)) text += methodText(spec);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Accuracy against speed: one case, run by several methods with several settings each, with the error and the time of every
-// run (work-precision diagrams; as in Mazzia & Magherini, Test Set for IVP Solvers, 2008, and SciML's DiffEqDevTools).
+// Accuracy against speed: one case, run by several methods with several settings each, with the error and the time of
+// every run (work-precision diagrams; as in Mazzia & Magherini, Test Set for IVP Solvers, 2008, and SciML's
+// DiffEqDevTools).
 //
 // As a method is any change of the case and any key that it sweeps, integrators, steps, tolerances, grids,
-// schemes, slip paths, couplings and contact patches are all compared by the same means. What a setting leaves out counts as error, too.
+// schemes, slip paths, couplings and contact patches are all compared by the same means. What a setting leaves out
+// counts as error, too.
 //
-// Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h): two finer runs of different
-// families that agree. Where no two agree the trajectory is not determined, and ensembles of starts are compared
-// instead (ensemble.h). The time is the solver's own, without samples and statistics for springs, as the least and the median of
-// several repeats after a run that warms up; timed runs run alone.
+// Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h): two finer runs
+// of different families that agree. Where no two agree the trajectory is not determined, and ensembles of starts are
+// compared instead (ensemble.h). The time is the solver's own, without samples and statistics for springs, as the least
+// and the median of several repeats after a run that warms up; timed runs run alone.
 //
 //   case = "fig10a"
 //   of = "run"                  # film: or "static", the static state
@@ -17,10 +19,11 @@
 //   error = "worst"             # in the chart: final, l2, worst, mean, deviation, peak-frequency, peak-amplitude
 //   repeats = 5
 //   time_limit = "0.1 s"        # runs that take longer are timed once
-//   budget = "15 s"             # of wall time: what is not run yet when it is spent is left out; up to 60 % of it for the references
-//   agreement = "0.1 nm"        # within which the two best references must stay together
+//   budget = "15 s"             # of wall time: what is not run yet when it is spent is left out; up to 60 % of it for
+//   the references agreement = "0.1 nm"        # within which the two best references must stay together
 //
-//   [[method]]                  # see swept_method.h; the case's own value is added to the method that is the case's own; none: those
+//   [[method]]                  # see swept_method.h; the case's own value is added to the method that is the case's
+//   own; none: those
 //   ...                         # that suit the model, see precision_methods.h
 //
 //   [[reference]]               # two or more; none: those that suit the model

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/moments.h"
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
+#include "core/numerics/moments.h"
 #include "core/simulation/run.h"
 #include "core/studies/study/few_digits.h"
 
@@ -30,9 +30,13 @@ std::string_view name(EndKind kind)
     return {};
 }
 
-std::string_view spacingOf(const Case& c) { return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing"; }
+std::string_view spacingOf(const Case& c)
+{
+    return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing";
+}
 
-MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn, const RunOptions& options)
+MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn,
+                       const RunOptions& options)
 {
     Case c = given;
     c.run.stepCheck = false;
@@ -48,21 +52,24 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
     run.columns.resize(quantities.size());
     std::size_t touching = 0;
     std::vector<double> tail; // of the spacing
-    run.summary = touchdown::run(c, [&](const RunUpdate& update) {
-        const SampleBatch& batch = update.samples;
-        run.time.insert(run.time.end(), batch.time.begin(), batch.time.end());
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            if (columns[i] < 0) continue;
-            const std::vector<double>& values = batch.columns[static_cast<std::size_t>(columns[i])];
-            run.columns[i].insert(run.columns[i].end(), values.begin(), values.end());
-        }
-        for (std::size_t i = 0; i < batch.size(); ++i) {
-            if (batch.time[i] < tailBegin || spacing < 0) continue;
-            tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
-            touching += touch.touches(batch, i);
-        }
-        return !goOn || goOn();
-    }, options);
+    run.summary = touchdown::run(
+        c,
+        [&](const RunUpdate& update) {
+            const SampleBatch& batch = update.samples;
+            run.time.insert(run.time.end(), batch.time.begin(), batch.time.end());
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                if (columns[i] < 0) continue;
+                const std::vector<double>& values = batch.columns[static_cast<std::size_t>(columns[i])];
+                run.columns[i].insert(run.columns[i].end(), values.begin(), values.end());
+            }
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                if (batch.time[i] < tailBegin || spacing < 0) continue;
+                tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
+                touching += touch.touches(batch, i);
+            }
+            return !goOn || goOn();
+        },
+        options);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);
     run.end.kind = touching == 0 ? EndKind::Flying : touching == tail.size() ? EndKind::Contact : EndKind::Intermittent;
@@ -76,7 +83,8 @@ bool sameEnd(const EndState& a, const EndState& b, double distance)
     if (a.kind != b.kind) return false;
     if (a.kind == EndKind::Failed) return true;
     const double wider = std::max(a.spread, b.spread);
-    return std::abs(a.spread - b.spread) <= std::max(distance, 0.5 * wider) && std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
+    return std::abs(a.spread - b.spread) <= std::max(distance, 0.5 * wider) &&
+           std::abs(a.spacing - b.spacing) <= std::max(distance, a.spread + b.spread);
 }
 
 bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance)
@@ -89,7 +97,8 @@ std::string outcomeText(const MeasuredRun& run)
 {
     if (!run.valid()) return "fails: " + run.summary.message;
     constexpr double rest = 0.1 * sameSpacing;
-    const std::string at = fewDigits(run.end.spacing, "nm", 3) + (run.end.spread > rest ? " +- " + fewDigits(run.end.spread, "nm") : "");
+    const std::string at =
+        fewDigits(run.end.spacing, "nm", 3) + (run.end.spread > rest ? " +- " + fewDigits(run.end.spread, "nm") : "");
     switch (run.end.kind) {
     case EndKind::Flying: return "flies at " + at;
     case EndKind::Contact: return "ends in contact at " + at;

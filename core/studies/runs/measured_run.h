@@ -16,14 +16,20 @@ namespace touchdown {
 /// The last part of a run, by which its end is told [-].
 inline constexpr double tailShare = 0.1;
 
-/// What acts between pad and disk at one sample. Ono & Yamane's menisci hold the pad where its asperities do not touch any more;
-/// adhesion of surfaces reaches beyond contact.
+/// What acts between pad and disk at one sample. Ono & Yamane's menisci hold the pad where its asperities do not touch
+/// any more; adhesion of surfaces reaches beyond contact.
 class TouchColumns {
 public:
     explicit TouchColumns(const Case& c);
-    bool touches(const SampleBatch& batch, std::size_t i) const { return acts(contact_, batch, i) || (menisci_ && acts(adhesion_, batch, i)); }
+    bool touches(const SampleBatch& batch, std::size_t i) const
+    {
+        return acts(contact_, batch, i) || (menisci_ && acts(adhesion_, batch, i));
+    }
     /// From afar, too.
-    bool acts(const SampleBatch& batch, std::size_t i) const { return acts(contact_, batch, i) || acts(adhesion_, batch, i); }
+    bool acts(const SampleBatch& batch, std::size_t i) const
+    {
+        return acts(contact_, batch, i) || acts(adhesion_, batch, i);
+    }
 
 private:
     static bool acts(int column, const SampleBatch& batch, std::size_t i)
@@ -36,10 +42,10 @@ private:
 
 /// Where a run ends, by the last tenth of its duration.
 enum class EndKind : std::uint8_t {
-    Flying,        // no contact at any sample
-    Contact,       // contact at every sample
-    Intermittent,  // in and out of contact
-    Failed         // no valid end: the summary tells why
+    Flying,       // no contact at any sample
+    Contact,      // contact at every sample
+    Intermittent, // in and out of contact
+    Failed        // no valid end: the summary tells why
 };
 std::string_view name(EndKind kind);
 
@@ -60,18 +66,20 @@ struct MeasuredRun {
 /// The quantity that tells the spacing in a run of this case: "flying_height" of springs, else "minimum_spacing".
 std::string_view spacingOf(const Case& c);
 
-/// Runs the case, without what costs time beside the solution, its check of the step and snapshots of fields; keeps the samples of
-/// `quantities`, names of recordedQuantities(c). `goOn` may be empty.
-MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {}, const RunOptions& options = {});
+/// Runs the case, without what costs time beside the solution, its check of the step and snapshots of fields; keeps the
+/// samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
+MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
+                       const RunOptions& options = {});
 
 /// Spacings that count as one [m].
 inline constexpr double sameSpacing = 0.1e-9;
-/// Two runs end in the same state: of one kind, their spacings differ by no more than `distance` [m] or both their spreads, and these by no
-/// more than that or half of the wider one.
+/// Two runs end in the same state: of one kind, their spacings differ by no more than `distance` [m] or both their
+/// spreads, and these by no more than that or half of the wider one.
 bool sameEnd(const EndState& a, const EndState& b, double distance = sameSpacing);
 /// The same end state, or the same failure.
 bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance = sameSpacing);
-/// "flies at 7 nm", "flies at 7 nm +- 0.14 nm" where it has not come to rest, "ends in contact at 1.59 nm", "fails: chattering at 12 us".
+/// "flies at 7 nm", "flies at 7 nm +- 0.14 nm" where it has not come to rest, "ends in contact at 1.59 nm", "fails:
+/// chattering at 12 us".
 std::string outcomeText(const MeasuredRun& run);
 
 /// A key of a case and the value that a study gives it, as a person writes it.

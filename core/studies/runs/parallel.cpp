@@ -32,7 +32,8 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     };
 
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i) threads.emplace_back(work);
+    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i)
+        threads.emplace_back(work);
     std::unique_lock lock(mutex);
     while (done < count) {
         ended.wait_for(lock, std::chrono::milliseconds(50));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Independent solutions of a study, several at a time. What each of them writes is its own, so that the outcome does not
-// depend on the number of threads.
+// Independent solutions of a study, several at a time. What each of them writes is its own, so that the outcome does
+// not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@ namespace touchdown {
 /// Asked by a task as often as it can; false: end soon.
 using GoOn = std::function<bool()>;
 
-/// Calls task(0) .. task(count - 1), each once, on up to `jobs` threads, in rising order of their start. `poll` is called on the calling
-/// thread at least every 50 ms with the number of tasks that have ended; where it returns false no further task begins, and those
-/// under way are told by `goOn`. Returns whether all tasks ran to their end without that. Threads are joined before it returns;
-/// a task must not throw.
+/// Calls task(0) .. task(count - 1), each once, on up to `jobs` threads, in rising order of their start. `poll` is
+/// called on the calling thread at least every 50 ms with the number of tasks that have ended; where it returns false
+/// no further task begins, and those under way are told by `goOn`. Returns whether all tasks ran to their end without
+/// that. Threads are joined before it returns; a task must not throw.
 bool runParallel(std::size_t count, int jobs, const std::function<void(std::size_t, const GoOn& goOn)>& task,
                  const std::function<bool(std::size_t done)>& poll);
 

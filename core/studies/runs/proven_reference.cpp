@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/cvode.h"
 #include "core/case/fields.h"
-#include "core/studies/study/few_digits.h"
+#include "core/numerics/cvode.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/runs/trajectory_error.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -17,7 +17,8 @@ namespace {
 constexpr double leastStepError = 1e-18; // [m]
 constexpr double nudge = 1e-13;          // of a start [m]
 
-ReferenceCase springReference(Case c, IntegratorKind integrator, double tolerance, double step, const std::string& setting)
+ReferenceCase springReference(Case c, IntegratorKind integrator, double tolerance, double step,
+                              const std::string& setting)
 {
     c.run.integrator = integrator;
     c.run.tolerance = tolerance;
@@ -33,7 +34,10 @@ ReferenceCase filmReference(Case c, const std::string& label, std::optional<doub
     return {nameOf(label, "step error " + fewDigits(c.run.stepError, "nm")), c};
 }
 
-double distanceOf(const MeasuredRun& a, const MeasuredRun& b) { return trajectoryError(a, b, 0).at(ErrorMeasure::Worst).value_or(INFINITY); }
+double distanceOf(const MeasuredRun& a, const MeasuredRun& b)
+{
+    return trajectoryError(a, b, 0).at(ErrorMeasure::Worst).value_or(INFINITY);
+}
 
 struct Pair {
     std::size_t first = 0, second = 0;
@@ -45,7 +49,8 @@ std::optional<Pair> bestPair(const std::vector<MeasuredRun>& runs, double least,
     std::optional<Pair> best;
     for (std::size_t i = 0; i < runs.size(); ++i)
         for (std::size_t k = i + 1; k < runs.size(); ++k) {
-            if (runs[i].summary.status == RunStatus::Cancelled || runs[k].summary.status == RunStatus::Cancelled) continue;
+            if (runs[i].summary.status == RunStatus::Cancelled || runs[k].summary.status == RunStatus::Cancelled)
+                continue;
             const double its = score(runs[i], runs[k]);
             if (!(its > least)) continue;
             best = Pair{i, k};
@@ -59,8 +64,9 @@ std::optional<Pair> bestPair(const std::vector<MeasuredRun>& runs, double least,
 std::vector<ReferenceCase> springReferences(const Case& c, double step)
 {
     const double rounded = roundedTo(step, 3);
-    std::vector<ReferenceCase> families{springReference(c, IntegratorKind::Dopri5, 1e-14, c.run.step, "1e-14"),
-                                        springReference(c, IntegratorKind::Rk4Events, c.run.tolerance, rounded, fewDigitsOfTime(rounded, 3))};
+    std::vector<ReferenceCase> families{
+        springReference(c, IntegratorKind::Dopri5, 1e-14, c.run.step, "1e-14"),
+        springReference(c, IntegratorKind::Rk4Events, c.run.tolerance, rounded, fewDigitsOfTime(rounded, 3))};
     if (haveCvode) families.push_back(springReference(c, IntegratorKind::Cvode, 1e-13, c.run.step, "1e-13"));
     return families;
 }
@@ -75,7 +81,11 @@ std::vector<ReferenceCase> gridReferences(const Case& given, int nodes, std::opt
     std::vector<ReferenceCase> families;
     for (const GridKind grid : {GridKind::Adapted, GridKind::Graded}) {
         c.film.grid = grid;
-        families.push_back(filmReference(c, (grid == GridKind::Adapted ? "an " : "a ") + toText(c, *findField("film.grid")) + " grid of " + std::to_string(nodes) + " nodes", stepError));
+        families.push_back(filmReference(c,
+                                         (grid == GridKind::Adapted ? "an " : "a ") +
+                                             toText(c, *findField("film.grid")) + " grid of " + std::to_string(nodes) +
+                                             " nodes",
+                                         stepError));
     }
     return families;
 }
@@ -103,14 +113,18 @@ std::vector<Case> nudgedStarts(const Case& c)
 {
     const bool springs = c.model == ModelKind::Springs;
     std::vector<Case> starts;
-    for (const double times : springs ? std::vector<double>{-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0} : std::vector<double>{-1.0, 1.0}) {
+    for (const double times :
+         springs ? std::vector<double>{-4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0} : std::vector<double>{-1.0, 1.0}) {
         InitialCase& initial = starts.emplace_back(c).initial;
-        (springs ? initial.flyingHeight : initial.state == InitialState::Static ? initial.heightOffset : initial.nominalTrailingEdgeHeight) += times * nudge;
+        (springs                                 ? initial.flyingHeight
+         : initial.state == InitialState::Static ? initial.heightOffset
+                                                 : initial.nominalTrailingEdgeHeight) += times * nudge;
     }
     return starts;
 }
 
-ProvenReference proveReference(const std::vector<ReferenceCase>& cases, std::vector<MeasuredRun> runs, double agreement, double sameDistance)
+ProvenReference proveReference(const std::vector<ReferenceCase>& cases, std::vector<MeasuredRun> runs, double agreement,
+                               double sameDistance)
 {
     ProvenReference reference;
     std::optional<Pair> pair = bestPair(runs, -INFINITY, [&](const MeasuredRun& a, const MeasuredRun& b) {
@@ -121,7 +135,9 @@ ProvenReference proveReference(const std::vector<ReferenceCase>& cases, std::vec
         return firstApart(a, b, agreement).value_or(std::min(a.columns[0].size(), b.columns[0].size()));
     };
     // No two end alike: those that stay together for the longest time.
-    if (!pair) pair = bestPair(runs, 0.0, [&](const MeasuredRun& a, const MeasuredRun& b) { return static_cast<double>(together(a, b)); });
+    if (!pair)
+        pair = bestPair(
+            runs, 0.0, [&](const MeasuredRun& a, const MeasuredRun& b) { return static_cast<double>(together(a, b)); });
     if (!pair) {
         reference.problem = "no two of the reference runs agree at all";
         for (std::size_t i = 0; i < runs.size(); ++i)
@@ -143,7 +159,9 @@ ProvenReference proveReference(const std::vector<ReferenceCase>& cases, std::vec
 
 void proveEnd(ProvenReference& reference, const std::vector<MeasuredRun>& nudged, double sameDistance)
 {
-    if (!std::ranges::all_of(nudged, [&](const MeasuredRun& each) { return sameOutcome(reference.run, each, sameDistance); })) reference.endKnown = false;
+    if (!std::ranges::all_of(nudged,
+                             [&](const MeasuredRun& each) { return sameOutcome(reference.run, each, sameDistance); }))
+        reference.endKnown = false;
 }
 
 std::string knowledgeOf(const ProvenReference& reference)
@@ -151,9 +169,13 @@ std::string knowledgeOf(const ProvenReference& reference)
     if (!reference.problem.empty()) return "not determined: " + reference.problem;
     const std::string apart = fewDigits(reference.apart, "nm"), end = outcomeText(reference.run);
     if (!reference.endKnown)
-        return "not determined: it " + end + (sameOutcome(reference.run, reference.check) ? ", and from a start that hardly differs ends otherwise" : ", and by another method " + outcomeText(reference.check));
+        return "not determined: it " + end +
+               (sameOutcome(reference.run, reference.check)
+                    ? ", and from a start that hardly differs ends otherwise"
+                    : ", and by another method " + outcomeText(reference.check));
     if (reference.horizon)
-        return "the end is determined, the trajectory only up to " + fewDigitsOfTime(*reference.horizon) + ": two methods part by up to " + apart + "; it " + end;
+        return "the end is determined, the trajectory only up to " + fewDigitsOfTime(*reference.horizon) +
+               ": two methods part by up to " + apart + "; it " + end;
     return "determined: two methods differ by " + apart + " at most; it " + end;
 }
 

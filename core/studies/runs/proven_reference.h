@@ -2,9 +2,10 @@
 //
 // A reference that two runs of different families prove: which runs those are, and what they tell together.
 //
-// Of all runs the two that end alike and lie closest are taken; their distance stands for what the reference itself does not know.
-// Where they part by more than the agreement the trajectory is not determined: from there on, the horizon, no error has a meaning.
-// The end may be determined nevertheless: where both end alike, and starts that differ by less than anybody can set do, too.
+// Of all runs the two that end alike and lie closest are taken; their distance stands for what the reference itself
+// does not know. Where they part by more than the agreement the trajectory is not determined: from there on, the
+// horizon, no error has a meaning. The end may be determined nevertheless: where both end alike, and starts that differ
+// by less than anybody can set do, too.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,8 @@
 
 namespace touchdown {
 
-/// A run that may prove a reference. Those of a list are each of a family of its own: they share little of what they do wrong.
+/// A run that may prove a reference. Those of a list are each of a family of its own: they share little of what they do
+/// wrong.
 struct ReferenceCase {
     std::string label; // "dopri5 (1e-14)"
     Case c;
@@ -26,8 +28,8 @@ struct ReferenceCase {
 std::vector<ReferenceCase> springReferences(const Case& c, double step);
 /// Film, where grids are compared: adapted and graded ones of `nodes` lines each way; `stepError` [m] of runs in time.
 std::vector<ReferenceCase> gridReferences(const Case& c, int nodes, std::optional<double> stepError);
-/// Film on the case's own grid: film and slider at once with a hundredth of its step error, and in turns, where the slider goes by a rule of
-/// lower order, with a thousandth.
+/// Film on the case's own grid: film and slider at once with a hundredth of its step error, and in turns, where the
+/// slider goes by a rule of lower order, with a thousandth.
 std::vector<ReferenceCase> couplingReferences(const Case& c);
 /// Of an ensemble, one run a start: springs dopri5 at 1e-12, film a tenth of the case's step error.
 ReferenceCase ensembleReference(const Case& c);
@@ -45,12 +47,14 @@ struct ProvenReference {
     bool endKnown = false;         // both end alike, and so do starts that hardly differ
 };
 
-/// `runs` of the cases, in their order; those that were stopped count for nothing. `sameDistance`: of spacings in one end state [m].
+/// `runs` of the cases, in their order; those that were stopped count for nothing. `sameDistance`: of spacings in one
+/// end state [m].
 ProvenReference proveReference(const std::vector<ReferenceCase>& cases, std::vector<MeasuredRun> runs, double agreement,
                                double sameDistance = sameSpacing);
 /// The end is known only where it is that of these starts, too.
 void proveEnd(ProvenReference& reference, const std::vector<MeasuredRun>& nudged, double sameDistance = sameSpacing);
-/// "determined: two methods differ by 3e-9 nm at most; it flies at 7 nm", of a reference whose first quantity is a length.
+/// "determined: two methods differ by 3e-9 nm at most; it flies at 7 nm", of a reference whose first quantity is a
+/// length.
 std::string knowledgeOf(const ProvenReference& reference);
 
 } // namespace touchdown

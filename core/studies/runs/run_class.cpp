@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/studies/study/few_digits.h"
 #include "core/studies/runs/trajectory_error.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -62,7 +62,8 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
 {
     RunVerdict verdict;
     const bool hasReference = reference.problem.empty();
-    const std::string truth = hasReference ? "; the reference " + outcomeText(reference.run) : "; " + knowledgeOf(reference);
+    const std::string truth =
+        hasReference ? "; the reference " + outcomeText(reference.run) : "; " + knowledgeOf(reference);
     if (hasReference) verdict.apart = trajectoryError(run, reference.run, 0).at(ErrorMeasure::Worst).value_or(0.0);
     verdict.imbalance = figure(run.summary, "energy_balance");
     if (!run.valid()) {
@@ -87,19 +88,24 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
     if (!sameOutcome(run, reference.run)) {
         verdict.kind = RunClass::WrongEnd;
         verdict.sentence = outcomeText(run) + truth;
-    } else if (verdict.imbalance > std::max(rule.energyDrift, gridsEnergy * figure(reference.run.summary, "energy_balance"))) {
+    } else if (verdict.imbalance >
+               std::max(rule.energyDrift, gridsEnergy * figure(reference.run.summary, "energy_balance"))) {
         verdict.kind = RunClass::DriftingEnergy;
-        verdict.sentence = "the books of the energy miss " + fewDigits(100.0 * verdict.imbalance, "") + " % of its largest change; it " + outcomeText(run);
+        verdict.sentence = "the books of the energy miss " + fewDigits(100.0 * verdict.imbalance, "") +
+                           " % of its largest change; it " + outcomeText(run);
     } else if (fixedFilm && run.summary.rejectedSteps > 0) {
         verdict.kind = RunClass::CutSteps;
-        verdict.sentence = std::to_string(run.summary.rejectedSteps) + " steps found no solution and were cut; it " + outcomeText(run);
+        verdict.sentence =
+            std::to_string(run.summary.rejectedSteps) + " steps found no solution and were cut; it " + outcomeText(run);
     } else if (!reference.horizon && verdict.apart > rule.agreement) {
         verdict.kind = RunClass::OtherWay;
-        verdict.sentence = outcomeText(run) + " as the reference does, but is up to " + fewDigits(verdict.apart, "nm") + " away from it on the way";
+        verdict.sentence = outcomeText(run) + " as the reference does, but is up to " + fewDigits(verdict.apart, "nm") +
+                           " away from it on the way";
     } else {
         verdict.kind = RunClass::Agrees;
         verdict.sentence = outcomeText(run) + " as the reference does" +
-                           (reference.horizon ? ", whose end alone is determined" : ", within " + fewDigits(verdict.apart, "nm") + " all the way");
+                           (reference.horizon ? ", whose end alone is determined"
+                                              : ", within " + fewDigits(verdict.apart, "nm") + " all the way");
     }
     return verdict;
 }

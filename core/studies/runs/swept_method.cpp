@@ -19,7 +19,8 @@ constexpr int labelDigits = 6;
 /// -1: smaller values are finer; 1: larger ones are; 0: they have no such order.
 int finenessOf(std::string_view key)
 {
-    if (key.ends_with("step") || key.ends_with("tolerance") || key.ends_with("step_error") || key == "elastic.cell") return -1;
+    if (key.ends_with("step") || key.ends_with("tolerance") || key.ends_with("step_error") || key == "elastic.cell")
+        return -1;
     return key == "film.nodes" ? 1 : 0;
 }
 
@@ -28,14 +29,16 @@ double numberOf(const Field& field, const Case& c)
     const FieldValue value = field.get(c);
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* whole = std::get_if<int>(&value)) return *whole;
-    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty()) return list->front();
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
+        return list->front();
     return std::nan("");
 }
 
 /// "97, 97" of "97" for a list of two.
 std::string fullValue(const Field& field, const std::string& value)
 {
-    if (field.kind != FieldKind::List || field.minimumCount < 2 || field.minimumCount != field.maximumCount) return value;
+    if (field.kind != FieldKind::List || field.minimumCount < 2 || field.minimumCount != field.maximumCount)
+        return value;
     if (listElements(value).size() != 1) return value;
     std::string list = value;
     for (std::size_t i = 1; i < field.minimumCount; ++i) list += ", " + value;
@@ -93,12 +96,16 @@ std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
         spec.key = reader.text(table + ".key").value_or("");
         if (const auto values = reader.texts(table + ".values")) spec.values = *values;
         if (const auto some = ensembles ? reader.texts(table + ".ensemble") : std::nullopt) spec.ensemble = *some;
-        if (spec.name.empty()) reader.add(table, "has no name");
-        else if (!names.insert(spec.name).second) reader.add(table + ".name", inQuotes(spec.name) + " is the name of another method, too");
-        if (spec.key.empty() && !spec.values.empty()) reader.add(table + ".values", "are of no key; name it with key = \"run.step\"");
+        if (spec.name.empty())
+            reader.add(table, "has no name");
+        else if (!names.insert(spec.name).second)
+            reader.add(table + ".name", inQuotes(spec.name) + " is the name of another method, too");
+        if (spec.key.empty() && !spec.values.empty())
+            reader.add(table + ".values", "are of no key; name it with key = \"run.step\"");
         if (!spec.key.empty() && spec.values.empty()) reader.add(table, "has no values of its key");
         for (const std::string& each : spec.ensemble)
-            if (std::ranges::find(spec.values, each) == spec.values.end()) reader.add(table + ".ensemble", inQuotes(each) + " is none of the values");
+            if (std::ranges::find(spec.values, each) == spec.values.end())
+                reader.add(table + ".ensemble", inQuotes(each) + " is none of the values");
     }
     return specs;
 }
@@ -114,11 +121,15 @@ std::string methodText(const MethodSpec& spec)
 {
     std::string text = "\n[[method]]\nname = " + tomlString(spec.name) + "\nset = { ";
     for (const CaseSetting& setting : spec.set)
-        text += (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
+        text +=
+            (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
     return text + " }\nkey = " + tomlString(spec.key) + "\nvalues = " + tomlList(spec.values) + "\n";
 }
 
-std::string nameOf(const std::string& method, const std::string& setting) { return setting.empty() ? method : method + " (" + setting + ")"; }
+std::string nameOf(const std::string& method, const std::string& setting)
+{
+    return setting.empty() ? method : method + " (" + setting + ")";
+}
 
 std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn)
 {
@@ -138,7 +149,8 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
     bool found = false;
     for (const std::string& value : spec.values) {
         MethodSetting setting{.label = value, .c = base};
-        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*field, value)}}); !problem.empty()) return problem;
+        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*field, value)}}); !problem.empty())
+            return problem;
         setting.value = numberOf(*field, setting.c);
         setting.chosen = own && toText(setting.c, *field) == toText(start, *field);
         setting.inEnsemble = spec.ensemble.empty() || std::ranges::find(spec.ensemble, value) != spec.ensemble.end();
@@ -147,10 +159,16 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
         method.settings.push_back(std::move(setting));
     }
     if (addOwn && own && !found)
-        method.settings.push_back({.label = labelOf(*field, base), .c = base, .value = numberOf(*field, base), .chosen = true, .inEnsemble = true});
+        method.settings.push_back({.label = labelOf(*field, base),
+                                   .c = base,
+                                   .value = numberOf(*field, base),
+                                   .chosen = true,
+                                   .inEnsemble = true});
     const int fineness = finenessOf(spec.key);
     method.ordered = fineness != 0;
-    if (method.ordered) std::ranges::stable_sort(method.settings, {}, [&](const MethodSetting& setting) { return fineness * setting.value; });
+    if (method.ordered)
+        std::ranges::stable_sort(method.settings, {},
+                                 [&](const MethodSetting& setting) { return fineness * setting.value; });
     return {};
 }
 

@@ -9,8 +9,8 @@
 //   values = ["100 ns", "10 ns", "1 ns"]
 //   ensemble = ["10 ns"]        # with which of them ensembles are made, where the study makes any; default: all
 //
-// Where the key says how fine a solution is, a step, a tolerance, the nodes of a grid, its values are taken from coarse to fine, in
-// whatever order they are written.
+// Where the key says how fine a solution is, a step, a tolerance, the nodes of a grid, its values are taken from coarse
+// to fine, in whatever order they are written.
 #pragma once
 
 #include <limits>
@@ -26,8 +26,8 @@ namespace touchdown {
 /// As a study's file writes it.
 struct MethodSpec {
     std::string name;
-    std::vector<CaseSetting> set;      // on the case
-    std::string key{};                 // that is swept; empty: none
+    std::vector<CaseSetting> set; // on the case
+    std::string key{};            // that is swept; empty: none
     std::vector<std::string> values{};
     std::vector<std::string> ensemble{};
 };
@@ -43,20 +43,20 @@ struct MethodSetting {
     std::string label; // "10 ns"; empty: the method has one setting
     Case c;
     double value = std::numeric_limits<double>::quiet_NaN(); // of the key, where it is a number or a list of them
-    bool chosen = false;     // what the case itself asks for
-    bool inEnsemble = false; // an ensemble is made with it, where there is one
+    bool chosen = false;                                     // what the case itself asks for
+    bool inEnsemble = false;                                 // an ensemble is made with it, where there is one
 };
 struct SweptMethod {
-    std::string name;  // "rk4"
-    std::string key{}; // that is swept, "run.step"; empty: none
+    std::string name;     // "rk4"
+    std::string key{};    // that is swept, "run.step"; empty: none
     bool ordered = false; // its settings go from coarse to fine
     std::vector<MethodSetting> settings{};
 };
 /// "rk4 (10 ns)".
 std::string nameOf(const std::string& method, const std::string& setting);
 
-/// A method with a case for each of its values; `addOwn`: and for the value of the case itself where the method is its own. Of a list
-/// that has a fixed length, one number stands for all. The problem in a sentence, or "".
+/// A method with a case for each of its values; `addOwn`: and for the value of the case itself where the method is its
+/// own. Of a list that has a fixed length, one number stands for all. The problem in a sentence, or "".
 std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn = true);
 
 } // namespace touchdown

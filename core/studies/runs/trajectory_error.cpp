@@ -37,7 +37,8 @@ std::string_view title(ErrorMeasure measure)
     return {};
 }
 
-TrajectoryError trajectoryError(const MeasuredRun& run, const MeasuredRun& reference, std::size_t column, std::size_t samples)
+TrajectoryError trajectoryError(const MeasuredRun& run, const MeasuredRun& reference, std::size_t column,
+                                std::size_t samples)
 {
     const std::vector<double>& x = run.columns[column];
     const std::vector<double>& r = reference.columns[column];

@@ -4,8 +4,9 @@
 //
 //   final |e_N|,   L2 = sqrt(sum e_n^2 / N),   worst = max |e_n|
 //
-// and of the last tenth of the run the difference of the means and of the standard deviations; of the spectrum of the minimum
-// spacing, that of its largest peak. The final error alone says little: where a motion settles, every method ends at rest.
+// and of the last tenth of the run the difference of the means and of the standard deviations; of the spectrum of the
+// minimum spacing, that of its largest peak. The final error alone says little: where a motion settles, every method
+// ends at rest.
 #pragma once
 
 #include <array>
@@ -35,12 +36,13 @@ private:
     std::array<std::optional<double>, errorMeasures> values_;
 };
 
-/// Of column `column` of both, over the first `samples` samples, or as many as both have. Statistics and spectrum are those of whole
-/// runs: they are missing where fewer are compared.
+/// Of column `column` of both, over the first `samples` samples, or as many as both have. Statistics and spectrum are
+/// those of whole runs: they are missing where fewer are compared.
 TrajectoryError trajectoryError(const MeasuredRun& run, const MeasuredRun& reference, std::size_t column,
                                 std::size_t samples = std::numeric_limits<std::size_t>::max());
 
-/// The first sample at which column 0 of the two is further apart than `distance`; none where they stay together as long as both last.
+/// The first sample at which column 0 of the two is further apart than `distance`; none where they stay together as
+/// long as both last.
 std::optional<std::size_t> firstApart(const MeasuredRun& a, const MeasuredRun& b, double distance);
 
 } // namespace touchdown

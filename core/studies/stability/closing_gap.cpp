@@ -13,10 +13,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr double exponent = 0.9;               // s of first order [-]
-constexpr double inlet = 100e-9;               // of the wedge [m]
-constexpr double finest = 2e-12;               // gap at the first cell's end [m]
-constexpr double smallest = 5e-12;             // that is shown [m]
+constexpr double exponent = 0.9;   // s of first order [-]
+constexpr double inlet = 100e-9;   // of the wedge [m]
+constexpr double finest = 2e-12;   // gap at the first cell's end [m]
+constexpr double smallest = 5e-12; // that is shown [m]
 constexpr int cells = 160;
 constexpr double rowWidth = 1e6; // so far apart that nothing flows across [m]
 
@@ -32,7 +32,8 @@ CellGrid wedgeGrid(double angle)
     for (int i = 0; i < cells; ++i, width *= low) distance.push_back(distance.back() + width);
     CellGrid grid;
     grid.y = {0.0, rowWidth, 2.0 * rowWidth, 3.0 * rowWidth};
-    for (int i = cells; i >= 0; --i) grid.x.push_back(length * (1.0 - distance[static_cast<std::size_t>(i)] / distance.back()));
+    for (int i = cells; i >= 0; --i)
+        grid.x.push_back(length * (1.0 - distance[static_cast<std::size_t>(i)] / distance.back()));
     return grid;
 }
 
@@ -51,7 +52,8 @@ std::vector<WedgePoint> pressuresInWedge(const Case& c, SlipModel model)
 {
     FilmSetting setting = filmSetting(c);
     setting.slip.model = model;
-    if (model == SlipModel::FukuiKaneko || model == SlipModel::FukuiKanekoFit || model == SlipModel::SecondOrder) setting.slip.accommodation = 1.0;
+    if (model == SlipModel::FukuiKaneko || model == SlipModel::FukuiKanekoFit || model == SlipModel::SecondOrder)
+        setting.slip.accommodation = 1.0;
     const double speed = std::abs(c.disk.speed * c.disk.radius);
     setting.disk = {.speed = speed, .radius = 1.0, .skew = 0.0, .field = VelocityField::Uniform};
     setting.scheme = ConvectionScheme::CompleteFlux;
@@ -73,7 +75,9 @@ std::vector<WedgePoint> pressuresInWedge(const Case& c, SlipModel model)
 
 double pressureAt(const std::vector<WedgePoint>& points, double gap)
 {
-    return std::ranges::min_element(points, {}, [&](const WedgePoint& each) { return std::abs(std::log(each.gap / gap)); })->pressure;
+    return std::ranges::min_element(points, {},
+                                    [&](const WedgePoint& each) { return std::abs(std::log(each.gap / gap)); })
+        ->pressure;
 }
 
 /// By how much Q jumps at the hard switch of the combination, at a pressure against ambient.
@@ -81,7 +85,8 @@ double jumpOfQ(const Case& c, double pressure)
 {
     const Air air = airOf(c.air);
     const double knudsen = air.meanFreePath / (pressure * c.air.slip.switchGap);
-    return flowFactor({.model = SlipModel::FukuiKaneko}, knudsen) / flowFactor({.model = SlipModel::NewSecondOrder, .accommodation = c.air.slip.accommodation}, knudsen);
+    return flowFactor({.model = SlipModel::FukuiKaneko}, knudsen) /
+           flowFactor({.model = SlipModel::NewSecondOrder, .accommodation = c.air.slip.accommodation}, knudsen);
 }
 
 } // namespace
@@ -92,13 +97,21 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
     const double ambient = airOf(c.air).pressure;
     StudyChart chart;
     chart.title = "Pressure in a gap that closes, by slip model";
-    chart.caption = "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") + " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the pressure stays bounded in this wedge; "
-                    "without one it grows as long as the grid lets it. The angle is ours: that at which first order's pressure grows with the gap to the -0.9.";
+    chart.caption = "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") +
+                    " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the "
+                    "pressure stays bounded in this wedge; "
+                    "without one it grows as long as the grid lets it. The angle is ours: that at which first order's "
+                    "pressure grows with the gap to the -0.9.";
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = "Gap", .unit = "m", .displayUnit = "nm", .logarithmic = true};
     panel.y = {.label = "Pressure", .unit = "Pa", .displayUnit = "kPa", .logarithmic = true};
-    StudyTable table{"closing_gap", {{"slip"}, {"at_1_nm", "Pa", "kPa", "Pressure at a gap of 1 nm"}, {"at_0_1_nm", "Pa", "kPa", "Pressure at 0.1 nm"},
-                                     {"at_0_01_nm", "Pa", "kPa", "Pressure at 0.01 nm"}, {"growth", "", "", "From 0.1 nm to 0.01 nm"}}, {}};
+    StudyTable table{"closing_gap",
+                     {{"slip"},
+                      {"at_1_nm", "Pa", "kPa", "Pressure at a gap of 1 nm"},
+                      {"at_0_1_nm", "Pa", "kPa", "Pressure at 0.1 nm"},
+                      {"at_0_01_nm", "Pa", "kPa", "Pressure at 0.01 nm"},
+                      {"growth", "", "", "From 0.1 nm to 0.01 nm"}},
+                     {}};
     constexpr double bounded = 1.5; // growth over a decade of gap
     for (std::size_t k = 0; k < slipModelNames().size(); ++k) {
         if (goOn && !goOn()) return false;
@@ -113,17 +126,25 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
         series.name = slip;
         series.markers = false;
         for (const WedgePoint& each : points) series.points.push_back({.x = each.gap, .y = each.pressure});
-        const double wide = pressureAt(points, 1e-9), middle = pressureAt(points, 1e-10), narrow = pressureAt(points, 1e-11), growth = narrow / middle;
+        const double wide = pressureAt(points, 1e-9), middle = pressureAt(points, 1e-10),
+                     narrow = pressureAt(points, 1e-11), growth = narrow / middle;
         table.rows.push_back({slip, wide, middle, narrow, growth});
         if (model != c.air.slip.model) continue;
-        const std::string figures = fewDigits(wide / ambient, "") + ", " + fewDigits(middle / ambient, "") + " and " + fewDigits(narrow / ambient, "") + " times ambient at gaps of 1, 0.1 and 0.01 nm";
-        picture.findings.push_back(growth > bounded ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: to " + figures +
-                                                          ", in a wedge at its disk's speed. The models with a second-order term keep it bounded there."
-                                                    : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: at " + figures + ", in a wedge at its disk's speed.");
+        const std::string figures = fewDigits(wide / ambient, "") + ", " + fewDigits(middle / ambient, "") + " and " +
+                                    fewDigits(narrow / ambient, "") + " times ambient at gaps of 1, 0.1 and 0.01 nm";
+        picture.findings.push_back(
+            growth > bounded
+                ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: to " +
+                      figures +
+                      ", in a wedge at its disk's speed. The models with a second-order term keep it bounded there."
+                : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: at " + figures +
+                      ", in a wedge at its disk's speed.");
     }
     if (c.air.slip.model == SlipModel::Combination && c.air.slip.blendWidth == 0.0)
-        picture.warnings.push_back("The hard switch of slip at " + fewDigits(c.air.slip.switchGap, "nm") + " makes the flow factor jump, by a factor of " + fewDigits(jumpOfQ(c, 1.0), "") +
-                                   " at ambient pressure, " + fewDigits(jumpOfQ(c, 10.0), "") + " at ten times and " + fewDigits(jumpOfQ(c, 30.0), "") +
+        picture.warnings.push_back("The hard switch of slip at " + fewDigits(c.air.slip.switchGap, "nm") +
+                                   " makes the flow factor jump, by a factor of " + fewDigits(jumpOfQ(c, 1.0), "") +
+                                   " at ambient pressure, " + fewDigits(jumpOfQ(c, 10.0), "") + " at ten times and " +
+                                   fewDigits(jumpOfQ(c, 30.0), "") +
                                    " at thirty times that, and loads with it: air.blend_width blends it.");
     picture.charts.push_back(std::move(chart));
     picture.tables.push_back(std::move(table));

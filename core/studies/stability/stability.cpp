@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/numerics/wall_clock.h"
 #include "core/formats/toml_document.h"
+#include "core/numerics/wall_clock.h"
 #include "core/studies/stability/stability_picture.h"
 #include "core/studies/stability/stability_report.h"
 
@@ -13,8 +13,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double pictureShare = 0.1;     // of the time
-constexpr double longestSilence = 0.03;  // between calls [s]
+constexpr double pictureShare = 0.1;    // of the time
+constexpr double longestSilence = 0.03; // between calls [s]
 
 StudyReport cancelled(StudyReport report, double begin)
 {
@@ -35,13 +35,16 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
     };
     if (task.picture) {
         LinearPicture picture;
-        const auto goOn = [&] { return wallClock() - lastCall < longestSilence || tell(0.0, "linear picture", nullptr); };
+        const auto goOn = [&] {
+            return wallClock() - lastCall < longestSilence || tell(0.0, "linear picture", nullptr);
+        };
         if (!makeLinearPicture(task.start, picture, goOn)) return cancelled(std::move(report), begin);
         report.charts = std::move(picture.charts);
         report.tables = std::move(picture.tables);
         report.findings = std::move(picture.findings);
         report.warnings = std::move(picture.warnings);
-        if (!picture.problem.empty()) report.warnings.insert(report.warnings.begin(), "T" + picture.problem.substr(1) + ".");
+        if (!picture.problem.empty())
+            report.warnings.insert(report.warnings.begin(), "T" + picture.problem.substr(1) + ".");
         if (!picture.problem.empty() && !task.map) {
             report.status = StudyStatus::Failed;
             report.message = picture.problem;
@@ -51,7 +54,9 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
     if (task.map) {
         const double from = task.picture ? pictureShare : 0.0;
         StabilityMap map;
-        if (!performMap(task, jobs, map, [&](double share, const std::string& doing) { return tell(from + (1.0 - from) * share, doing, nullptr); }))
+        if (!performMap(task, jobs, map, [&](double share, const std::string& doing) {
+                return tell(from + (1.0 - from) * share, doing, nullptr);
+            }))
             return cancelled(std::move(report), begin);
         StudyReport whole;
         tellMap(task, map, whole);
@@ -78,10 +83,12 @@ std::string stabilityTemplate(const Case& c)
 {
     const DefaultParameter parameter = defaultParameter(c);
     const bool film = c.model == ModelKind::Film;
-    std::string text = "picture = true          # where each method is stable, with the case's eigenvalues times its step\n"
-                       "map = true              # runs over settings and a parameter, each compared with a reference\n";
+    std::string text =
+        "picture = true          # where each method is stable, with the case's eigenvalues times its step\n"
+        "map = true              # runs over settings and a parameter, each compared with a reference\n";
     if (!parameter.key.empty())
-        text += "parameter = " + tomlString(parameter.key) + " # a key of the case\nvalues = " + tomlList(parameter.values) + "\n";
+        text += "parameter = " + tomlString(parameter.key) +
+                " # a key of the case\nvalues = " + tomlList(parameter.values) + "\n";
     text += std::string("agreement = \"") + (film ? "0.01" : "0.1") + " nm\" # within it two trajectories are one\n" +
             "energy_drift = 0.01     # what the books of the energy may miss, of the largest change of a part\n";
     for (const MethodSpec& method : defaultStabilityMethods(c)) text += methodText(method);

@@ -2,13 +2,14 @@
 //
 // Stability where methods fail, in two pictures.
 //
-// The linear one (stability_picture.h): where each method damps small motions and where it blows them up, with the case's own
-// eigenvalues times its step, and the largest stable step of each method.
+// The linear one (stability_picture.h): where each method damps small motions and where it blows them up, with the
+// case's own eigenvalues times its step, and the largest stable step of each method.
 //
-// The map (stability_map.h): runs of several methods over their settings and the values of one parameter of the case, each compared
-// with a reference of that value which two independent methods prove, and put into a class (run_class.h): agrees, wrong end state,
-// drifting energy, chatter, lost spring, diverged ... Beside the class stands what the paper's own criterion says, the same run with a
-// tenth of the step, so that one sees where that is fooled and where it raises a false alarm.
+// The map (stability_map.h): runs of several methods over their settings and the values of one parameter of the case,
+// each compared with a reference of that value which two independent methods prove, and put into a class (run_class.h):
+// agrees, wrong end state, drifting energy, chatter, lost spring, diverged ... Beside the class stands what the paper's
+// own criterion says, the same run with a tenth of the step, so that one sees where that is fooled and where it raises
+// a false alarm.
 //
 //   case = "fig10a"
 //   picture = true                            # the linear picture
@@ -18,7 +19,8 @@
 //   agreement = "0.1 nm"                      # of trajectories: within it two are one
 //   energy_drift = 0.01                       # what the books may miss, of the largest change of a part of the energy
 //
-//   [[method]]                                # see swept_method.h; none: those that suit the model. With tenths of a value among the
+//   [[method]]                                # see swept_method.h; none: those that suit the model. With tenths of a
+//   value among the
 //   ...                                       # values of run.step the paper's criterion can be applied
 #pragma once
 

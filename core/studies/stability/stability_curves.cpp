@@ -86,17 +86,21 @@ ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vect
     for (const LinearMethod& method : methods)
         for (const std::vector<Complex>& line : stabilityBoundary(method.growth, window)) {
             ChartSeries series{.name = method.name, .points = {}, .markers = false};
-            for (const Complex z : upperPart(line)) series.points.push_back({.x = z.real(), .y = std::max(0.0, z.imag())});
+            for (const Complex z : upperPart(line))
+                series.points.push_back({.x = z.real(), .y = std::max(0.0, z.imag())});
             if (!series.points.empty()) panel.series.push_back(std::move(series));
         }
     for (const LocalMotion& motion : motions) {
-        ChartSeries& series = panel.series.emplace_back(ChartSeries{.name = motion.where, .points = {}, .line = ChartLine::None});
-        for (const Complex rate : motion.rates) series.points.push_back({.x = step * rate.real(), .y = step * rate.imag()});
+        ChartSeries& series =
+            panel.series.emplace_back(ChartSeries{.name = motion.where, .points = {}, .line = ChartLine::None});
+        for (const Complex rate : motion.rates)
+            series.points.push_back({.x = step * rate.real(), .y = step * rate.imag()});
     }
     return panel;
 }
 
-void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from, double to)
+void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from,
+               double to)
 {
     ChartSeries& series = panel.series.emplace_back();
     series.name = name;
@@ -104,8 +108,10 @@ void addGrowth(ChartPanel& panel, const std::string& name, const std::function<d
     const int count = static_cast<int>(std::lround(pointsPerDecade * std::log10(to / from)));
     for (int k = 0; k <= count; ++k) {
         const double w = from * std::pow(to / from, double(k) / count), value = growth(w);
-        if (value <= highestGrowth) series.points.push_back({.x = w, .y = value});
-        else if (!series.points.empty()) break; // what comes back further out is of no use to anybody
+        if (value <= highestGrowth)
+            series.points.push_back({.x = w, .y = value});
+        else if (!series.points.empty())
+            break; // what comes back further out is of no use to anybody
     }
 }
 
@@ -117,37 +123,51 @@ ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping,
     panel.bands.push_back({.alongX = false, .lower = 1.0, .upper = 1.0, .label = "stable up to here"});
     const Complex direction(-damping, std::sqrt(std::max(0.0, 1.0 - damping * damping)));
     for (const LinearMethod& method : methods)
-        addGrowth(panel, method.name, [&](double w) { return method.growth(w * direction); }, from, to);
+        addGrowth(
+            panel, method.name, [&](double w) { return method.growth(w * direction); }, from, to);
     return panel;
 }
 
 void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step)
 {
     for (const LocalMotion& motion : motions)
-        if (const double w = step * motion.fastest(); w > 0.0) panel.bands.push_back({.alongX = true, .lower = w, .upper = w, .label = motion.where});
+        if (const double w = step * motion.fastest(); w > 0.0)
+            panel.bands.push_back({.alongX = true, .lower = w, .upper = w, .label = motion.where});
 }
 
 StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)
 {
-    StudyTable table{"step_limits", {{"method"}, {"where"}, {"largest_stable_step", "s", "ns", "Largest stable step"},
-                                     {"case_step", "s", "ns", "Step of the case"}, {"share", "", "", "Step of the case against the largest stable one"}}, {}};
+    StudyTable table{"step_limits",
+                     {{"method"},
+                      {"where"},
+                      {"largest_stable_step", "s", "ns", "Largest stable step"},
+                      {"case_step", "s", "ns", "Step of the case"},
+                      {"share", "", "", "Step of the case against the largest stable one"}},
+                     {}};
     for (const LinearMethod& method : methods)
         for (const LocalMotion& motion : motions) {
             const double limit = largestStableStep(method.growth, motion);
             const bool finite = std::isfinite(limit);
-            table.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step, finite ? StudyValue(step / limit) : StudyValue()});
+            table.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step,
+                                  finite ? StudyValue(step / limit) : StudyValue()});
         }
     return table;
 }
 
 StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
 {
-    StudyTable table{"eigenvalues", {{"where"}, {"real", "1/s", "1/us", "Real part"}, {"imaginary", "1/s", "1/us", "Imaginary part"},
-                                     {"frequency", "Hz", "kHz", "Frequency"}, {"damping_ratio", "", "", "Damping ratio"}}, {}};
+    StudyTable table{"eigenvalues",
+                     {{"where"},
+                      {"real", "1/s", "1/us", "Real part"},
+                      {"imaginary", "1/s", "1/us", "Imaginary part"},
+                      {"frequency", "Hz", "kHz", "Frequency"},
+                      {"damping_ratio", "", "", "Damping ratio"}},
+                     {}};
     for (const LocalMotion& motion : motions)
         for (const Complex rate : motion.rates) {
             const double size = std::abs(rate);
-            table.rows.push_back({motion.where, rate.real(), rate.imag(), rate.imag() / (2.0 * std::numbers::pi), size > 0.0 ? StudyValue(-rate.real() / size) : StudyValue()});
+            table.rows.push_back({motion.where, rate.real(), rate.imag(), rate.imag() / (2.0 * std::numbers::pi),
+                                  size > 0.0 ? StudyValue(-rate.real() / size) : StudyValue()});
         }
     return table;
 }
@@ -155,8 +175,9 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
 std::string limitSentence(const std::string& subject, double limit, const std::string& first)
 {
     const std::string steps = "Steps of " + subject;
-    return std::isfinite(limit) ? steps + " are stable up to " + fewDigitsOfTime(limit, 3) + "; the first to blow up is the " + first
-                                : steps + " are stable however long they are; accuracy alone limits them";
+    return std::isfinite(limit)
+               ? steps + " are stable up to " + fewDigitsOfTime(limit, 3) + "; the first to blow up is the " + first
+               : steps + " are stable however long they are; accuracy alone limits them";
 }
 
 std::string motionText(const LocalMotion& motion)
@@ -165,7 +186,8 @@ std::string motionText(const LocalMotion& motion)
     return "motion " + motion.where + " (" + fewDigits(motion.fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
 }
 
-void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step, LinearPicture& picture)
+void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
+                LinearPicture& picture)
 {
     std::string unlimited;
     for (const LinearMethod& method : methods) {
@@ -177,14 +199,18 @@ void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<Loca
         std::string sentence = limitSentence(method.sentence, limit.step, motionText(*limit.motion));
         if (method.isTheCases) {
             sentence += "; this case takes " + step.text;
-            if (step.length > limit.step) sentence += step.adaptive ? ", shorter ones where it must" : ", which cannot be right";
+            if (step.length > limit.step)
+                sentence += step.adaptive ? ", shorter ones where it must" : ", which cannot be right";
         }
         picture.findings.push_back(sentence + ".");
     }
-    if (!unlimited.empty()) picture.findings.push_back(limitSentence(unlimited, std::numeric_limits<double>::infinity(), "") + ".");
+    if (!unlimited.empty())
+        picture.findings.push_back(limitSentence(unlimited, std::numeric_limits<double>::infinity(), "") + ".");
     for (const LocalMotion& motion : motions)
         if (std::ranges::any_of(motion.rates, [](Complex rate) { return rate.real() > 1e-9 * std::abs(rate); }))
-            picture.warnings.push_back("The " + motionText(motion) + " grows of itself, in the model and not by a method, so that no step is short enough for it to be stable.");
+            picture.warnings.push_back("The " + motionText(motion) +
+                                       " grows of itself, in the model and not by a method, so that no step is short "
+                                       "enough for it to be stable.");
 }
 
 } // namespace touchdown

@@ -23,13 +23,14 @@ struct LinearMethod {
 /// Of the fastest rate [-].
 double dampingRatio(const LocalMotion& motion);
 
-/// The upper half of the plane, of which the lower one is the mirror image, with the eigenvalues times the step. It shows every bounded
-/// region whole.
+/// The upper half of the plane, of which the lower one is the mirror image, with the eigenvalues times the step. It
+/// shows every bounded region whole.
 ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
 
 /// Growth of an oscillation with this damping ratio, against omega h.
 ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to);
-void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from, double to);
+void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from,
+               double to);
 void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step);
 
 StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
@@ -40,11 +41,13 @@ struct CaseStep {
     std::string text;      // "steps of 350 ns on average"
     bool adaptive = false; // it is a mean of many, or the longest of them
 };
-/// "Steps of rk4 are stable up to 158 ns; the first to blow up is the motion in contact (2860 kHz)"; infinite: no motion does.
+/// "Steps of rk4 are stable up to 158 ns; the first to blow up is the motion in contact (2860 kHz)"; infinite: no
+/// motion does.
 std::string limitSentence(const std::string& subject, double limit, const std::string& first);
 std::string motionText(const LocalMotion& motion);
 /// A sentence for each method.
-void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step, LinearPicture& picture);
+void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
+                LinearPicture& picture);
 
 /// As makeLinearPicture; of springs, of a film.
 bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);

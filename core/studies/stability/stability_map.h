@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that what the
-// paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8 to 1e-9 s?
+// Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that
+// what the paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8
+// to 1e-9 s?
 //
 //   fooled           it does not change, and is not the reference's
 //   false alarm      it changes, though the one at the longer step is the reference's already
@@ -23,7 +24,7 @@ enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDeter
 std::string_view name(CriterionVerdict verdict);
 
 struct CriterionResult {
-    std::string finer;             // the setting with which it is compared, "1 ns"
+    std::string finer; // the setting with which it is compared, "1 ns"
     bool endChanges = false;
     double trajectoryChange = 0.0; // the largest [m]
     CriterionVerdict verdict = CriterionVerdict::Right;
@@ -38,7 +39,7 @@ struct StabilityCell {
 
 struct StabilityMap {
     std::vector<ProvenReference> references; // one a row
-    std::vector<StabilityCell> cells;     // row by row, method by method
+    std::vector<StabilityCell> cells;        // row by row, method by method
 };
 
 /// Asked with the share that is done, by expected time, and what is done next; false stops.

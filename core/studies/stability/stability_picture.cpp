@@ -10,9 +10,9 @@
 
 #include "core/numerics/stability_region.h"
 #include "core/simulation/springs/spring_model.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/runs/measured_run.h"
 #include "core/studies/stability/stability_curves.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -51,7 +51,8 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     }
     c.run.integrator = IntegratorKind::Dopri5;
     c.run.tolerance = referenceTolerance;
-    std::vector<std::string> wanted{"height", "pitch", "vertical_velocity", "pitch_velocity", "front_spacing", "rear_spacing"};
+    std::vector<std::string> wanted{"height",         "pitch",         "vertical_velocity",
+                                    "pitch_velocity", "front_spacing", "rear_spacing"};
     if (c.contact == ContactKind::OnoYamane) wanted.push_back("contact_force");
     const MeasuredRun run = measureRun(c, wanted, goOn);
     if (run.summary.status == RunStatus::Cancelled) return false;
@@ -62,8 +63,10 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     for (std::size_t i = 0; i < run.time.size(); ++i) {
         const auto value = [&](std::size_t column) { return run.columns[column][i]; };
         const bool contact = wanted.size() > 6 && value(6) != 0.0;
-        const SpringModel::Mode mode{value(4) > c.springs.cutoff, value(5) > c.springs.cutoff, contact ? ContactRegion::Pressed : ContactRegion::Apart};
-        LocalMotion here{contact ? "in contact" : "closest to the disk", ratesOf(model, {value(0), value(1), value(2), value(3)}, mode)};
+        const SpringModel::Mode mode{value(4) > c.springs.cutoff, value(5) > c.springs.cutoff,
+                                     contact ? ContactRegion::Pressed : ContactRegion::Apart};
+        LocalMotion here{contact ? "in contact" : "closest to the disk",
+                         ratesOf(model, {value(0), value(1), value(2), value(3)}, mode)};
         LocalMotion& most = contact ? touching : flying;
         if (most.rates.empty() || here.fastest() > most.fastest()) most = std::move(here);
     }
@@ -89,7 +92,8 @@ double largestStableStep(const std::function<double(Complex)>& growth, const Loc
         const double size = std::abs(rate);
         if (size == 0.0 || rate.real() > 1e-9 * size) continue;
         const Complex direction(std::min(0.0, rate.real() / size), rate.imag() / size);
-        const double z = largestStable([&](double h) { return growth(h * direction) <= stableGrowth; }, shortest, longest);
+        const double z =
+            largestStable([&](double h) { return growth(h * direction) <= stableGrowth; }, shortest, longest);
         if (z < longest) least = std::min(least, z / size);
     }
     return least;
@@ -102,25 +106,31 @@ bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::functio
     const double beta = c.run.newmarkBeta, gamma = c.run.newmarkGamma;
     const bool usual = beta == 0.25 && gamma == 0.5;
     const std::vector<LinearMethod> methods{
-        {"rk4", "rk4 (switches located or not)", rk4Growth, c.run.integrator == IntegratorKind::Rk4 || c.run.integrator == IntegratorKind::Rk4Events},
+        {"rk4", "rk4 (switches located or not)", rk4Growth,
+         c.run.integrator == IntegratorKind::Rk4 || c.run.integrator == IntegratorKind::Rk4Events},
         {"dopri5", "dopri5", dopri5Growth, c.run.integrator == IntegratorKind::Dopri5},
-        {usual ? "newmark" : "newmark, beta " + fewDigits(beta, "", 3) + ", gamma " + fewDigits(gamma, "", 3), "newmark",
-         [=](Complex z) { return newmarkGrowth(beta, gamma, z); }, c.run.integrator == IntegratorKind::Newmark}};
+        {usual ? "newmark" : "newmark, beta " + fewDigits(beta, "", 3) + ", gamma " + fewDigits(gamma, "", 3),
+         "newmark", [=](Complex z) { return newmarkGrowth(beta, gamma, z); },
+         c.run.integrator == IntegratorKind::Newmark}};
     const bool adaptive = way.meanStep > 0.0;
     const double length = adaptive ? way.meanStep : c.run.step;
     const CaseStep step{length, "steps of " + fewDigitsOfTime(length) + (adaptive ? " on average" : ""), adaptive};
 
     StudyChart regions;
     regions.title = "Where each method is stable";
-    regions.caption = "Inside its line a method damps y' = lambda y, outside it blows it up; of newmark, left of its line. Marks: the case's own eigenvalues times its " +
-                      step.text + ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step as they go: no one region is theirs.";
+    regions.caption = "Inside its line a method damps y' = lambda y, outside it blows it up; of newmark, left of its "
+                      "line. Marks: the case's own eigenvalues times its " +
+                      step.text +
+                      ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step "
+                      "as they go: no one region is theirs.";
     regions.panels.push_back(regionPanel(methods, way.motions, step.length));
 
     const LocalMotion& fastest = *std::ranges::max_element(way.motions, {}, &LocalMotion::fastest);
     StudyChart growth;
     growth.title = "Growth in one step against the step";
-    growth.caption = "The largest factor by which a step changes the fastest motion of the case, " + fastest.where + ", whose damping ratio is " +
-                     fewDigits(dampingRatio(fastest), "") + ": above 1 it blows up. Across: where the case's eigenvalues lie with " + step.text + ".";
+    growth.caption = "The largest factor by which a step changes the fastest motion of the case, " + fastest.where +
+                     ", whose damping ratio is " + fewDigits(dampingRatio(fastest), "") +
+                     ": above 1 it blows up. Across: where the case's eigenvalues lie with " + step.text + ".";
     growth.panels.push_back(growthPanel(methods, dampingRatio(fastest), 0.01, 10.0));
     addStepBands(growth.panels.back(), way.motions, step.length);
     picture.charts = {std::move(regions), std::move(growth)};

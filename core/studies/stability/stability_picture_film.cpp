@@ -8,12 +8,12 @@
 #include <numbers>
 
 #include "core/physics/film/film_rate.h"
+#include "core/simulation/flight/step_length.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/simulation/flight/step_length.h"
 #include "core/studies/stability/closing_gap.h"
-#include "core/studies/study/few_digits.h"
 #include "core/studies/stability/stability_curves.h"
+#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -31,11 +31,21 @@ struct CoupledMethod {
 std::vector<CoupledMethod> coupledMethods(const Case& c)
 {
     const bool staggered = c.film.coupling == FilmCoupling::Staggered;
-    return {{"monolithic, Fox & Goodwin", "film and slider at once (Fox and Goodwin's rule)", {.beta = 1.0 / 12}, !staggered},
-            {"monolithic, trapezoidal", "film and slider at once (the trapezoidal rule, which runs take near the limit of the other one)", {.beta = 0.25}, false},
-            {"staggered, iterated", "film and slider in turns until they agree", {.coupling = CouplingKind::Iterated}, staggered},
-            {"in turns, twice", "film and slider twice in turns", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
-            {"one-way", "film and slider once in turns", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
+    return {
+        {"monolithic, Fox & Goodwin",
+         "film and slider at once (Fox and Goodwin's rule)",
+         {.beta = 1.0 / 12},
+         !staggered},
+        {"monolithic, trapezoidal",
+         "film and slider at once (the trapezoidal rule, which runs take near the limit of the other one)",
+         {.beta = 0.25},
+         false},
+        {"staggered, iterated",
+         "film and slider in turns until they agree",
+         {.coupling = CouplingKind::Iterated},
+         staggered},
+        {"in turns, twice", "film and slider twice in turns", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
+        {"one-way", "film and slider once in turns", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
 }
 
 std::vector<LinearMethod> filmMethods()
@@ -53,14 +63,17 @@ std::vector<LinearMethod> filmMethods()
 double coupledLimit(const CoupledRule& rule, double damping)
 {
     constexpr double shortest = 1e-4, longest = 100.0;
-    const double w = largestStable([&](double at) { return coupledGrowth(rule, at, 0.0, 2.0 * damping) <= stableGrowth; }, shortest, longest);
+    const double w = largestStable(
+        [&](double at) { return coupledGrowth(rule, at, 0.0, 2.0 * damping) <= stableGrowth; }, shortest, longest);
     return w < longest ? w : std::numeric_limits<double>::infinity();
 }
 
 LocalMotion motionOf(const AirBearingMode& mode)
 {
-    const double size = 2.0 * std::numbers::pi * mode.frequency / std::sqrt(std::max(1e-12, 1.0 - mode.dampingRatio * mode.dampingRatio));
-    return {mode.kind + " mode at " + fewDigits(mode.frequency, "kHz", 3), {{-mode.dampingRatio * size, 2.0 * std::numbers::pi * mode.frequency}}};
+    const double size = 2.0 * std::numbers::pi * mode.frequency /
+                        std::sqrt(std::max(1e-12, 1.0 - mode.dampingRatio * mode.dampingRatio));
+    return {mode.kind + " mode at " + fewDigits(mode.frequency, "kHz", 3),
+            {{-mode.dampingRatio * size, 2.0 * std::numbers::pi * mode.frequency}}};
 }
 
 double explicitLimit(const Case& c, const SteadyResult& rest)
@@ -84,7 +97,8 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     const ModesResult result = modes(at, [&](const SteadyProgress&) { return goOn(); });
     if (result.status == SteadyStatus::Cancelled) return false;
     if (result.modes.empty()) {
-        picture.problem = "there is no linear picture, as there are no modes: " + (result.message.empty() ? "none oscillates" : result.message);
+        picture.problem = "there is no linear picture, as there are no modes: " +
+                          (result.message.empty() ? "none oscillates" : result.message);
         return true;
     }
     std::vector<LocalMotion> motions;
@@ -99,20 +113,26 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     const std::vector<LinearMethod> methods = filmMethods();
     StudyChart regions;
     regions.title = "Where each method is stable";
-    regions.caption = "Euler, BDF2 and BDF2OPT, of the air, are stable outside of their lines; the trapezoidal rule, of the slider, left of its line, Fox & Goodwin's inside. "
-                      "Marks: the modes of the static state times its " + step.text + "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
+    regions.caption = "Euler, BDF2 and BDF2OPT, of the air, are stable outside of their lines; the trapezoidal rule, "
+                      "of the slider, left of its line, Fox & Goodwin's inside. "
+                      "Marks: the modes of the static state times its " +
+                      step.text +
+                      "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
     regions.panels.push_back(regionPanel(methods, motions, step.length));
 
     StudyChart growth;
     growth.title = "Growth in one step against the step";
     growth.caption = "Left: rules alone, on the fastest mode, whose damping ratio is " + fewDigits(damping, "") +
-                     ". Right: slider and film together, the film a spring with the leak that gives it that damping. Above 1 a method blows up; in turns until they agree "
+                     ". Right: slider and film together, the film a spring with the leak that gives it that damping. "
+                     "Above 1 a method blows up; in turns until they agree "
                      "ends where the turns do not come to agree.";
     growth.panels.push_back(growthPanel(methods, damping, 0.01, 10.0));
     addStepBands(growth.panels.back(), motions, step.length);
     ChartPanel& together = growth.panels.emplace_back(growthPanel({}, damping, 0.01, 10.0));
     for (const CoupledMethod& method : coupledMethods(c))
-        addGrowth(together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); }, 0.01, 10.0);
+        addGrowth(
+            together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); }, 0.01,
+            10.0);
     addStepBands(together, motions, step.length);
     picture.charts = {std::move(regions), std::move(growth)};
 
@@ -125,14 +145,17 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
             const double limit = coupledLimit(method.rule, std::max(0.0, dampingRatio(motion))) / motion.fastest();
             if (limit < least) least = limit, first = &motion;
             const bool finite = std::isfinite(limit);
-            limits.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step.length, finite ? StudyValue(step.length / limit) : StudyValue()});
+            limits.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step.length,
+                                   finite ? StudyValue(step.length / limit) : StudyValue()});
         }
-        picture.findings.push_back(limitSentence(method.sentence, least, motionText(*first)) + (method.isTheCases ? "; this case takes " + step.text + "." : "."));
+        picture.findings.push_back(limitSentence(method.sentence, least, motionText(*first)) +
+                                   (method.isTheCases ? "; this case takes " + step.text + "." : "."));
     }
     if (!goOn()) return false;
     const double air = explicitLimit(c, result.steady);
     limits.rows.push_back({"explicit", "air alone", air, step.length, step.length / air});
-    picture.findings.push_back("Explicit steps of the air would be stable up to " + fewDigitsOfTime(air) + " on this grid; those of runs are implicit.");
+    picture.findings.push_back("Explicit steps of the air would be stable up to " + fewDigitsOfTime(air) +
+                               " on this grid; those of runs are implicit.");
     picture.tables = {std::move(limits), eigenvalueTable(motions)};
     if (!goOn()) return false;
     return addClosingGap(c, picture, goOn);

@@ -24,7 +24,8 @@ std::string times(std::size_t count, const std::string& one, const std::string& 
 /// An axis of a key's numbers.
 ChartAxis axisOf(const Field& field, const std::vector<double>& values)
 {
-    ChartAxis axis{.label = field.label.empty() ? field.key : field.label, .unit = field.unit, .displayUnit = field.displayUnit};
+    ChartAxis axis{
+        .label = field.label.empty() ? field.key : field.label, .unit = field.unit, .displayUnit = field.displayUnit};
     axis.label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(axis.label.front())));
     if (axis.unit.empty() || axis.unit == "1") axis.unit = axis.displayUnit = "";
     const auto [least, most] = std::ranges::minmax(values);
@@ -57,7 +58,8 @@ std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
 
 const StabilityCell* cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
 {
-    const auto found = std::ranges::find_if(map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
+    const auto found = std::ranges::find_if(
+        map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
     return found == map.cells.end() ? nullptr : &*found;
 }
 
@@ -65,15 +67,19 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
 {
     std::vector<double> xs, ys;
     const SweptMethod& first = task.rows.front().methods[method];
-    const bool numbered = std::ranges::any_of(first.settings, [](const MethodSetting& each) { return !std::isfinite(each.value); });
-    for (std::size_t k = 0; k < first.settings.size(); ++k) xs.push_back(numbered ? double(k + 1) : first.settings[k].value);
+    const bool numbered =
+        std::ranges::any_of(first.settings, [](const MethodSetting& each) { return !std::isfinite(each.value); });
+    for (std::size_t k = 0; k < first.settings.size(); ++k)
+        xs.push_back(numbered ? double(k + 1) : first.settings[k].value);
     for (const StabilityRow& row : task.rows) ys.push_back(row.value);
 
     ChartPanel panel;
-    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key, .unit = "", .displayUnit = ""} : axisOf(*findField(first.key), xs);
+    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key, .unit = "", .displayUnit = ""}
+                       : axisOf(*findField(first.key), xs);
     panel.x.label = first.name + ": " + panel.x.label;
-    panel.y = task.parameter != nullptr && task.parameterIsNumber ? axisOf(*task.parameter, ys)
-                                                                  : ChartAxis{.label = task.parameter ? task.parameter->key : "", .unit = "", .displayUnit = ""};
+    panel.y = task.parameter != nullptr && task.parameterIsNumber
+                  ? axisOf(*task.parameter, ys)
+                  : ChartAxis{.label = task.parameter ? task.parameter->key : "", .unit = "", .displayUnit = ""};
     ChartMap& chart = panel.map.emplace();
     chart.x = sorted(xs);
     chart.y = sorted(ys);
@@ -103,31 +109,46 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
     const std::string unit = task.parameter && task.parameterIsNumber ? task.parameter->unit : "";
     const std::string display = task.parameter && task.parameterIsNumber ? task.parameter->displayUnit : "";
     StudyTable table{"runs",
-                     {{"method"}, {"setting"}, {"parameter", unit, display, task.parameter ? task.parameter->key : "Parameter"},
-                      {"class"}, {.name = "end", .secondary = true}, {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
+                     {{"method"},
+                      {"setting"},
+                      {"parameter", unit, display, task.parameter ? task.parameter->key : "Parameter"},
+                      {"class"},
+                      {.name = "end", .secondary = true},
+                      {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
                       {"energy_balance", "", "", "Energy that the books miss, against the largest change of a part"},
-                      {.name = "steps", .secondary = true}, {.name = "evaluations", .secondary = true}, {.name = "switches", .secondary = true},
-                      {"finer_setting", "", "", "Paper's criterion: compared with", true}, {"end_changes", "", "", "Paper's criterion: the end changes", true},
+                      {.name = "steps", .secondary = true},
+                      {.name = "evaluations", .secondary = true},
+                      {.name = "switches", .secondary = true},
+                      {"finer_setting", "", "", "Paper's criterion: compared with", true},
+                      {"end_changes", "", "", "Paper's criterion: the end changes", true},
                       {"trajectory_change", "m", "nm", "Paper's criterion: largest change of the spacing", true},
-                      {"criterion", "", "", "Paper's criterion is"}, {.name = "detail", .secondary = true}},
+                      {"criterion", "", "", "Paper's criterion is"},
+                      {.name = "detail", .secondary = true}},
                      {}};
     for (const StabilityCell& cell : map.cells) {
         const StabilityRow& row = task.rows[cell.row];
         const SweptMethod& method = row.methods[cell.method];
         const StudyValue parameter = task.parameterIsNumber ? StudyValue(row.value) : StudyValue(row.label);
-        std::vector<StudyValue> values{method.name, method.settings[cell.setting].label, parameter, std::string(name(cell.verdict.kind)),
-                                       std::string(name(cell.run.end.kind)), cell.verdict.apart, cell.verdict.imbalance,
-                                       static_cast<double>(cell.run.summary.steps), static_cast<double>(cell.run.summary.evaluations),
+        std::vector<StudyValue> values{method.name,
+                                       method.settings[cell.setting].label,
+                                       parameter,
+                                       std::string(name(cell.verdict.kind)),
+                                       std::string(name(cell.run.end.kind)),
+                                       cell.verdict.apart,
+                                       cell.verdict.imbalance,
+                                       static_cast<double>(cell.run.summary.steps),
+                                       static_cast<double>(cell.run.summary.evaluations),
                                        static_cast<double>(cell.run.summary.events.size())};
         if (cell.criterion) {
-            values.insert(values.end(), {cell.criterion->finer, std::string(cell.criterion->endChanges ? "yes" : "no"), cell.criterion->trajectoryChange,
-                                         std::string(name(cell.criterion->verdict))});
+            values.insert(values.end(), {cell.criterion->finer, std::string(cell.criterion->endChanges ? "yes" : "no"),
+                                         cell.criterion->trajectoryChange, std::string(name(cell.criterion->verdict))});
         } else {
             values.resize(values.size() + 4);
         }
         values.emplace_back(cell.verdict.sentence);
         for (StudyValue& value : values)
-            if (const auto* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number)) value = {};
+            if (const auto* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number))
+                value = {};
         table.rows.push_back(std::move(values));
     }
     return table;
@@ -136,18 +157,27 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
 StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
 {
     StudyTable table{"references",
-                     {{"parameter"}, {"reference"}, {"checked_by"}, {"apart", "m", "nm", "Largest distance of the two"},
-                      {"horizon", "s", "us", "Time from which on the trajectory is not determined"}, {"end_is_known"}, {"detail"}},
+                     {{"parameter"},
+                      {"reference"},
+                      {"checked_by"},
+                      {"apart", "m", "nm", "Largest distance of the two"},
+                      {"horizon", "s", "us", "Time from which on the trajectory is not determined"},
+                      {"end_is_known"},
+                      {"detail"}},
                      {}};
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const ProvenReference& reference = map.references[row];
         table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
-                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(), std::string(reference.endKnown ? "yes" : "no"), knowledgeOf(reference)});
+                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(),
+                              std::string(reference.endKnown ? "yes" : "no"), knowledgeOf(reference)});
     }
     return table;
 }
 
-bool isRight(const StabilityCell& cell) { return cell.verdict.kind == RunClass::Agrees || cell.verdict.kind == RunClass::AsReference; }
+bool isRight(const StabilityCell& cell)
+{
+    return cell.verdict.kind == RunClass::Agrees || cell.verdict.kind == RunClass::AsReference;
+}
 
 /// "rk4, 54 runs: 31 agree with the reference; 5 ...".
 std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
@@ -164,12 +194,16 @@ std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::si
     std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ": ";
     for (std::size_t k = 0; k < count.size(); ++k)
         if (count[k] > 0)
-            text += (text.ends_with(": ") ? "" : "; ") + std::to_string(count[k]) + ' ' + std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
+            text += (text.ends_with(": ") ? "" : "; ") + std::to_string(count[k]) + ' ' +
+                    std::string(k == 0 && count[k] > 1 ? "agree with the reference" : name(static_cast<RunClass>(k)));
     const SweptMethod& first = task.rows.front().methods[method];
     if (!first.ordered || right == 0) return text + ".";
     const bool some = count[static_cast<std::size_t>(RunClass::NotDetermined)] > 0;
-    if (from == first.settings.size()) return text + (some ? ". At no setting do all that are determined agree." : ". At no setting do all of them agree.");
-    return text + (some ? ". Those that are determined all agree from " : ". They all agree from ") + first.settings[from].label + " on.";
+    if (from == first.settings.size())
+        return text +
+               (some ? ". At no setting do all that are determined agree." : ". At no setting do all of them agree.");
+    return text + (some ? ". Those that are determined all agree from " : ". They all agree from ") +
+           first.settings[from].label + " on.";
 }
 
 /// How the criterion fared with some of the pairs.
@@ -192,25 +226,36 @@ void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyRepo
     for (const StabilityCell& cell : map.cells) {
         if (!cell.criterion) continue;
         all.add(cell);
-        if (std::abs(task.rows[cell.row].methods[cell.method].settings[cell.setting].value - paperStep) < 1e-6 * paperStep) own.add(cell);
+        if (std::abs(task.rows[cell.row].methods[cell.method].settings[cell.setting].value - paperStep) <
+            1e-6 * paperStep)
+            own.add(cell);
         moved += !cell.criterion->endChanges && cell.criterion->trajectoryChange > task.rule.agreement;
         unknown += cell.criterion->verdict == CriterionVerdict::NotDetermined;
     }
     if (all.pairs == 0) {
-        report.warnings.push_back("The paper's criterion, the same with a tenth of the step, was not applied: no setting has its tenth among the others.");
+        report.warnings.push_back("The paper's criterion, the same with a tenth of the step, was not applied: no "
+                                  "setting has its tenth among the others.");
         return;
     }
-    const auto first = [&](const StabilityCell* cell) { return cell == nullptr ? std::string() : ", as with " + placeOf(task, *cell) + " against " + cell->criterion->finer; };
-    std::string text = "The paper's criterion asks whether the end of a run changes with a tenth of the step. Of " + times(all.pairs, "pair", "pairs") + " of runs it was fooled by " +
-                       std::to_string(all.fooled) + " (the end stays, and is not the reference's" + first(all.firstFooled) + ") and raised a false alarm at " +
-                       std::to_string(all.alarms) + " (the end changes, though at the longer step it was the reference's" + first(all.firstAlarm) + ").";
+    const auto first = [&](const StabilityCell* cell) {
+        return cell == nullptr ? std::string()
+                               : ", as with " + placeOf(task, *cell) + " against " + cell->criterion->finer;
+    };
+    std::string text = "The paper's criterion asks whether the end of a run changes with a tenth of the step. Of " +
+                       times(all.pairs, "pair", "pairs") + " of runs it was fooled by " + std::to_string(all.fooled) +
+                       " (the end stays, and is not the reference's" + first(all.firstFooled) +
+                       ") and raised a false alarm at " + std::to_string(all.alarms) +
+                       " (the end changes, though at the longer step it was the reference's" + first(all.firstAlarm) +
+                       ").";
     if (own.pairs > 0)
-        text += " With the paper's own steps, 10 ns and 1 ns: " + times(own.pairs, "pair", "pairs") + ", fooled by " + std::to_string(own.fooled) + ", false alarm at " + std::to_string(own.alarms) + ".";
+        text += " With the paper's own steps, 10 ns and 1 ns: " + times(own.pairs, "pair", "pairs") + ", fooled by " +
+                std::to_string(own.fooled) + ", false alarm at " + std::to_string(own.alarms) + ".";
     if (unknown > 0) text += " Of " + times(unknown, "pair", "pairs") + " the true end is not determined.";
     report.findings.push_back(text);
     if (moved > 0)
-        report.findings.push_back("In " + times(moved, "pair", "pairs") + " the end stays while the way there changes by more than " + fewDigits(task.rule.agreement, "nm") +
-                                  ", to which the criterion does not object.");
+        report.findings.push_back("In " + times(moved, "pair", "pairs") +
+                                  " the end stays while the way there changes by more than " +
+                                  fewDigits(task.rule.agreement, "nm") + ", to which the criterion does not object.");
 }
 
 } // namespace
@@ -218,25 +263,37 @@ void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyRepo
 StudyChart mapChart(const StabilityTask& task, const StabilityMap& map)
 {
     StudyChart chart;
-    chart.title = task.parameter ? "What becomes of the runs, over " + task.parameter->label : "What becomes of the runs";
-    chart.caption = "Each cell is a run, compared with a reference that two methods prove. By another way: along a trajectory that comes to lie more than " +
-                    fewDigits(task.rule.agreement, "nm") + " from the reference's. Drifting energy: the books miss more than " +
-                    fewDigits(100.0 * task.rule.energyDrift, "") + " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
+    chart.title =
+        task.parameter ? "What becomes of the runs, over " + task.parameter->label : "What becomes of the runs";
+    chart.caption = "Each cell is a run, compared with a reference that two methods prove. By another way: along a "
+                    "trajectory that comes to lie more than " +
+                    fewDigits(task.rule.agreement, "nm") +
+                    " from the reference's. Drifting energy: the books miss more than " +
+                    fewDigits(100.0 * task.rule.energyDrift, "") +
+                    " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
     if (task.parameter != nullptr && !task.parameterIsNumber)
-        for (const StabilityRow& row : task.rows) chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";
-    for (std::size_t method = 0; method < task.methods.size(); ++method) chart.panels.push_back(panelOf(task, map, method));
+        for (const StabilityRow& row : task.rows)
+            chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";
+    for (std::size_t method = 0; method < task.methods.size(); ++method)
+        chart.panels.push_back(panelOf(task, map, method));
     return chart;
 }
 
-std::vector<StudyTable> mapTables(const StabilityTask& task, const StabilityMap& map) { return {runsTable(task, map), referenceTable(task, map)}; }
+std::vector<StudyTable> mapTables(const StabilityTask& task, const StabilityMap& map)
+{
+    return {runsTable(task, map), referenceTable(task, map)};
+}
 
 void tellMap(const StabilityTask& task, const StabilityMap& map, StudyReport& report)
 {
-    for (std::size_t method = 0; method < task.methods.size(); ++method) report.findings.push_back(countsOf(task, map, method));
+    for (std::size_t method = 0; method < task.methods.size(); ++method)
+        report.findings.push_back(countsOf(task, map, method));
     tellCriterion(task, map, report);
     for (std::size_t row = 0; row < task.rows.size(); ++row)
         if (const ProvenReference& reference = map.references[row]; reference.horizon || !reference.endKnown)
-            report.warnings.push_back((task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") + knowledgeOf(reference) + ".");
+            report.warnings.push_back(
+                (task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") +
+                knowledgeOf(reference) + ".");
 }
 
 } // namespace touchdown

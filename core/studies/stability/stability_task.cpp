@@ -31,19 +31,23 @@ std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
     const auto key = reader.text("parameter");
     const auto values = reader.texts("values");
     if (task.start.model == ModelKind::Contact) {
-        reader.add("case", "is of model \"contact\", a pad that is moved and cannot be unstable: take one of model \"springs\" or \"film\"");
+        reader.add("case", "is of model \"contact\", a pad that is moved and cannot be unstable: take one of model "
+                           "\"springs\" or \"film\"");
         return {};
     }
     const std::string chosen = key ? *key : values ? std::string() : otherwise.key;
-    if (!key && values) reader.add("values", "are of no parameter; name it with parameter = \"ono_yamane.contact_stiffness\"");
+    if (!key && values)
+        reader.add("values", "are of no parameter; name it with parameter = \"ono_yamane.contact_stiffness\"");
     if (chosen.empty()) return {""};
     task.parameter = findField(chosen);
     if (task.parameter == nullptr) {
         const std::string near = nearestKey(chosen);
-        reader.add("parameter", inQuotes(chosen) + " is no key of a case" + (near.empty() ? "" : "; did you mean " + near + "?"));
+        reader.add("parameter",
+                   inQuotes(chosen) + " is no key of a case" + (near.empty() ? "" : "; did you mean " + near + "?"));
         return {};
     }
-    if (const std::string unused = unusedMessage(task.start, *task.parameter); !unused.empty()) reader.add("parameter", inQuotes(chosen) + " " + unused);
+    if (const std::string unused = unusedMessage(task.start, *task.parameter); !unused.empty())
+        reader.add("parameter", inQuotes(chosen) + " " + unused);
     for (const char* fixed : {"model", "run.integrator", "run.sample_interval"})
         if (chosen == fixed) reader.add("parameter", inQuotes(chosen) + " cannot be varied here");
     task.parameterIsNumber = task.parameter->kind == FieldKind::Number || task.parameter->kind == FieldKind::Integer;
@@ -63,10 +67,14 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
                 continue;
             }
             const FieldValue value = task.parameter->get(base);
-            if (const auto* number = std::get_if<double>(&value)) row.value = *number;
-            else if (const auto* whole = std::get_if<int>(&value)) row.value = *whole;
+            if (const auto* number = std::get_if<double>(&value))
+                row.value = *number;
+            else if (const auto* whole = std::get_if<int>(&value))
+                row.value = *whole;
         }
-        row.references = base.model == ModelKind::Springs ? springReferences(base, std::max(checkStep, base.run.duration / mostCheckSteps)) : couplingReferences(base);
+        row.references = base.model == ModelKind::Springs
+                             ? springReferences(base, std::max(checkStep, base.run.duration / mostCheckSteps))
+                             : couplingReferences(base);
         for (const MethodSpec& spec : task.methods) {
             SweptMethod& method = row.methods.emplace_back();
             if (const std::string problem = makeMethod(base, spec, method, false); !problem.empty()) {
@@ -77,7 +85,8 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
         }
         task.rows.push_back(std::move(row));
     }
-    if (runs > mostRuns) reader.add("values", "make " + std::to_string(runs) + " runs; " + std::to_string(mostRuns) + " are the most");
+    if (runs > mostRuns)
+        reader.add("values", "make " + std::to_string(runs) + " runs; " + std::to_string(mostRuns) + " are the most");
 }
 
 } // namespace
@@ -85,10 +94,12 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
 DefaultParameter defaultParameter(const Case& c)
 {
     const std::vector<double> factors{0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
-    if (c.model == ModelKind::Film) return {"suspension.preload", multiples(c.suspension.preload, "mN", {0.7, 1.0, 1.4})};
+    if (c.model == ModelKind::Film)
+        return {"suspension.preload", multiples(c.suspension.preload, "mN", {0.7, 1.0, 1.4})};
     if (c.contact == ContactKind::OnoYamane && c.onoYamane.contactStiffness > 0.0)
         return {"ono_yamane.contact_stiffness", multiples(c.onoYamane.contactStiffness, "N/m", factors)};
-    if (c.springs.rearStiffness > 0.0) return {"springs.rear_stiffness", multiples(c.springs.rearStiffness, "N/m", factors)};
+    if (c.springs.rearStiffness > 0.0)
+        return {"springs.rear_stiffness", multiples(c.springs.rearStiffness, "N/m", factors)};
     return {"initial.flying_height", multiples(c.initial.flyingHeight, "nm", {0.5, 1.0, 2.0})};
 }
 
@@ -100,10 +111,15 @@ std::vector<MethodSpec> defaultStabilityMethods(const Case& c)
                 {"staggered", {{"film.coupling", "staggered"}, {"run.steps", "fixed"}}, "run.step", steps, {}}};
     }
     if (c.model != ModelKind::Springs) return {};
-    const std::vector<std::string> steps{"500 ns", "200 ns", "100 ns", "50 ns", "20 ns", "10 ns", "5 ns", "2 ns", "1 ns"};
+    const std::vector<std::string> steps{"500 ns", "200 ns", "100 ns", "50 ns", "20 ns",
+                                         "10 ns",  "5 ns",   "2 ns",   "1 ns"};
     return {{"rk4", {{"run.integrator", "rk4"}}, "run.step", steps, {}},
             {"rk4-events", {{"run.integrator", "rk4-events"}}, "run.step", steps, {}},
-            {"dopri5", {{"run.integrator", "dopri5"}}, "run.tolerance", {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10"}, {}}};
+            {"dopri5",
+             {{"run.integrator", "dopri5"}},
+             "run.tolerance",
+             {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10"},
+             {}}};
 }
 
 StabilityTask readStabilityTask(StudyReader& reader)
@@ -121,8 +137,10 @@ StabilityTask readStabilityTask(StudyReader& reader)
     task.methods = readMethods(reader, false);
     if (task.methods.empty()) task.methods = defaultStabilityMethods(task.start);
     if (task.start.model == ModelKind::Contact) return task;
-    if (const std::string reason = reasonNotToRun(task.start); !reason.empty()) reader.add("case", reason);
-    else if (task.map) makeRows(reader, task, labels);
+    if (const std::string reason = reasonNotToRun(task.start); !reason.empty())
+        reader.add("case", reason);
+    else if (task.map)
+        makeRows(reader, task, labels);
     return task;
 }
 

@@ -14,8 +14,8 @@ namespace touchdown {
 
 /// One value of the parameter.
 struct StabilityRow {
-    std::string label;   // "5 N/um", as it was given; "" where there is no parameter
-    double value = 0.0;  // [unit of the parameter]; its number in the list where it is no number
+    std::string label;  // "5 N/um", as it was given; "" where there is no parameter
+    double value = 0.0; // [unit of the parameter]; its number in the list where it is no number
     std::vector<ReferenceCase> references;
     std::vector<SweptMethod> methods; // as many as MethodSpecs, with as many settings
 };

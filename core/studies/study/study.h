@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study finds, whatever it studied: sentences, charts and tables, so that one command, one file format and one page
-// of the workbench show them all.
+// What a study finds, whatever it studied: sentences, charts and tables, so that one command, one file format and one
+// page of the workbench show them all.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ enum class StudyStatus : std::uint8_t { Completed, Cancelled, Failed };
 std::string_view name(StudyStatus status);
 
 struct ChartAxis {
-    std::string label;       // "Largest error of the flying height"
-    std::string unit;        // SI, of the numbers; empty when dimensionless
-    std::string displayUnit; // "nm"; empty when dimensionless
+    std::string label;        // "Largest error of the flying height"
+    std::string unit;         // SI, of the numbers; empty when dimensionless
+    std::string displayUnit;  // "nm"; empty when dimensionless
     bool logarithmic = false; // then every number that is drawn is > 0
 };
 
@@ -39,7 +39,7 @@ struct ChartPoint {
     double x = 0.0, y = 0.0; // [units of the axes]; finite
     std::string label{};     // its setting, "10 ns"; empty: none is drawn
     PointKind kind = PointKind::Good;
-    bool chosen = false;     // the default of the program, or the advice: ringed
+    bool chosen = false;               // the default of the program, or the advice: ringed
     double xError = 0.0, yError = 0.0; // half of an error bar's length; 0: none [units of the axes]
 };
 
@@ -64,13 +64,13 @@ struct ChartBand {
 
 /// How a cell of a map came out.
 struct ChartClass {
-    std::string name;  // "agrees with the reference"
-    int severity = 0;  // 0 good .. 3 failed: chooses the colour; classes of equal severity differ by pattern
+    std::string name; // "agrees with the reference"
+    int severity = 0; // 0 good .. 3 failed: chooses the colour; classes of equal severity differ by pattern
 };
 
 /// Cells coloured by class: row by row, x runs first.
 struct ChartMap {
-    std::vector<double> x, y;         // in rising order, the middles of the cells [units of the axes]
+    std::vector<double> x, y; // in rising order, the middles of the cells [units of the axes]
     std::vector<ChartClass> classes;
     std::vector<int> cells;           // x.size() * y.size() indices into classes; -1: not known
     std::vector<std::string> details; // the same size, or empty: a sentence about each cell
@@ -92,11 +92,11 @@ struct StudyChart {
 };
 
 struct StudyColumn {
-    std::string name;        // "largest_error"
-    std::string unit{};      // SI; empty when dimensionless, and for texts
+    std::string name;   // "largest_error"
+    std::string unit{}; // SI; empty when dimensionless, and for texts
     std::string displayUnit{};
-    std::string longName{};  // "Largest error over the trajectory"
-    bool secondary = false;  // left out where there is little room
+    std::string longName{}; // "Largest error over the trajectory"
+    bool secondary = false; // left out where there is little room
 };
 /// Monostate: not known, or it has no meaning.
 using StudyValue = std::variant<std::monostate, double, std::string>;
@@ -108,21 +108,21 @@ struct StudyTable {
 
 struct StudyReport {
     StudyStatus status = StudyStatus::Completed;
-    std::string message;               // why it ended so, in a sentence; empty when completed
-    std::string kind;                  // "work-precision"
+    std::string message; // why it ended so, in a sentence; empty when completed
+    std::string kind;    // "work-precision"
     std::string title;
     std::vector<std::string> findings; // sentences, the most important one first
     std::vector<std::string> warnings; // sentences: what weakens them
     std::vector<StudyChart> charts;
-    std::vector<StudyTable> tables;    // the first one is what --csv writes
-    std::optional<Case> found;         // a case that the study advises
+    std::vector<StudyTable> tables; // the first one is what --csv writes
+    std::optional<Case> found;      // a case that the study advises
     double wallSeconds = 0.0;
 };
 
 struct StudyProgress {
-    double share = 0.0;                  // done, 0..1, by expected time
-    std::string doing;                   // "rk4, 10 ns"
-    const StudyReport* soFar = nullptr;  // when there is more to show than before
+    double share = 0.0;                 // done, 0..1, by expected time
+    std::string doing;                  // "rk4, 10 ns"
+    const StudyReport* soFar = nullptr; // when there is more to show than before
 };
 /// Return false to stop. Called on the thread of the study, at least every 50 ms.
 using StudyCallback = std::function<bool(const StudyProgress&)>;

@@ -8,8 +8,8 @@
 #include "core/formats/csv_field.h"
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
-#include "core/results/results_layout.h"
 #include "core/formats/text_file.h"
+#include "core/results/results_layout.h"
 
 namespace touchdown {
 
@@ -29,7 +29,10 @@ std::string textIn(const StudyValue& value)
     return text == nullptr ? std::string() : *text;
 }
 
-void writeFlag(hid_t object, const std::string& name, bool flag) { writeHdf5Attribute(object, name, std::int64_t{flag}); }
+void writeFlag(hid_t object, const std::string& name, bool flag)
+{
+    writeHdf5Attribute(object, name, std::int64_t{flag});
+}
 
 void writeNumbers(hid_t table, const StudyColumn& column, const std::vector<StudyValue>& values)
 {
@@ -151,8 +154,8 @@ void writeChart(hid_t group, const StudyChart& chart)
 
 } // namespace
 
-std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c, const std::string& caseText,
-                       const std::string& studyText)
+std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,
+                       const std::string& caseText, const std::string& studyText)
 {
     return writeHdf5File(path, "the study", [&](hid_t file) {
         writeFileHeader(file, studyFormat, studyFormatMajor, studyFormatMinor, dateNow(), report.title);
@@ -161,7 +164,8 @@ std::string writeStudy(const std::filesystem::path& path, const StudyReport& rep
         writeHdf5Attribute(file, "message", report.message);
         writeHdf5Attribute(file, "wall_seconds", report.wallSeconds);
         writeCaseGroup(file, c, caseText);
-        describeHdf5(writeHdf5Scalar(createHdf5Group(file, "study"), "text", studyText), "1", "The study as it was given");
+        describeHdf5(writeHdf5Scalar(createHdf5Group(file, "study"), "text", studyText), "1",
+                     "The study as it was given");
         describeHdf5(writeHdf5Array(file, "findings", report.findings), "1", "What the study found");
         describeHdf5(writeHdf5Array(file, "warnings", report.warnings), "1", "What weakens that");
         const Hdf5Handle tables = createHdf5Group(file, "tables");

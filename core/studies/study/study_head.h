@@ -22,9 +22,9 @@ bool isOfKind(StudyReader& reader, const std::string& kind);
 /// Whether the file names a case.
 bool namesCase(StudyReader& reader);
 
-/// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those of --set. What is
-/// wrong with the case is in the document's problems, each where it was said: in the study, in the case or by --set. Without a
-/// name the reader has the problem, and there is none.
+/// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those
+/// of --set. What is wrong with the case is in the document's problems, each where it was said: in the study, in the
+/// case or by --set. Without a name the reader has the problem, and there is none.
 std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
                                           const std::vector<std::string>& settings);
 

@@ -16,14 +16,17 @@ namespace {
 std::string_view trimmed(std::string_view text)
 {
     const auto first = text.find_first_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// "steps", "ensemble.starts".
 bool isKey(std::string_view key)
 {
-    const bool bare = key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") == std::string_view::npos;
-    return bare && !key.empty() && !key.starts_with('.') && !key.ends_with('.') && key.find("..") == std::string_view::npos;
+    const bool bare = key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
+                      std::string_view::npos;
+    return bare && !key.empty() && !key.starts_with('.') && !key.ends_with('.') &&
+           key.find("..") == std::string_view::npos;
 }
 
 /// The one entry of "key = value"; text where the value is no TOML.
@@ -37,7 +40,9 @@ TomlDocument readOption(const std::string& key, std::string_view value)
 /// "" or why a key of the file cannot be an option.
 std::string reasonAgainst(const TomlDocument& toml, std::string_view key)
 {
-    const auto isListOf = [&](const TomlTable& table) { return table.kind == TomlTableKind::Array && key.substr(0, key.find('.')) == table.key; };
+    const auto isListOf = [&](const TomlTable& table) {
+        return table.kind == TomlTableKind::Array && key.substr(0, key.find('.')) == table.key;
+    };
     if (std::ranges::any_of(toml.tables, isListOf)) return "is of a list of tables; it stands in the study's file";
     if (key == "set" || key.starts_with("set.")) return "is no option; --set KEY=VALUE changes the case";
     if (key == "case" || key == "kind") return "is no option; it stands in the study's file";
@@ -83,7 +88,8 @@ std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std
             toml.entries.push_back(std::move(entry));
         }
         for (TomlTable& table : one.tables) {
-            if (std::ranges::find(toml.tables, table.key, &TomlTable::key) != toml.tables.end()) continue; // it has one key more
+            if (std::ranges::find(toml.tables, table.key, &TomlTable::key) != toml.tables.end())
+                continue; // it has one key more
             table.line = optionLine;
             toml.tables.push_back(std::move(table));
         }

@@ -11,8 +11,9 @@
 
 namespace touchdown {
 
-/// Puts "key=value", as given to --option, over what the file says; the last of one key counts. A key of a table has its name before it:
-/// ensemble.starts. A value is TOML or bare text: 3, [1, 2], "10 ns", 10 ns. Returns what is no option at all; whether the study knows a key is its reader's to say.
+/// Puts "key=value", as given to --option, over what the file says; the last of one key counts. A key of a table has
+/// its name before it: ensemble.starts. A value is TOML or bare text: 3, [1, 2], "10 ns", 10 ns. Returns what is no
+/// option at all; whether the study knows a key is its reader's to say.
 std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std::string>& options);
 
 } // namespace touchdown

@@ -55,7 +55,8 @@ std::optional<std::string> settingText(const TomlValue& value)
     return list;
 }
 
-/// The values of a list, each as an element of its own; beside a file a text with commas is one, too. None where it is no list.
+/// The values of a list, each as an element of its own; beside a file a text with commas is one, too. None where it is
+/// no list.
 std::vector<TomlValue> elementsOf(const TomlEntry& entry)
 {
     std::vector<TomlValue> values;
@@ -71,7 +72,8 @@ std::vector<TomlValue> elementsOf(const TomlEntry& entry)
 
 } // namespace
 
-StudyReader::StudyReader(const TomlDocument& toml, std::string name, const Case& start, std::vector<InputProblem>& problems)
+StudyReader::StudyReader(const TomlDocument& toml, std::string name, const Case& start,
+                         std::vector<InputProblem>& problems)
     : toml_(toml), name_(std::move(name)), start_(start), problems_(problems)
 {
     for (const TomlEntry& entry : toml_.entries) entries_[entry.key] = &entry;
@@ -84,14 +86,16 @@ bool StudyReader::has(const std::string& key)
     return entries_.contains(key) || findTable(key) != nullptr;
 }
 
-void StudyReader::ask(const std::string& key, const std::string& answer, const std::string& unit, const std::string& displayUnit)
+void StudyReader::ask(const std::string& key, const std::string& answer, const std::string& unit,
+                      const std::string& displayUnit)
 {
     const std::string name = withoutNumbers(key);
-    if (std::ranges::find(questions_, name, &StudyQuestion::key) == questions_.end()) questions_.push_back({name, answer, unit, displayUnit});
+    if (std::ranges::find(questions_, name, &StudyQuestion::key) == questions_.end())
+        questions_.push_back({name, answer, unit, displayUnit});
 }
 
-std::optional<double> StudyReader::number(const std::string& key, const std::string& unit, const std::string& displayUnit,
-                                          double minimum, double maximum)
+std::optional<double> StudyReader::number(const std::string& key, const std::string& unit,
+                                          const std::string& displayUnit, double minimum, double maximum)
 {
     ask(key, rangeText(minimum, maximum, displayUnit), unit, displayUnit);
     const TomlEntry* entry = find(key);
@@ -135,7 +139,8 @@ std::optional<std::string> StudyReader::choice(const std::string& key, const std
     ask(key, choiceText(choices));
     const auto value = text(key);
     if (!value || std::ranges::find(choices, *value) != choices.end()) return value;
-    add(key, inQuotes(*value) + " is not known: allowed is " + choiceText(choices) + didYouMean(nearestName(*value, choices)));
+    add(key, inQuotes(*value) + " is not known: allowed is " + choiceText(choices) +
+                 didYouMean(nearestName(*value, choices)));
     return {};
 }
 
@@ -189,7 +194,8 @@ std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std
         if (auto value = settingText(entry.value))
             list.emplace_back(settingKey(entry.key, table), std::move(*value));
         else
-            addAt(entry.line, entry.key, "has the wrong type; a text, a number, true, false or a list of these is needed");
+            addAt(entry.line, entry.key,
+                  "has the wrong type; a text, a number, true, false or a list of these is needed");
     }
     return list;
 }
@@ -204,7 +210,8 @@ std::vector<std::string> StudyReader::tables(const std::string& list)
     const TomlTable* table = findTable(list);
     if ((given && (array == nullptr || !array->elements.empty())) ||
         (table != nullptr && table->kind != TomlTableKind::Array)) {
-        add(list, lineOf(list) == optionLine ? "is of a list of tables; it stands in the study's file" : "is one of a list; write [[" + list + "]]");
+        add(list, lineOf(list) == optionLine ? "is of a list of tables; it stands in the study's file"
+                                             : "is one of a list; write [[" + list + "]]");
         settled_.insert(list);
         return names;
     }
@@ -235,7 +242,8 @@ void StudyReader::finish()
 {
     std::map<std::string, std::set<std::string>> namesIn; // each table; lists without their numbers
     for (const std::string& key : asked_)
-        for (std::string name = withoutNumbers(key); !name.empty(); name = tableOf(name)) namesIn[tableOf(name)].insert(leafOf(name));
+        for (std::string name = withoutNumbers(key); !name.empty(); name = tableOf(name))
+            namesIn[tableOf(name)].insert(leafOf(name));
     const auto suggestion = [&](const std::string& key) {
         const std::string name = withoutNumbers(key);
         const std::set<std::string>& names = namesIn[tableOf(name)];
@@ -260,8 +268,10 @@ void StudyReader::finish()
     }
     for (const TomlEntry& entry : toml_.entries) {
         if (inside(entry.key)) continue;
-        if (!asked_.contains(entry.key)) addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
-        else if (begun(entry.key + '.')) addAt(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
+        if (!asked_.contains(entry.key))
+            addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
+        else if (begun(entry.key + '.'))
+            addAt(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
     }
 }
 
@@ -291,7 +301,8 @@ std::optional<double> StudyReader::inRange(const std::string& key, const TomlVal
     const double read = std::get<double>(number);
     if (read >= minimum && read <= maximum) return read;
     const bool bare = !unit.empty() && !std::holds_alternative<std::string>(value);
-    add(key, "must be " + rangeText(minimum, maximum, displayUnit) + (bare ? "; a number without its unit is in " + unit : ""));
+    add(key, "must be " + rangeText(minimum, maximum, displayUnit) +
+                 (bare ? "; a number without its unit is in " + unit : ""));
     return {};
 }
 

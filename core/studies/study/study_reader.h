@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The keys of a study's file as its study asks for them. Every problem is collected, with line, key and what is allowed; a key that
-// nobody has asked for is unknown. So a study asks for all its keys before it says that it cannot do this case.
+// The keys of a study's file as its study asks for them. Every problem is collected, with line, key and what is
+// allowed; a key that nobody has asked for is unknown. So a study asks for all its keys before it says that it cannot
+// do this case.
 #pragma once
 
 #include <map>
@@ -12,18 +13,19 @@
 #include <vector>
 
 #include "core/case_files/case_file.h"
-#include "core/simulation/recording/quantity.h"
 #include "core/formats/toml_document.h"
+#include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
 
-/// The line of an entry that does not stand in the file but was given beside it; its problems name "--option" as their file.
+/// The line of an entry that does not stand in the file but was given beside it; its problems name "--option" as their
+/// file.
 inline constexpr int optionLine = -1;
 
 /// A key that a study asks for, and what it takes.
 struct StudyQuestion {
-    std::string key;    // "repeats", "method.name"
-    std::string answer; // "from 1 nm to 9 nm", "one of run, static"
+    std::string key;                   // "repeats", "method.name"
+    std::string answer;                // "from 1 nm to 9 nm", "one of run, static"
     std::string unit{}, displayUnit{}; // of a number; empty where there is none
 };
 
@@ -45,10 +47,12 @@ public:
     std::optional<bool> boolean(const std::string& key);
     std::optional<std::string> text(const std::string& key, const std::string& needed = "text in quotation marks");
     std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& choices);
-    /// An array of one element or more, numbers as they are written. Beside a file a text with commas or a single value does, too.
-    std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& needed = "a list of texts or numbers");
-    std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit, const std::string& displayUnit,
-                                               double minimum, double maximum);
+    /// An array of one element or more, numbers as they are written. Beside a file a text with commas or a single value
+    /// does, too.
+    std::optional<std::vector<std::string>> texts(const std::string& key,
+                                                  const std::string& needed = "a list of texts or numbers");
+    std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit,
+                                               const std::string& displayUnit, double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
     std::vector<std::pair<std::string, std::string>> settings(const std::string& table);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
@@ -67,7 +71,8 @@ public:
     const std::vector<StudyQuestion>& questions() const { return questions_; }
 
 private:
-    void ask(const std::string& key, const std::string& answer, const std::string& unit = {}, const std::string& displayUnit = {});
+    void ask(const std::string& key, const std::string& answer, const std::string& unit = {},
+             const std::string& displayUnit = {});
     const TomlEntry* find(const std::string& key);
     const TomlTable* findTable(const std::string& key) const;
     std::optional<double> inRange(const std::string& key, const TomlValue& value, const std::string& unit,

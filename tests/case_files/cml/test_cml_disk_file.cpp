@@ -6,9 +6,9 @@
 
 #include <numbers>
 
-#include "core/case_files/cml_case.h"
-#include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/cml/cml_dynamics_file.h"
+#include "core/case_files/cml_case.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/test_program.h"
 

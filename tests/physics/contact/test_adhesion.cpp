@@ -31,8 +31,8 @@ private slots:
         QTest::newRow("van der Waals with voltage") << static_cast<int>(AdhesionKind::VanDerWaals) << 1.5;
     }
 
-    /// f = -dphi/dg and df/dg by central differences of step e, whose error is e^2/6 times the third derivative: with e = g/3000 that is
-    /// at most n (n+1)(n+2)/6 (e/g)^2 < 4e-5 for the ninth power, the steepest part.
+    /// f = -dphi/dg and df/dg by central differences of step e, whose error is e^2/6 times the third derivative: with e
+    /// = g/3000 that is at most n (n+1)(n+2)/6 (e/g)^2 < 4e-5 for the ninth power, the steepest part.
     void derivatives()
     {
         QFETCH(int, kind);
@@ -45,12 +45,14 @@ private slots:
         }
     }
 
-    /// Lennard-Jones: -dgamma at gap 0. Van der Waals: f = 0 where g^6 = 2B/(15A), and there phi = -A/(12 pi g^2) (1 - 1/4).
+    /// Lennard-Jones: -dgamma at gap 0. Van der Waals: f = 0 where g^6 = 2B/(15A), and there phi = -A/(12 pi g^2) (1 -
+    /// 1/4).
     void depth()
     {
         const Adhesion adhesion{.kind = AdhesionKind::VanDerWaals};
         const double g2 = std::cbrt(2.0 * adhesion.hamakerB / (15.0 * adhesion.hamakerA));
-        QVERIFY(close(AdhesionLaw(adhesion).leastEnergy(), -0.75 * adhesion.hamakerA / (12.0 * std::numbers::pi * g2), 1e-12));
+        QVERIFY(close(AdhesionLaw(adhesion).leastEnergy(), -0.75 * adhesion.hamakerA / (12.0 * std::numbers::pi * g2),
+                      1e-12));
         QVERIFY(close(AdhesionLaw({.kind = AdhesionKind::LennardJones}).leastEnergy(), -0.05, 1e-12));
     }
 
@@ -61,7 +63,8 @@ private slots:
             for (const double b : {1e-76, 0.0}) {
                 const AdhesionLaw law({.kind = kind, .hamakerB = b, .voltage = 1.0});
                 for (const double g : {-1.0, 0.0, 1e-15, 1e-11, 1e-10, 1e-9, 1e-3, 1e3}) {
-                    QVERIFY(std::isfinite(law.pressure(g)) && std::isfinite(law.derivative(g)) && std::isfinite(law.energy(g)));
+                    QVERIFY(std::isfinite(law.pressure(g)) && std::isfinite(law.derivative(g)) &&
+                            std::isfinite(law.energy(g)));
                     QVERIFY(law.pressure(g) >= -law.peakAttraction());
                 }
                 QCOMPARE(law.pressure(-1e-9), law.pressure(0.0));
@@ -70,8 +73,8 @@ private slots:
         }
     }
 
-    /// phi(0) = -(8 dgamma/3) (1/2 - 1/8) = -dgamma. df/dg = 0 where 3 s^4 = 9 s^10: s^6 = 1/3, g = z0 (3^(1/6) - 1), and there
-    /// s^3 - s^9 = (2/3)/sqrt(3), f = -16 dgamma/(9 sqrt(3) z0).
+    /// phi(0) = -(8 dgamma/3) (1/2 - 1/8) = -dgamma. df/dg = 0 where 3 s^4 = 9 s^10: s^6 = 1/3, g = z0 (3^(1/6) - 1),
+    /// and there s^3 - s^9 = (2/3)/sqrt(3), f = -16 dgamma/(9 sqrt(3) z0).
     void lennardJones()
     {
         const double dgamma = 0.08, z0 = 0.35e-9;
@@ -94,7 +97,8 @@ private slots:
         QVERIFY(close(law.pressure(10e-9), -a / (6.0 * std::numbers::pi * 1e-24), 1e-7));
         QVERIFY(law.pressure(0.0) > 1e11); // the half of the distance holds bodies apart before they meet
         // Without repulsion held at z0.
-        const AdhesionLaw attraction({.kind = AdhesionKind::VanDerWaals, .equilibriumDistance = 0.3e-9, .hamakerA = a, .hamakerB = 0.0});
+        const AdhesionLaw attraction(
+            {.kind = AdhesionKind::VanDerWaals, .equilibriumDistance = 0.3e-9, .hamakerA = a, .hamakerB = 0.0});
         QVERIFY(close(attraction.pressure(0.0), -a / (6.0 * std::numbers::pi * 27e-30), 1e-12));
         QCOMPARE(attraction.pressure(0.1e-9), attraction.pressure(0.0));
     }

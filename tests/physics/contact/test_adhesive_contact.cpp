@@ -28,7 +28,8 @@ std::vector<double> rough(const UniformGrid& grid, double d)
         for (int i = 0; i < grid.nx; ++i) {
             double height = 0.0;
             for (int k = 1; k <= 9; ++k)
-                height += 0.1e-9 * std::sin(2.9e6 * (std::cos(2.1 * k) * grid.x(i) + std::sin(2.1 * k) * grid.y(j)) + 1.7 * k * k);
+                height += 0.1e-9 * std::sin(2.9e6 * (std::cos(2.1 * k) * grid.x(i) + std::sin(2.1 * k) * grid.y(j)) +
+                                            1.7 * k * k);
             s[static_cast<std::size_t>(j * grid.nx + i)] = d - height;
         }
     return s;
@@ -37,9 +38,9 @@ std::vector<double> rough(const UniformGrid& grid, double d)
 double force(const AdhesiveContactSummary& summary) { return summary.contactForce + summary.adhesionForce; }
 
 struct Balance {
-    double gap = 0.0;      // g - s - C (p + f) against the largest displacement [-]
-    bool signs = true;     // p >= 0, g >= 0, p g = 0
-    bool adhesive = true;  // f = f(g)
+    double gap = 0.0;     // g - s - C (p + f) against the largest displacement [-]
+    bool signs = true;    // p >= 0, g >= 0, p g = 0
+    bool adhesive = true; // f = f(g)
 };
 
 Balance balance(AdhesiveContact& contact, const std::vector<double>& separation)
@@ -54,7 +55,8 @@ Balance balance(AdhesiveContact& contact, const std::vector<double>& separation)
         found.gap = std::max(found.gap, std::abs(g - separation[i] - u[i]));
         scale = std::max(scale, std::abs(u[i]));
         found.signs = found.signs && p >= 0.0 && g >= 0.0 && p * g == 0.0;
-        found.adhesive = found.adhesive && std::abs(f - contact.law().pressure(g)) <= 1e-12 * contact.law().peakAttraction();
+        found.adhesive =
+            found.adhesive && std::abs(f - contact.law().pressure(g)) <= 1e-12 * contact.law().peakAttraction();
     }
     found.gap /= scale;
     return found;
@@ -97,7 +99,8 @@ private slots:
         QFETCH(int, kind);
         QFETCH(double, voltage);
         const UniformGrid grid = square(32);
-        AdhesiveContact contact(HalfSpace(grid, modulus), {.kind = static_cast<AdhesionKind>(kind), .voltage = voltage});
+        AdhesiveContact contact(HalfSpace(grid, modulus),
+                                {.kind = static_cast<AdhesionKind>(kind), .voltage = voltage});
         for (int step = -20; step <= 40; ++step) {
             const std::vector<double> s = rough(grid, 0.1e-9 * (std::abs(step) - 2));
             const AdhesiveContactSummary summary = contact.solve(s);
@@ -146,7 +149,8 @@ private slots:
         const UniformGrid grid = square(24);
         AdhesiveContact a(HalfSpace(grid, modulus), {.kind = AdhesionKind::LennardJones});
         AdhesiveContact b = AdhesiveContact(HalfSpace(grid, modulus), {.kind = AdhesionKind::LennardJones});
-        for (const double d : {2e-9, 1e-9, 0.3e-9, 1.2e-9}) QCOMPARE(force(a.solve(rough(grid, d))), force(b.solve(rough(grid, d))));
+        for (const double d : {2e-9, 1e-9, 0.3e-9, 1.2e-9})
+            QCOMPARE(force(a.solve(rough(grid, d))), force(b.solve(rough(grid, d))));
         a.remember();
         const double up = force(a.solve(rough(grid, 1.4e-9)));
         a.solve(rough(grid, 30e-9));
@@ -158,7 +162,8 @@ private slots:
     void uniformPeriodic()
     {
         const UniformGrid grid = square(16);
-        AdhesiveContact contact(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic), {.kind = AdhesionKind::LennardJones});
+        AdhesiveContact contact(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic),
+                                {.kind = AdhesionKind::LennardJones});
         for (const double d : {3e-9, 0.5e-9, 0.1e-9, 0.03e-9, 0.2e-9}) {
             const AdhesiveContactSummary summary = contact.solve(std::vector<double>(grid.cells(), d));
             QVERIFY(summary.converged);
@@ -167,26 +172,28 @@ private slots:
         }
     }
 
-    /// Nothing is solved where the deformation changes no pressure by more than tolerance f_max; compared with a solution of
-    /// a tolerance so small that it is solved for.
+    /// Nothing is solved where the deformation changes no pressure by more than tolerance f_max; compared with a
+    /// solution of a tolerance so small that it is solved for.
     void farAway()
     {
         const UniformGrid grid = square(32);
         const Adhesion adhesion{.kind = AdhesionKind::LennardJones};
-        AdhesiveContact contact(HalfSpace(grid, modulus), adhesion), exact(HalfSpace(grid, modulus), adhesion, {.tolerance = 1e-12});
+        AdhesiveContact contact(HalfSpace(grid, modulus), adhesion),
+            exact(HalfSpace(grid, modulus), adhesion, {.tolerance = 1e-12});
         const std::vector<double> s = rough(grid, 12e-9);
         const AdhesiveContactSummary summary = contact.solve(s), solved = exact.solve(s);
         QVERIFY(summary.converged && solved.converged);
         QCOMPARE(summary.iterations, 0);
         QVERIFY(solved.iterations > 0);
         double error = 0.0;
-        for (std::size_t i = 0; i < s.size(); ++i) error = std::max(error, std::abs(contact.adhesion()[i] - exact.adhesion()[i]));
+        for (std::size_t i = 0; i < s.size(); ++i)
+            error = std::max(error, std::abs(contact.adhesion()[i] - exact.adhesion()[i]));
         QVERIFY(error > 0.0 && error <= 1e-8 * contact.law().peakAttraction());
         QVERIFY(contact.solve(rough(grid, 5e-9)).iterations > 0);
     }
 
-    /// A rough pad that came into contact holds on the way back: the force differs between the ways, and each large change of
-    /// force sets energy free, more than rounding.
+    /// A rough pad that came into contact holds on the way back: the force differs between the ways, and each large
+    /// change of force sets energy free, more than rounding.
     void hysteresis()
     {
         const UniformGrid grid = square(32);
@@ -201,14 +208,15 @@ private slots:
         QVERIFY(back < 2.0 * there && there < 0.0);
     }
 
-    /// A surface that moves on while the pad goes up and down, three times through snapping in and pulling off: what a dynamics
-    /// program asks. A loose tolerance follows the same branches as a tight one, its force within that share of the largest attraction
-    /// over the patch.
+    /// A surface that moves on while the pad goes up and down, three times through snapping in and pulling off: what a
+    /// dynamics program asks. A loose tolerance follows the same branches as a tight one, its force within that share
+    /// of the largest attraction over the patch.
     void followsAMovingSurface()
     {
         const UniformGrid grid = square(24);
         const Adhesion law{.kind = AdhesionKind::LennardJones};
-        AdhesiveContact tight(HalfSpace(grid, modulus), law, {.tolerance = 1e-9}), loose(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
+        AdhesiveContact tight(HalfSpace(grid, modulus), law, {.tolerance = 1e-9}),
+            loose(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
         const double largest = tight.law().peakAttraction() * static_cast<double>(grid.cells()) * grid.cellArea();
         int apart = 0, adhered = 0;
         for (int k = 0; k < 90; ++k) {
@@ -225,12 +233,14 @@ private slots:
         }
         QVERIFY(apart > 10 && adhered > 10);
     }
-    /// What adheres stays although its undeformed surfaces are so far apart that nothing would have come together there.
+    /// What adheres stays although its undeformed surfaces are so far apart that nothing would have come together
+    /// there.
     void adheresWhereTheUndeformedSurfacesAreFar()
     {
         const UniformGrid grid = square(24);
         const Adhesion law{.kind = AdhesionKind::LennardJones};
-        AdhesiveContact pressed(HalfSpace(grid, modulus), law, {.tolerance = 1e-4}), above(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
+        AdhesiveContact pressed(HalfSpace(grid, modulus), law, {.tolerance = 1e-4}),
+            above(HalfSpace(grid, modulus), law, {.tolerance = 1e-4});
         pressed.solve(rough(grid, 0.0));
         const AdhesiveContactSummary held = pressed.solve(rough(grid, 3e-9));
         const AdhesiveContactSummary far = above.solve(rough(grid, 3e-9));
@@ -266,7 +276,8 @@ private slots:
             QVERIFY(std::abs(offset[i] - cell.offset(gap[i])) <= 1e-12 * law.peakAttraction());
             QCOMPARE(many.state[i], one.state);
             QVERIFY(std::abs(many.gap[i] - one.gap) <= 1e-7 * std::max(law.peakGap(), std::abs(one.gap)));
-            QVERIFY(std::abs(many.pressure[i] - one.pressure) <= 1e-6 * (law.peakAttraction() + std::abs(one.pressure)));
+            QVERIFY(std::abs(many.pressure[i] - one.pressure) <=
+                    1e-6 * (law.peakAttraction() + std::abs(one.pressure)));
             if (one.state == AdhesiveCell::State::Contact) QVERIFY(!std::isfinite(many.stiffness[i]));
         }
     }
@@ -282,14 +293,16 @@ private slots:
         const AdhesiveContactSummary summary = contact.solve(bad);
         QVERIFY(!summary.converged && !summary.message.empty());
         QVERIFY(std::abs(force(contact.solve(good)) - before) < 1e-7 * std::abs(before));
-        AdhesiveContact periodic(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic), {.kind = AdhesionKind::LennardJones});
+        AdhesiveContact periodic(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic),
+                                 {.kind = AdhesionKind::LennardJones});
         QVERIFY(!periodic.solve(std::vector<double>(grid.cells(), -1e-9)).message.empty());
     }
 
     void saysWhenItDoesNotConverge()
     {
         const UniformGrid grid = square(16);
-        AdhesiveContact contact(HalfSpace(grid, modulus), {.kind = AdhesionKind::LennardJones}, {.maximumIterations = 3});
+        AdhesiveContact contact(HalfSpace(grid, modulus), {.kind = AdhesionKind::LennardJones},
+                                {.maximumIterations = 3});
         const AdhesiveContactSummary summary = contact.solve(rough(grid, 0.2e-9));
         QVERIFY(!summary.converged && summary.error > 1e-8 && !summary.message.empty());
         QVERIFY(std::isfinite(force(summary)));

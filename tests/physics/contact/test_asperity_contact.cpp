@@ -86,9 +86,9 @@ class TestAsperityContact : public QObject {
     Q_OBJECT
 
 private slots:
-    /// F_n(0) = int_0^inf u^n phi du = 2^(n/2 - 1) Gamma((n+1)/2)/sqrt(pi): F_3/2(0) = 2^(-1/4) Gamma(5/4)/sqrt(pi) = 0.430019,
-    /// F_5/2(0) = 2^(1/4) Gamma(7/4)/sqrt(pi), F_1(0) = 1/sqrt(2 pi), F_0(0) = 1/2; p' = -(3/2) F_1/2, F_1/2(0) =
-    /// 2^(-3/4) Gamma(3/4)/sqrt(pi).
+    /// F_n(0) = int_0^inf u^n phi du = 2^(n/2 - 1) Gamma((n+1)/2)/sqrt(pi): F_3/2(0) = 2^(-1/4) Gamma(5/4)/sqrt(pi) =
+    /// 0.430019, F_5/2(0) = 2^(1/4) Gamma(7/4)/sqrt(pi), F_1(0) = 1/sqrt(2 pi), F_0(0) = 1/2; p' = -(3/2) F_1/2,
+    /// F_1/2(0) = 2^(-3/4) Gamma(3/4)/sqrt(pi).
     void greenwoodWilliamsonAtTheMeanPlane()
     {
         const Asperities a = surface(AsperityModel::GreenwoodWilliamson, 1.0);
@@ -108,7 +108,8 @@ private slots:
         QCOMPARE(contact.criticalInterference(), std::numeric_limits<double>::infinity());
     }
 
-    /// Against an independent adaptive quadrature of the integral over heights, from everything pressed to the last summits.
+    /// Against an independent adaptive quadrature of the integral over heights, from everything pressed to the last
+    /// summits.
     void tableAgreesWithAdaptiveQuadrature_data()
     {
         QTest::addColumn<double>("yield");
@@ -147,9 +148,9 @@ private slots:
         }
     }
 
-    /// The table is one smooth function: at its joints value, pressure and stiffness agree from both sides; pressure is minus
-    /// the energy's slope and stiffness minus the pressure's everywhere (central differences, whose error is h^2/6 of the third
-    /// derivative: below 1e-7 for h = 1e-4 sigma).
+    /// The table is one smooth function: at its joints value, pressure and stiffness agree from both sides; pressure is
+    /// minus the energy's slope and stiffness minus the pressure's everywhere (central differences, whose error is
+    /// h^2/6 of the third derivative: below 1e-7 for h = 1e-4 sigma).
     void smoothAndConsistent_data()
     {
         QTest::addColumn<AsperityModel>("model");
@@ -178,7 +179,8 @@ private slots:
         }
     }
 
-    /// Pressure, stiffness and energy fall with the separation and are never negative; beyond the reach there is nothing.
+    /// Pressure, stiffness and energy fall with the separation and are never negative; beyond the reach there is
+    /// nothing.
     void fallsToNothing()
     {
         for (const AsperityModel model : {AsperityModel::GreenwoodWilliamson, AsperityModel::ElasticPlastic}) {
@@ -201,8 +203,9 @@ private slots:
         }
     }
 
-    /// Pressed far beyond their heights all summits are alike: p -> eta P(-d) (1 + (3/8)(sigma/d)^2) for w^(3/2), as E[(1 + e)^(3/2)]
-    /// = 1 + (3/8) E[e^2] + (3/128) E[e^4] + ...; with E[e^4] = 3e-8 the last is below 1e-9 at d = -100 sigma.
+    /// Pressed far beyond their heights all summits are alike: p -> eta P(-d) (1 + (3/8)(sigma/d)^2) for w^(3/2), as
+    /// E[(1 + e)^(3/2)] = 1 + (3/8) E[e^2] + (3/128) E[e^4] + ...; with E[e^4] = 3e-8 the last is below 1e-9 at d =
+    /// -100 sigma.
     void allSummitsAlikeWhenPressedDeep()
     {
         const Asperities a = surface(AsperityModel::GreenwoodWilliamson, 1.0);
@@ -213,8 +216,8 @@ private slots:
         QVERIFY(relative(contact.pressure(d), expected) < 1e-8);
     }
 
-    /// w_c by hand: E* = 1/((1 - 0.25^2)/100e9 + (1 - 0.24^2)/390e9) = 84.8075e9 Pa; K H = (0.454 + 0.41*0.25)*2.8*2e9 =
-    /// 3.1164e9 Pa; w_c = (pi*3.1164/(2*84.8075))^2 * 2 um = 6.6635 nm.
+    /// w_c by hand: E* = 1/((1 - 0.25^2)/100e9 + (1 - 0.24^2)/390e9) = 84.8075e9 Pa; K H = (0.454 + 0.41*0.25)*2.8*2e9
+    /// = 3.1164e9 Pa; w_c = (pi*3.1164/(2*84.8075))^2 * 2 um = 6.6635 nm.
     void criticalInterferenceByHand()
     {
         const AsperityContact contact(surface(AsperityModel::ElasticPlastic, 2e9), {});

@@ -74,9 +74,10 @@ private slots:
                                                   : "The five parameters do not describe"));
     }
 
-    /// Summits all alike at y_s: d_s = y_s + t, d_e = y_s + h_b + f_m/k_b, f_m of all menisci; F_cr is stiff against the bulk, so
-    /// k_c tends to k_b and F_cr = f_m + k_b (s - d) with s little below y_s: f_c0 = f_m - k_b (d_s - s). The summits give way by
-    /// w = (F_cr/(eta A (4/3) E* sqrt(R)))^(2/3), 0.12 nm for 5 mN and 0.20 nm for 10 mN, so k_c = k_b to a tenth.
+    /// Summits all alike at y_s: d_s = y_s + t, d_e = y_s + h_b + f_m/k_b, f_m of all menisci; F_cr is stiff against
+    /// the bulk, so k_c tends to k_b and F_cr = f_m + k_b (s - d) with s little below y_s: f_c0 = f_m - k_b (d_s - s).
+    /// The summits give way by w = (F_cr/(eta A (4/3) E* sqrt(R)))^(2/3), 0.12 nm for 5 mN and 0.20 nm for 10 mN, so
+    /// k_c = k_b to a tenth.
     void summitsOfOneHeight()
     {
         Setting s;
@@ -93,8 +94,8 @@ private slots:
         QVERIFY(fit.adhesion.worst < 0.02);
     }
 
-    /// The law with the fitted parameters, followed by its own rules, stays within the error that the fit states, on places
-    /// that the fit did not use.
+    /// The law with the fitted parameters, followed by its own rules, stays within the error that the fit states, on
+    /// places that the fit did not use.
     void errorsAreWhatTheLawGives()
     {
         const Setting s;
@@ -155,7 +156,8 @@ private slots:
         QTest::newRow("menisci before the jump") << 8.5e12 << 0.6e-9 << 0.025 << 1e-9 << "F_m is off by";
         QTest::newRow("contact not straight") << 1e12 << 0.8e-9 << 0.025 << 1e-9 << "F_cr is no straight line";
         QTest::newRow("no adhesion") << 8.5e12 << 0.2e-9 << 0.0 << 1e-9 << "no adhesion";
-        QTest::newRow("turned before touch-down") << 8.5e12 << 0.2e-9 << 0.025 << 3.05e-9 << "but touches down at 3.02 nm";
+        QTest::newRow("turned before touch-down")
+            << 8.5e12 << 0.2e-9 << 0.025 << 3.05e-9 << "but touches down at 3.02 nm";
         QTest::newRow("not deep enough") << 8.5e12 << 0.2e-9 << 0.025 << 6e-9 << "must go deeper";
     }
     void messageNamesWhatFails()

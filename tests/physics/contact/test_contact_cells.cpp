@@ -128,7 +128,8 @@ void TestContactCells::preconditionsAnyCells()
         const Eigen::LLT<Eigen::MatrixXd> factor(m);
         QVERIFY(factor.info() == Eigen::Success);
         const Eigen::MatrixXd l = factor.matrixL();
-        const Eigen::VectorXd better = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(l.transpose() * a * l).eigenvalues();
+        const Eigen::VectorXd better =
+            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(l.transpose() * a * l).eigenvalues();
         const double spread = better[better.size() - 1] / better[0];
         QVERIFY(spread < plain[plain.size() - 1] / plain[0]);
         QVERIFY(spread < 6.0);

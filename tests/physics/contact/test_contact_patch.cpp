@@ -43,7 +43,8 @@ private slots:
         QCOMPARE(patch.grid.ny, 40);
         QVERIFY(std::ranges::all_of(patch.height, [](double h) { return h == 0.0; }));
     }
-    /// r^2/(2 R) about the middle, which lies between four cells: their centres are half a diagonal off, r^2 = 2 (cell/2)^2.
+    /// r^2/(2 R) about the middle, which lies between four cells: their centres are half a diagonal off, r^2 = 2
+    /// (cell/2)^2.
     void sphere()
     {
         const ContactPatch patch = spherePatch(8e-6, 4e-6, 1e-6, 1e-3);
@@ -74,7 +75,8 @@ private slots:
             for (int j = 0; j < grid.ny; ++j)
                 for (int i = 0; i < grid.nx; ++i) {
                     const double y = grid.y(j), x = grid.x(i);
-                    const bool onPad = x > 1.1e-3 && x < 1.2e-3 && ((y > 0.2e-3 && y < 0.25e-3) || (y > 0.7e-3 && y < 0.75e-3));
+                    const bool onPad =
+                        x > 1.1e-3 && x < 1.2e-3 && ((y > 0.2e-3 && y < 0.25e-3) || (y > 0.7e-3 && y < 0.75e-3));
                     if (!onPad) continue;
                     const double height = patch.height[static_cast<std::size_t>(j * grid.nx + i)];
                     // The lowest point is sought 0.1 nm beside the edge.
@@ -112,7 +114,8 @@ private slots:
         AirBearingSurface surface;
         surface.rails = {rail(1.1e-3, 1.106e-3, 0.4e-3, 0.406e-3), rail(1.126e-3, 1.132e-3, 0.4e-3, 0.406e-3)};
         QCOMPARE(sliderPatches(surface, length, width, 0.0, 0.0, cell, 1e-9, mostCells).patches.size(), std::size_t{2});
-        QCOMPARE(sliderPatches(surface, length, width, 0.0, 0.0, 40e-6, 1e-9, mostCells).patches.size(), std::size_t{1});
+        QCOMPARE(sliderPatches(surface, length, width, 0.0, 0.0, 40e-6, 1e-9, mostCells).patches.size(),
+                 std::size_t{1});
     }
     void firstHoldsTheLowestPoint()
     {

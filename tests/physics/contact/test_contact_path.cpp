@@ -81,7 +81,10 @@ private slots:
         QFETCH(int, law);
         const auto force = [law](double d) {
             const double x = d / 1e-9;
-            return law == 0 ? x : law == 1 ? std::tanh(20.0 * (x - 0.3)) : law == 2 ? std::sqrt(std::max(0.0, 0.625 - x)) : 0.0;
+            return law == 0   ? x
+                   : law == 1 ? std::tanh(20.0 * (x - 0.3))
+                   : law == 2 ? std::sqrt(std::max(0.0, 0.625 - x))
+                              : 0.0;
         };
         const ContactPath path{force, [] {}, [] {}};
         QVERIFY(!locateJump(path, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);

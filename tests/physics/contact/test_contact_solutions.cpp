@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Elastic contact against exact solutions (Johnson 1985): sphere, flat punches, waves in full and in partial contact; and
-// against the same conditions solved by factorised matrices.
+// Elastic contact against exact solutions (Johnson 1985): sphere, flat punches, waves in full and in partial contact;
+// and against the same conditions solved by factorised matrices.
 #include <QtTest>
 
 #include <Eigen/Dense>
@@ -54,7 +54,10 @@ std::vector<double> sample(const UniformGrid& grid, F&& function)
     return values;
 }
 
-double peak(const ElasticContact& contact) { return *std::max_element(contact.pressure().begin(), contact.pressure().end()); }
+double peak(const ElasticContact& contact)
+{
+    return *std::max_element(contact.pressure().begin(), contact.pressure().end());
+}
 
 // Hertz: a = sqrt(R d), F = (4/3) E* sqrt(R) d^1.5, p0 = 2 E* a/(pi R), p = p0 sqrt(1 - (r/a)^2).
 struct Sphere {
@@ -70,8 +73,9 @@ struct Sphere {
 
 } // namespace
 
-// At 128^2 load, radius and peak are to be within half a per cent. Load, approach and peak are of second order in the larger side of a
-// cell, a quarter of its square (1e-4) and less; the staircase that stands for the circle is off by a quarter of a cell (0.5 %) and less.
+// At 128^2 load, radius and peak are to be within half a per cent. Load, approach and peak are of second order in the
+// larger side of a cell, a quarter of its square (1e-4) and less; the staircase that stands for the circle is off by a
+// quarter of a cell (0.5 %) and less.
 void TestContactSolutions::cellsOfASphere()
 {
     QTest::addColumn<int>("nx");
@@ -139,8 +143,8 @@ void TestContactSolutions::sphereConvergesAtSecondOrder()
 
 void TestContactSolutions::roundPunch()
 {
-    // F = 2 E* a d, p = F/(2 pi a^2) (1 - (r/a)^2)^(-1/2). The pressure's square-root singularity at the edge, and the staircase
-    // that stands for it, leave an error of first order in the cell.
+    // F = 2 E* a d, p = F/(2 pi a^2) (1 - (r/a)^2)^(-1/2). The pressure's square-root singularity at the edge, and the
+    // staircase that stands for it, leave an error of first order in the cell.
     const double a = 1e-6, approach = 1e-9;
     for (const int n : {64, 128, 256}) {
         const UniformGrid grid = square(n, 2.5 * a);
@@ -152,7 +156,10 @@ void TestContactSolutions::roundPunch()
         double worst = 0.0;
         for (std::size_t i = 0; i < grid.cells(); ++i) {
             const double r = std::hypot(grid.x(int(i) % n), grid.y(int(i) / n)) / a;
-            if (r < 0.7) worst = std::max(worst, std::abs(contact.pressure()[i] / (load / (2.0 * pi * a * a)) * std::sqrt(1.0 - r * r) - 1.0));
+            if (r < 0.7)
+                worst = std::max(
+                    worst,
+                    std::abs(contact.pressure()[i] / (load / (2.0 * pi * a * a)) * std::sqrt(1.0 - r * r) - 1.0));
         }
         QVERIFY(std::abs(summary.load / load - 1.0) < 0.5 / n);
         QVERIFY(worst < 1.0 / n);
@@ -162,14 +169,15 @@ void TestContactSolutions::roundPunch()
 void TestContactSolutions::squarePunch()
 {
     // The load is to the displacement as charge to potential of a square plate of the same side: F = pi E* L d c, where
-    // C = 4 pi eps0 L c and c = 0.3667896 (Read 1997: 0.3667896 +- 7e-7). A disk's c = 2/pi gives F = 2 E* a d for L = a.
-    // The error is of first order in the cell (the edge's singularity): two grids take it away.
+    // C = 4 pi eps0 L c and c = 0.3667896 (Read 1997: 0.3667896 +- 7e-7). A disk's c = 2/pi gives F = 2 E* a d for L =
+    // a. The error is of first order in the cell (the edge's singularity): two grids take it away.
     const double side = 1e-6, approach = 1e-9;
     double loads[3] = {};
     int k = 0;
     for (const int n : {32, 64, 128}) {
         ElasticContact contact(HalfSpace(square(n, side), modulus));
-        const ElasticContactSummary summary = contact.solve(std::vector<double>(contact.space().grid().cells(), -approach));
+        const ElasticContactSummary summary =
+            contact.solve(std::vector<double>(contact.space().grid().cells(), -approach));
         QVERIFY(summary.converged);
         loads[k++] = summary.load / (pi * modulus * side * approach);
     }
@@ -195,14 +203,16 @@ void TestContactSolutions::waveInFullContact()
     const UniformGrid grid{48, 40, side / 48, side / 40};
     const double k = 2.0 * pi * std::hypot(wavesX, wavesY) / side;
     const double swing = modulus * k * amplitude / 2.0;
-    const auto wave = sample(grid, [&](double x, double y) { return std::cos(2.0 * pi * (wavesX * x + wavesY * y) / side); });
+    const auto wave =
+        sample(grid, [&](double x, double y) { return std::cos(2.0 * pi * (wavesX * x + wavesY * y) / side); });
     std::vector<double> separation;
     for (const double w : wave) separation.push_back(5e-9 + amplitude * w);
     ElasticContact contact(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic), {.tolerance = 1e-12});
     const ElasticContactSummary summary = contact.solveLoad(separation, 1.1 * swing * side * side);
     QVERIFY(summary.converged);
     QVERIFY(std::abs(summary.approach + 5e-9) < 1e-20);
-    for (std::size_t i = 0; i < grid.cells(); ++i) QVERIFY(std::abs(contact.pressure()[i] / swing - (1.1 - wave[i])) < 1e-9);
+    for (std::size_t i = 0; i < grid.cells(); ++i)
+        QVERIFY(std::abs(contact.pressure()[i] / swing - (1.1 - wave[i])) < 1e-9);
 }
 
 void TestContactSolutions::waveInPartialContact_data()
@@ -215,13 +225,15 @@ void TestContactSolutions::waveInPartialContact_data()
 
 void TestContactSolutions::waveInPartialContact()
 {
-    // Westergaard 1939 (Johnson 1985, section 13.2): s = A (1 - cos 2 pi x/L), p* = pi E* A/L, p_mean = p* sin^2(pi a/L) on strips of
-    // half-width a; with psi = pi x/L from a crest, p = 2 p_mean cos(psi)/sin^2(psi_a) sqrt(sin^2 psi_a - sin^2 psi).
+    // Westergaard 1939 (Johnson 1985, section 13.2): s = A (1 - cos 2 pi x/L), p* = pi E* A/L, p_mean = p* sin^2(pi
+    // a/L) on strips of half-width a; with psi = pi x/L from a crest, p = 2 p_mean cos(psi)/sin^2(psi_a) sqrt(sin^2
+    // psi_a - sin^2 psi).
     QFETCH(double, share);
     const double length = 2e-6, amplitude = 1e-9;
     const UniformGrid grid{512, 2, length / 512, length / 512, -length / 2, 0.0};
     ElasticContact contact(HalfSpace(grid, modulus, HalfSpaceEdges::Periodic));
-    const auto separation = sample(grid, [&](double x, double) { return amplitude * (1.0 - std::cos(2.0 * pi * x / length)); });
+    const auto separation =
+        sample(grid, [&](double x, double) { return amplitude * (1.0 - std::cos(2.0 * pi * x / length)); });
     const double full = pi * modulus * amplitude / length;
     const ElasticContactSummary summary = contact.solveLoad(separation, share * full * length * 2 * grid.dy);
     QVERIFY(summary.converged);
@@ -249,8 +261,8 @@ void TestContactSolutions::isTheDenseSolution_data()
 
 void TestContactSolutions::isTheDenseSolution()
 {
-    // The same conditions solved by factorising the matrix of the cells in contact, one cell leaving or joining at a time
-    // (the least index first, which cannot cycle: Bland's rule as of Murty 1974 for these problems).
+    // The same conditions solved by factorising the matrix of the cells in contact, one cell leaving or joining at a
+    // time (the least index first, which cannot cycle: Bland's rule as of Murty 1974 for these problems).
     QFETCH(bool, load);
     QFETCH(bool, periodic);
     const UniformGrid grid = square(16, 2e-6);
@@ -300,7 +312,8 @@ void TestContactSolutions::isTheDenseSolution()
     ElasticContact contact(std::move(space));
     QVERIFY((load ? contact.solveLoad(separation, 1e-2 * modulus * side * side) : contact.solve(separation)).converged);
     const double peak = pressure.maxCoeff();
-    for (Eigen::Index c = 0; c < cells; ++c) QVERIFY(std::abs(contact.pressure()[std::size_t(c)] / modulus - pressure[c]) < 1e-7 * peak);
+    for (Eigen::Index c = 0; c < cells; ++c)
+        QVERIFY(std::abs(contact.pressure()[std::size_t(c)] / modulus - pressure[c]) < 1e-7 * peak);
 }
 
 TOUCHDOWN_TEST(TestContactSolutions)

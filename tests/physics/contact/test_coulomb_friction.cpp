@@ -11,7 +11,8 @@ class TestCoulombFriction : public QObject {
     Q_OBJECT
 
 private slots:
-    /// mu = 0.3, N = 5 mN: 1.5 mN at full speed either way, nothing at rest; tanh(1/2) = (e - 1)/(e + 1) = 0.46211716 at v_r/2.
+    /// mu = 0.3, N = 5 mN: 1.5 mN at full speed either way, nothing at rest; tanh(1/2) = (e - 1)/(e + 1) = 0.46211716
+    /// at v_r/2.
     void followsTheDisk_data()
     {
         QTest::addColumn<double>("velocity");

@@ -78,12 +78,15 @@ void TestElasticContact::fulfilsItsConditions_data()
     QTest::newRow("free, deep") << Rough{.height = -100e-9};
     QTest::newRow("free, load, hardness") << Rough{.hardness = 3e-3 * modulus, .load = 1e-3 * modulus * area};
     QTest::newRow("free, height, hardness") << Rough{.hardness = 3e-3 * modulus, .height = 2e-9};
-    QTest::newRow("periodic, load") << Rough{.n = 128, .edges = HalfSpaceEdges::Periodic, .load = 1e-3 * modulus * area};
+    QTest::newRow("periodic, load") << Rough{
+        .n = 128, .edges = HalfSpaceEdges::Periodic, .load = 1e-3 * modulus * area};
     QTest::newRow("periodic, light load") << Rough{.edges = HalfSpaceEdges::Periodic, .load = 1e-6 * modulus * area};
     QTest::newRow("periodic, full contact") << Rough{.edges = HalfSpaceEdges::Periodic, .load = 0.1 * modulus * area};
     QTest::newRow("periodic, height") << Rough{.edges = HalfSpaceEdges::Periodic, .height = 2e-9};
-    QTest::newRow("periodic, load, hardness") << Rough{.edges = HalfSpaceEdges::Periodic, .hardness = 3e-3 * modulus, .load = 1e-3 * modulus * area};
-    QTest::newRow("periodic, overlap, hardness") << Rough{.edges = HalfSpaceEdges::Periodic, .hardness = 1e-2 * modulus, .height = -1e-9};
+    QTest::newRow("periodic, load, hardness")
+        << Rough{.edges = HalfSpaceEdges::Periodic, .hardness = 3e-3 * modulus, .load = 1e-3 * modulus * area};
+    QTest::newRow("periodic, overlap, hardness")
+        << Rough{.edges = HalfSpaceEdges::Periodic, .hardness = 1e-2 * modulus, .height = -1e-9};
     QTest::newRow("odd grid") << Rough{.n = 45, .height = 2e-9};
 }
 
@@ -114,8 +117,10 @@ void TestElasticContact::fulfilsItsConditions()
     }
     QCOMPARE(flowed, rough.hardness > 0.0);
     QVERIFY(std::abs(load / summary.load - 1.0) < 1e-12);
-    if (rough.load > 0.0) QVERIFY(std::abs(load / rough.load - 1.0) < 1e-11);
-    else QCOMPARE(summary.approach, 0.0);
+    if (rough.load > 0.0)
+        QVERIFY(std::abs(load / rough.load - 1.0) < 1e-11);
+    else
+        QCOMPARE(summary.approach, 0.0);
 }
 
 void TestElasticContact::doesNotDependOnTheStart()
@@ -125,8 +130,10 @@ void TestElasticContact::doesNotDependOnTheStart()
     const ElasticContactSummary expected = rough.solve(cold);
     ElasticContact warm = rough.contact();
     Rough other = rough;
-    if (rough.load > 0.0) other.load *= 0.3;
-    else other.height += 3e-9;
+    if (rough.load > 0.0)
+        other.load *= 0.3;
+    else
+        other.height += 3e-9;
     // A start from another load, on a surface shifted by a third.
     std::vector<double> shifted = other.separation();
     std::rotate(shifted.begin(), shifted.begin() + static_cast<std::ptrdiff_t>(shifted.size() / 3), shifted.end());
@@ -136,7 +143,8 @@ void TestElasticContact::doesNotDependOnTheStart()
     QVERIFY(std::abs(summary.load / expected.load - 1.0) < 1e-7);
     // The energy sets the pressures' difference: dp.A dp <= 2 sum |dp| |wrong gap|.
     const double peak = *std::max_element(cold.pressure().begin(), cold.pressure().end());
-    for (std::size_t i = 0; i < cold.pressure().size(); ++i) QVERIFY(std::abs(cold.pressure()[i] - warm.pressure()[i]) < 1e-6 * peak);
+    for (std::size_t i = 0; i < cold.pressure().size(); ++i)
+        QVERIFY(std::abs(cold.pressure()[i] - warm.pressure()[i]) < 1e-6 * peak);
 }
 
 void TestElasticContact::loadAndApproachAgree()
@@ -161,7 +169,8 @@ void TestElasticContact::hardnessOutOfReachChangesNothing()
     rough.hardness = 1.01 * *std::max_element(elastic.pressure().begin(), elastic.pressure().end());
     ElasticContact hard = rough.contact();
     QVERIFY(rough.solve(hard).converged);
-    for (std::size_t i = 0; i < hard.pressure().size(); ++i) QVERIFY(std::abs(hard.pressure()[i] - elastic.pressure()[i]) < 1e-6 * rough.hardness);
+    for (std::size_t i = 0; i < hard.pressure().size(); ++i)
+        QVERIFY(std::abs(hard.pressure()[i] - elastic.pressure()[i]) < 1e-6 * rough.hardness);
 }
 
 void TestElasticContact::hardnessEverywhere()
@@ -280,7 +289,8 @@ void TestElasticContact::refusesWhatCannotBeSolved()
         QVERIFY(isRefused(contact.solveLoad(rough.separation(), 0.0), "must be positive"));
         QVERIFY(isRefused(contact.solveLoad(rough.separation(), -1.0), "must be positive"));
         QVERIFY(isRefused(contact.solveLoad(rough.separation(), 1e300), "too large"));
-        QVERIFY(isRefused(contact.solve(std::vector<double>(256, -1e300)), edges == HalfSpaceEdges::Free ? "too large" : "give a load"));
+        QVERIFY(isRefused(contact.solve(std::vector<double>(256, -1e300)),
+                          edges == HalfSpaceEdges::Free ? "too large" : "give a load"));
         // A refusal leaves nothing behind.
         QVERIFY(contact.solveLoad(rough.separation(), 1e-3 * modulus * side * side).converged);
     }
@@ -305,7 +315,8 @@ void TestElasticContact::stopsWhenAsked()
     ElasticContact contact(HalfSpace(rough.grid(), modulus), {.goOn = [&left] { return left-- > 0; }});
     for (const bool load : {true, false}) {
         left = 3;
-        const ElasticContactSummary summary = load ? contact.solveLoad(rough.separation(), rough.load) : contact.solve(rough.separation());
+        const ElasticContactSummary summary =
+            load ? contact.solveLoad(rough.separation(), rough.load) : contact.solve(rough.separation());
         QVERIFY(!summary.converged);
         QVERIFY(summary.iterations < 10); // coarser grids ask, too
         QVERIFY(QString::fromStdString(summary.message).contains("stopped"));

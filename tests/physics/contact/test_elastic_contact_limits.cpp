@@ -29,8 +29,10 @@ namespace {
 
 constexpr double modulus = 1e11;
 
-/// The largest wrong gap against what the tolerance measures it by, with the displacement taken afresh; infinite beyond the bounds.
-double wrongGap(const ElasticContact& contact, HalfSpace& afresh, std::span<const double> separation, double approach, double hardness)
+/// The largest wrong gap against what the tolerance measures it by, with the displacement taken afresh; infinite beyond
+/// the bounds.
+double wrongGap(const ElasticContact& contact, HalfSpace& afresh, std::span<const double> separation, double approach,
+                double hardness)
 {
     std::vector<double> displacement(separation.size());
     afresh.displace(contact.pressure(), displacement);
@@ -64,12 +66,14 @@ void TestElasticContactLimits::anyGridAndScale_data()
 
 void TestElasticContactLimits::anyGridAndScale()
 {
-    // Cells of 1 fm to 1 km, up to twice as long as wide, and gaps that have nothing to do with those solved just before, whether a
-    // load or a separation is given.
+    // Cells of 1 fm to 1 km, up to twice as long as wide, and gaps that have nothing to do with those solved just
+    // before, whether a load or a separation is given.
     QFETCH(HalfSpaceEdges, edges);
     QFETCH(bool, hard);
     std::mt19937 random(7);
-    const auto uniform = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+    };
     const auto power = [&](double low, double high) { return std::pow(10.0, uniform(low, high)); };
     for (int trial = 0; trial < 80; ++trial) {
         const double scale = power(-15.0, 3.0), stiffness = power(3.0, 13.0), height = scale * power(-4.0, 0.0);
@@ -85,8 +89,10 @@ void TestElasticContactLimits::anyGridAndScale()
             const double middle = height * uniform(-1.0, 1.5);
             double sum = 0.0;
             for (double& s : separation) {
-                const double rise = shape == 0 ? uniform(-1.0, 1.0) : shape == 1 ? static_cast<double>(random() % 3) - 1.0
-                                    : shape == 2 ? (random() % 10 == 0 ? -1.0 : 1.0) : -3.0 * std::pow(uniform(0.0, 1.0), 8.0);
+                const double rise = shape == 0   ? uniform(-1.0, 1.0)
+                                    : shape == 1 ? static_cast<double>(random() % 3) - 1.0
+                                    : shape == 2 ? (random() % 10 == 0 ? -1.0 : 1.0)
+                                                 : -3.0 * std::pow(uniform(0.0, 1.0), 8.0);
                 s = middle + height * rise;
                 sum += s;
             }
@@ -94,8 +100,10 @@ void TestElasticContactLimits::anyGridAndScale()
             if (!load && !hard && edges == HalfSpaceEdges::Periodic && sum <= 0.0) continue; // refused
             const double wanted = stiffness * height / scale * area * power(-6.0, 1.0);
             const double given = hard ? std::min(wanted, 0.999 * hardness * area) : wanted;
-            const ElasticContactSummary summary = load ? contact.solveLoad(separation, given) : contact.solve(separation);
-            const QString place = QString("trial %1, solution %2: %3").arg(trial).arg(solution).arg(summary.message.c_str());
+            const ElasticContactSummary summary =
+                load ? contact.solveLoad(separation, given) : contact.solve(separation);
+            const QString place =
+                QString("trial %1, solution %2: %3").arg(trial).arg(solution).arg(summary.message.c_str());
             QVERIFY2(summary.converged, qPrintable(place));
             QVERIFY2(summary.iterations < 200, qPrintable(place));
             QVERIFY2(wrongGap(contact, afresh, separation, summary.approach, hardness) < 1.01e-8, qPrintable(place));
@@ -141,8 +149,8 @@ void TestElasticContactLimits::startsFromNothing_data()
 
 void TestElasticContactLimits::startsFromNothing()
 {
-    // No coarser grid, no pressure and so no displacement that would say how small a gap is: separated humps that stay pressed,
-    // whose few equations need no more steps than any others.
+    // No coarser grid, no pressure and so no displacement that would say how small a gap is: separated humps that stay
+    // pressed, whose few equations need no more steps than any others.
     QFETCH(UniformGrid, grid);
     QFETCH(HalfSpaceEdges, edges);
     std::vector<double> separation(grid.cells(), 20e-9);
@@ -156,8 +164,8 @@ void TestElasticContactLimits::startsFromNothing()
 
 void TestElasticContactLimits::flatPadFromAfar()
 {
-    // All cells touch at once, under a load that displaces them by 1e-4 of the way there: the rounding of the mean of four thousand
-    // equal numbers would be more than the tolerance allows.
+    // All cells touch at once, under a load that displaces them by 1e-4 of the way there: the rounding of the mean of
+    // four thousand equal numbers would be more than the tolerance allows.
     const UniformGrid grid{64, 64, 1e-7, 0.8e-7};
     ElasticContact contact(HalfSpace(grid, modulus));
     const double load = 1e-7, height = 3e-9;
@@ -165,12 +173,14 @@ void TestElasticContactLimits::flatPadFromAfar()
     QVERIFY2(summary.converged, summary.message.c_str());
     // A circle gives way by F/(2 E* a): the oblong by more than the one around it and less than the one within.
     const double displaced = -summary.approach - height;
-    QVERIFY(displaced > load / (2.0 * modulus * std::hypot(3.2e-6, 2.56e-6)) && displaced < load / (2.0 * modulus * 2.56e-6));
+    QVERIFY(displaced > load / (2.0 * modulus * std::hypot(3.2e-6, 2.56e-6)) &&
+            displaced < load / (2.0 * modulus * 2.56e-6));
 }
 
 void TestElasticContactLimits::roundingDoesNotGrow()
 {
-    // A flat pad that goes down and up steadily: its cells stay the same, and each displacement is made from the last two.
+    // A flat pad that goes down and up steadily: its cells stay the same, and each displacement is made from the last
+    // two.
     const UniformGrid grid{8, 8, 1e-7, 1e-7};
     ElasticContact contact(HalfSpace(grid, modulus));
     HalfSpace afresh(grid, modulus);

@@ -54,7 +54,8 @@ void TestHalfSpace::squareUnderUniformPressure_data()
 
 void TestHalfSpace::squareUnderUniformPressure()
 {
-    // Love: corners at (+-a, +-a), r = sqrt(2) a: u = p/(pi E*) 4 (2 a asinh 1) = (8/pi) ln(1 + sqrt 2) p a/E* = 2.24440 p a/E*.
+    // Love: corners at (+-a, +-a), r = sqrt(2) a: u = p/(pi E*) 4 (2 a asinh 1) = (8/pi) ln(1 + sqrt 2) p a/E*
+    // = 2.24440 p a/E*.
     QFETCH(int, n);
     const double a = 3e-6;
     const double pressure = 1e9;
@@ -79,8 +80,8 @@ void TestHalfSpace::oblongUnderUniformPressure()
 
 void TestHalfSpace::oneCellMovesItsNeighbours()
 {
-    // Boussinesq's u = F/(pi E* r), summed over the cell by quadrature where it is smooth: a cell's length away or more, where 24
-    // points each way leave nothing but rounding.
+    // Boussinesq's u = F/(pi E* r), summed over the cell by quadrature where it is smooth: a cell's length away or
+    // more, where 24 points each way leave nothing but rounding.
     const double dx = 2e-6, dy = 0.7e-6;
     HalfSpace space({9, 9, dx, dy}, modulus);
     std::vector<double> field(81, 0.0);
@@ -92,7 +93,8 @@ void TestHalfSpace::oneCellMovesItsNeighbours()
             if (std::abs(i) < 2 && std::abs(j) < 4) continue; // nearer along y than the cell is long
             double sum = 0.0;
             rule.sample(-0.5 * dx, 0.5 * dx, [&](double x, double wx) {
-                rule.sample(-0.5 * dy, 0.5 * dy, [&](double y, double wy) { sum += wx * wy / std::hypot(i * dx - x, j * dy - y); });
+                rule.sample(-0.5 * dy, 0.5 * dy,
+                            [&](double y, double wy) { sum += wx * wy / std::hypot(i * dx - x, j * dy - y); });
             });
             QVERIFY(std::abs(field[static_cast<std::size_t>(40 + 9 * j + i)] / (sum / (pi * modulus)) - 1.0) < 1e-12);
         }
@@ -100,8 +102,8 @@ void TestHalfSpace::oneCellMovesItsNeighbours()
 
 void TestHalfSpace::isAPointForceFarAway()
 {
-    // F/(pi E* r) (1 + d^2/(24 r^2) + ...) for a square of side d, since the Laplacian of 1/r in the plane is 1/r^3. The next term is
-    // of the order (d/r)^4: 1e-8/r^4 of 100 cells is far below rounding.
+    // F/(pi E* r) (1 + d^2/(24 r^2) + ...) for a square of side d, since the Laplacian of 1/r in the plane is 1/r^3.
+    // The next term is of the order (d/r)^4: 1e-8/r^4 of 100 cells is far below rounding.
     HalfSpace space({601, 3, 1.0, 1.0}, modulus);
     std::vector<double> field(space.grid().cells(), 0.0);
     field[601] = 1.0;
@@ -124,7 +126,8 @@ void TestHalfSpace::periodicWavesAreExact()
             for (int i = 0; i < grid.nx; ++i) pressure.push_back(1e9 * std::cos(kx * grid.x(i) + ky * grid.y(j)));
         space.displace(pressure, displacement);
         const double factor = 2.0 / (modulus * std::hypot(kx, ky));
-        for (std::size_t k = 0; k < pressure.size(); ++k) QVERIFY(std::abs(displacement[k] - factor * pressure[k]) < 1e-13 * factor * 1e9);
+        for (std::size_t k = 0; k < pressure.size(); ++k)
+            QVERIFY(std::abs(displacement[k] - factor * pressure[k]) < 1e-13 * factor * 1e9);
     }
     std::vector<double> field(grid.cells(), 1e9);
     space.displace(field, field);
@@ -157,7 +160,8 @@ void TestHalfSpace::freeStiffnessIsTheInverse()
     space.displace(field, field);
     for (int j = 0; j < grid.ny; ++j)
         for (int i = 0; i < grid.nx; ++i)
-            QVERIFY(std::abs(displacement[j * wide.nx + i] - field[static_cast<std::size_t>(j * grid.nx + i)]) < 1e-12 * space.ownCompliance());
+            QVERIFY(std::abs(displacement[j * wide.nx + i] - field[static_cast<std::size_t>(j * grid.nx + i)]) <
+                    1e-12 * space.ownCompliance());
 }
 
 void TestHalfSpace::freeStiffnessIsPositive_data()
@@ -172,8 +176,8 @@ void TestHalfSpace::freeStiffnessIsPositive_data()
 
 void TestHalfSpace::freeStiffnessIsPositive()
 {
-    // Nothing is more compliant than the constant, so that every wave takes at least the pressure that the constant takes. A
-    // factor that was not positive is kept as zero and would be seen here.
+    // Nothing is more compliant than the constant, so that every wave takes at least the pressure that the constant
+    // takes. A factor that was not positive is kept as zero and would be seen here.
     QFETCH(UniformGrid, grid);
     HalfSpace space(grid, 1.0);
     const UniformGrid& wide = space.stiffnessGrid();
@@ -182,7 +186,8 @@ void TestHalfSpace::freeStiffnessIsPositive()
             std::vector<double> wave;
             for (int l = 0; l < wide.ny; ++l)
                 for (int k = 0; k < wide.nx; ++k)
-                    wave.push_back(std::cos(2.0 * pi * ((i * k) % wide.nx) / wide.nx) * std::cos(2.0 * pi * ((j * l) % wide.ny) / wide.ny));
+                    wave.push_back(std::cos(2.0 * pi * ((i * k) % wide.nx) / wide.nx) *
+                                   std::cos(2.0 * pi * ((j * l) % wide.ny) / wide.ny));
             std::vector<double> pressure(wave.size());
             space.stress(wave, pressure);
             QVERIFY(pressure[0] * space.largestCompliance() > 0.999);

@@ -29,9 +29,10 @@ class TestMultiAsperity : public QObject {
     Q_OBJECT
 
 private slots:
-    /// k_b: the mean displacement of a unit square under unit pressure on a half-space of E* = 1 is the mean of 1/(pi r) over
-    /// pairs of its points: with |x|, |y| of their distance as coordinates, density 4 (1 - x)(1 - y), in polar coordinates
-    /// (8/pi) int_0^(pi/4) int_0^(1/cos) (1 - r cos)(1 - r sin) dr da = (8/pi) int [1/c - (c + s)/(2 c^2) + s/(3 c^2)] da.
+    /// k_b: the mean displacement of a unit square under unit pressure on a half-space of E* = 1 is the mean of 1/(pi
+    /// r) over pairs of its points: with |x|, |y| of their distance as coordinates, density 4 (1 - x)(1 - y), in polar
+    /// coordinates (8/pi) int_0^(pi/4) int_0^(1/cos) (1 - r cos)(1 - r sin) dr da = (8/pi) int [1/c - (c + s)/(2 c^2) +
+    /// s/(3 c^2)] da.
     void bulkStiffnessOfASquare()
     {
         const auto ray = [](double angle) {
@@ -49,8 +50,8 @@ private slots:
         QVERIFY(near(s.model().bulkStiffness() / (contactModulus(s.pair) * std::sqrt(s.area)), 1.0566, 1e-4));
     }
 
-    /// Infinitely stiff bulk: the contact force is A p(d) on both ways, no jump, and zeta is the play of s = d: on the way in
-    /// all above d - t are wetted, on the way out those above max(d_min - t, d - h_b).
+    /// Infinitely stiff bulk: the contact force is A p(d) on both ways, no jump, and zeta is the play of s = d: on the
+    /// way in all above d - t are wetted, on the way out those above max(d_min - t, d - h_b).
     void stiffBulkIsPureGreenwoodWilliamson()
     {
         const Setting s = stiffBulk();
@@ -78,9 +79,9 @@ private slots:
         }
     }
 
-    /// All summits alike (sigma -> 0, at y_s). Way in: no force until s = d = y_s + t; there all wet, and s drops to where
-    /// A eta (4/3) E* sqrt(R) (y_s - s)^(3/2) - f_m = k_b (s - d). Way out: held until s = y_s + h_b, at d = y_s + h_b + f_m/k_b,
-    /// then no force. sigma = 1 pm: folds lie within 5 sigma of these.
+    /// All summits alike (sigma -> 0, at y_s). Way in: no force until s = d = y_s + t; there all wet, and s drops to
+    /// where A eta (4/3) E* sqrt(R) (y_s - s)^(3/2) - f_m = k_b (s - d). Way out: held until s = y_s + h_b, at d = y_s
+    /// + h_b + f_m/k_b, then no force. sigma = 1 pm: folds lie within 5 sigma of these.
     void summitsOfOneHeight()
     {
         Setting s;
@@ -116,8 +117,8 @@ private slots:
         QCOMPARE(model.forces(out.to).total(), 0.0);
     }
 
-    /// A jump stands at a fold, where d(s) has its extremum: d'(s) = 0 by differences, and d is met again after it. Between
-    /// sampling every 7.5 pm or 0.5 pm the curve has the same jumps.
+    /// A jump stands at a fold, where d(s) has its extremum: d'(s) = 0 by differences, and d is met again after it.
+    /// Between sampling every 7.5 pm or 0.5 pm the curve has the same jumps.
     void jumpsStandAtFolds()
     {
         const Setting s;
@@ -161,8 +162,8 @@ private slots:
         }
     }
 
-    /// A dried summit wets again only at the film's thickness: after a partial way out and in the same wetted height returns,
-    /// and on the way between none forms or breaks (play).
+    /// A dried summit wets again only at the film's thickness: after a partial way out and in the same wetted height
+    /// returns, and on the way between none forms or breaks (play).
     void wettedHeightHasPlay()
     {
         const MultiAsperity model = stiffBulk().model();
@@ -180,8 +181,8 @@ private slots:
         QVERIFY(near(state.wettedAbove, 2.1e-9, 1e-14));
     }
 
-    /// Menisci so strong against the bulk that it stretches half a millimetre before they let go: still one jump each way, and
-    /// take-off at y_s + h_b + f_m/k_b, where the lowest summits (nine deviations) are of no account.
+    /// Menisci so strong against the bulk that it stretches half a millimetre before they let go: still one jump each
+    /// way, and take-off at y_s + h_b + f_m/k_b, where the lowest summits (nine deviations) are of no account.
     void strongMenisciOnASoftBulk()
     {
         Setting s;
@@ -199,8 +200,8 @@ private slots:
         QVERIFY(curve.work > 0.0);
     }
 
-    /// The stiffness is the force's change over a small move, on either side where they differ: on the way in menisci gather,
-    /// on turning back nothing breaks.
+    /// The stiffness is the force's change over a small move, on either side where they differ: on the way in menisci
+    /// gather, on turning back nothing breaks.
     void stiffnessIsTheForcesSlope()
     {
         const MultiAsperity model = Setting{}.model();
@@ -218,8 +219,8 @@ private slots:
         }
     }
 
-    /// Where nothing wets or dries, the work of the pad's drive goes into what is stored and into the menisci's stretch:
-    /// -int F_c dd = [E] + |F_m| [s]. The integral by trapezoids.
+    /// Where nothing wets or dries, the work of the pad's drive goes into what is stored and into the menisci's
+    /// stretch: -int F_c dd = [E] + |F_m| [s]. The integral by trapezoids.
     void storedEnergyIsTheWork()
     {
         const MultiAsperity model = Setting{}.model();

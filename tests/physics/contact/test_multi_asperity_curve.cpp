@@ -36,8 +36,9 @@ class TestMultiAsperityCurve : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Each meniscus that forms at gap t and breaks at h_b loses 2 pi R gamma (1 + cos theta)(h_b - t). With a stiff bulk, and
-    /// every summit wetted (d_min - t five deviations below their plane), the loop's area is that of all of them.
+    /// Each meniscus that forms at gap t and breaks at h_b loses 2 pi R gamma (1 + cos theta)(h_b - t). With a stiff
+    /// bulk, and every summit wetted (d_min - t five deviations below their plane), the loop's area is that of all of
+    /// them.
     void workLostIsTheMenisci()
     {
         const Setting s = stiffBulk();
@@ -47,7 +48,8 @@ private slots:
                  qPrintable(QString::number(curve.work / expected, 'g', 9)));
     }
 
-    /// Without surface tension the way out retraces the way in and nothing is lost, soft as the bulk may be; d = s - A p(s)/k_b.
+    /// Without surface tension the way out retraces the way in and nothing is lost, soft as the bulk may be; d = s - A
+    /// p(s)/k_b.
     void withoutSurfaceTensionReversible()
     {
         Setting s;

@@ -19,9 +19,12 @@ ContactRegion follow(const OnoYamaneLaw& law, ContactRegion region, double to)
 {
     for (int i = 0; i < 5; ++i) {
         const Interval interval = law.interval(region);
-        if (to < interval.lower) region = law.beyond(region, false);
-        else if (to > interval.upper) region = law.beyond(region, true);
-        else return region;
+        if (to < interval.lower)
+            region = law.beyond(region, false);
+        else if (to > interval.upper)
+            region = law.beyond(region, true);
+        else
+            return region;
     }
     return region;
 }
@@ -32,8 +35,8 @@ class TestOnoYamane : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The paper's values: f_c0 = 5 mN, k_c = 5e6 N/m, d_s = 3 nm, d_e = 5 nm, f_m = 10 mN. On the take-off branch F_cr ends
-    /// at d_s + f_c0/k_c = 4 nm.
+    /// The paper's values: f_c0 = 5 mN, k_c = 5e6 N/m, d_s = 3 nm, d_e = 5 nm, f_m = 10 mN. On the take-off branch F_cr
+    /// ends at d_s + f_c0/k_c = 4 nm.
     void touchDownAndTakeOff_data()
     {
         QTest::addColumn<double>("d");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A sphere on an elastic half-space with adhesion, s = d + r^2/(2 R), between the limits of Derjaguin, Muller & Toporov (1975)
-// and of Johnson, Kendall & Roberts (1971), by Tabor's number mu = (R dgamma^2/(E*^2 z0^3))^(1/3).
+// A sphere on an elastic half-space with adhesion, s = d + r^2/(2 R), between the limits of Derjaguin, Muller & Toporov
+// (1975) and of Johnson, Kendall & Roberts (1971), by Tabor's number mu = (R dgamma^2/(E*^2 z0^3))^(1/3).
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -16,9 +16,9 @@ using namespace touchdown;
 
 namespace {
 
-constexpr double radius = 1e-6;         // R [m]
-constexpr double surfaceEnergy = 0.05;  // dgamma [N/m]
-constexpr double z0 = 0.3e-9;           // [m]
+constexpr double radius = 1e-6;        // R [m]
+constexpr double surfaceEnergy = 0.05; // dgamma [N/m]
+constexpr double z0 = 0.3e-9;          // [m]
 constexpr double pi = std::numbers::pi;
 
 /// E* [Pa] for Tabor's number.
@@ -31,16 +31,17 @@ struct Sphere {
 
     Sphere(double mu, int n, double halfWidth)
         : grid{n, n, 2.0 * halfWidth / n, 2.0 * halfWidth / n, -halfWidth, -halfWidth},
-          contact(HalfSpace(grid, modulus(mu)), {.kind = AdhesionKind::LennardJones, .surfaceEnergy = surfaceEnergy, .equilibriumDistance = z0}),
+          contact(HalfSpace(grid, modulus(mu)),
+                  {.kind = AdhesionKind::LennardJones, .surfaceEnergy = surfaceEnergy, .equilibriumDistance = z0}),
           separation(grid.cells())
-    {
-    }
+    {}
 
     AdhesiveContactSummary solve(double d)
     {
         for (int j = 0; j < grid.ny; ++j)
             for (int i = 0; i < grid.nx; ++i)
-                separation[static_cast<std::size_t>(j * grid.nx + i)] = d + (grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (2.0 * radius);
+                separation[static_cast<std::size_t>(j * grid.nx + i)] =
+                    d + (grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j)) / (2.0 * radius);
         return contact.solve(separation);
     }
     /// Force over pi R dgamma; not a number unless it converged.
@@ -68,16 +69,16 @@ class TestPullOff : public QObject {
     Q_OBJECT
 
 private slots:
-    /// 2 pi R dgamma. The patch cuts the attraction off at s = a^2/(2 R) = 9.8 nm on its edges, which leaves (4/3)(z0/(s + z0))^2 =
-    /// 0.11 % of it out.
+    /// 2 pi R dgamma. The patch cuts the attraction off at s = a^2/(2 R) = 9.8 nm on its edges, which leaves
+    /// (4/3)(z0/(s + z0))^2 = 0.11 % of it out.
     void rigid()
     {
         const double force = Sphere(0.05, 96, 1.4e-7).pullOff(-0.04e-9, 0.08e-9, 0.02e-9);
         QVERIFY(std::abs(force - 2.0) < 0.05 * 2.0);
     }
 
-    /// Derjaguin: a sphere that does not deform is attracted with 2 pi R phi(d); the square patch lacks the tail, bounded as above
-    /// by phi at its edges and corners, and the deformation adds less than 1.5 % here.
+    /// Derjaguin: a sphere that does not deform is attracted with 2 pi R phi(d); the square patch lacks the tail,
+    /// bounded as above by phi at its edges and corners, and the deformation adds less than 1.5 % here.
     void derjaguin()
     {
         Sphere sphere(0.02, 96, 1.4e-7);
@@ -94,8 +95,8 @@ private slots:
         QVERIFY(std::abs(force - 1.5) < 0.05 * 1.5);
     }
 
-    /// JKR: without load a^3 = 9 pi dgamma R^2/(2 E*) at an approach of a^2/(3 R). With cohesive zones of 1.5 nm against
-    /// a = 94 nm the edge is known to a cell, 3.3 nm.
+    /// JKR: without load a^3 = 9 pi dgamma R^2/(2 E*) at an approach of a^2/(3 R). With cohesive zones of 1.5 nm
+    /// against a = 94 nm the edge is known to a cell, 3.3 nm.
     void radiusWithoutLoad()
     {
         const double a = std::cbrt(9.0 * pi * surfaceEnergy * radius * radius / (2.0 * modulus(5.0)));
@@ -116,11 +117,13 @@ private slots:
         QVERIFY(2.0 > hard && hard > middle && middle > softer && softer > 1.5);
     }
 
-    /// A soft sphere snaps in on the way down nearer than it pulls off on the way up; each jump is located, and sets energy free.
+    /// A soft sphere snaps in on the way down nearer than it pulls off on the way up; each jump is located, and sets
+    /// energy free.
     void hysteresis()
     {
         Sphere sphere(2.0, 48, 7e-8);
-        const ContactPath path{[&](double d) { return sphere.force(d); }, [&] { sphere.contact.remember(); }, [&] { sphere.contact.recall(); }};
+        const ContactPath path{[&](double d) { return sphere.force(d); }, [&] { sphere.contact.remember(); },
+                               [&] { sphere.contact.recall(); }};
         const double far = 1.5e-9, near = 0.65e-9;
         const ContactJump in = locateJump(path, far, path.force(far), near, 1e-12, 0.05);
         QVERIFY(in.found);

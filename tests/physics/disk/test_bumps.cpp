@@ -63,8 +63,8 @@ private slots:
             QVERIFY(std::abs(bump.height(50e-6 + side * 1.5e-6, 10e-6) - half * 10e-9) < 1e-20);
             QVERIFY(std::abs(bump.height(50e-6, 10e-6 + side * 1e-6) - half * 10e-9) < 1e-20);
         }
-        // At the base: 0, and what a gaussian has at three standard deviations. An ellipsoid's flank is upright there: what
-        // rounding leaves of 1 - r^2, 1e-15, its root makes 3e-8 of the height.
+        // At the base: 0, and what a gaussian has at three standard deviations. An ellipsoid's flank is upright there:
+        // what rounding leaves of 1 - r^2, 1e-15, its root makes 3e-8 of the height.
         const double base = shape == BumpShape::Gaussian ? std::exp(-4.5) * 10e-9 : 0.0;
         QVERIFY(std::abs(bump.height(53e-6, 10e-6) - base) < 1e-15);
         QCOMPARE(bump.height(70e-6, 10e-6), 0.0);

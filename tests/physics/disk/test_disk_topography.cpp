@@ -77,7 +77,8 @@ private slots:
     {
         DiskSurface withoutTrack;
         withoutTrack.track = withoutTrack.cell = std::numeric_limits<double>::quiet_NaN();
-        for (const DiskTopography& disk : {DiskTopography(), DiskTopography(DiskSurface{}), DiskTopography(withoutTrack)}) {
+        for (const DiskTopography& disk :
+             {DiskTopography(), DiskTopography(DiskSurface{}), DiskTopography(withoutTrack)}) {
             QVERIFY(disk.flat());
             QCOMPARE(disk.period(), DiskTopography().period());
             QVERIFY(disk.repeats());
@@ -133,8 +134,8 @@ private slots:
         }
     }
 
-    // The slopes over h, a 25th of a cell, before and behind the seam differ by h times the curvature, as anywhere; a kink or a
-    // step would stand out by 25 and more.
+    // The slopes over h, a 25th of a cell, before and behind the seam differ by h times the curvature, as anywhere; a
+    // kink or a step would stand out by 25 and more.
     void thereIsNoSeam()
     {
         for (int spectrum = 0; spectrum < 3; ++spectrum) {
@@ -180,8 +181,9 @@ private slots:
                 small.x = {x - 10e-9, x + 10e-9};
                 small.y = {y - 10e-9, y + 10e-9};
                 disk.cellMeans(small, 3e-6, 1e-6, means);
-                // (20 nm)^2/24 of the curvatures along and across [1/m]: of the ramp where it turns 2e-3/0.6 um = 3500; of a
-                // bump 2.5 nm (pi/4 um)^2 = 1500 each way; of the roughness, four deviations of sqrt(12) rms/lc^2, 700.
+                // (20 nm)^2/24 of the curvatures along and across [1/m]: of the ramp where it turns 2e-3/0.6 um = 3500;
+                // of a bump 2.5 nm (pi/4 um)^2 = 1500 each way; of the roughness, four deviations of sqrt(12) rms/lc^2,
+                // 700.
                 QVERIFY(std::abs(means[0] - disk.height(x - 3e-6, y - 1e-6)) < 1.7e-17 * 8000);
             }
     }

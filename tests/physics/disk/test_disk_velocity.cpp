@@ -15,9 +15,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double length = 0.85e-3, width = 0.70e-3; // [m]
 
-/// omega x r in vectors. Disk frame: the spindle at 0, the slider's centre at (R, 0, 0), the disk turns about +z, so that it
-/// moves along (0, 1, 0) under the centre. A skew turns the slider's axes, at zero skew x along the motion and y outwards,
-/// so that the velocity at the centre is omega R (cos phi, -sin phi) in them.
+/// omega x r in vectors. Disk frame: the spindle at 0, the slider's centre at (R, 0, 0), the disk turns about +z, so
+/// that it moves along (0, 1, 0) under the centre. A skew turns the slider's axes, at zero skew x along the motion and
+/// y outwards, so that the velocity at the centre is omega R (cos phi, -sin phi) in them.
 Velocity crossProduct(const DiskMotion& disk, double x, double y)
 {
     const double c = std::cos(disk.skew), s = std::sin(disk.skew);
@@ -63,8 +63,8 @@ private slots:
             }
     }
 
-    /// Half a width outwards of the centre the radius is larger by as much; half a length towards the leading edge the disk
-    /// moves outwards at omega L/2: by hand at 500 rad/s, 20 mm.
+    /// Half a width outwards of the centre the radius is larger by as much; half a length towards the leading edge the
+    /// disk moves outwards at omega L/2: by hand at 500 rad/s, 20 mm.
     void signsAtZeroSkew()
     {
         const DiskMotion disk{.speed = 500.0, .radius = 20e-3, .skew = 0.0};

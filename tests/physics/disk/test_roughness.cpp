@@ -76,9 +76,9 @@ private slots:
         }
     }
 
-    // Of all densities of 20 seeds 95 % lie between the limits. Those of different wave numbers are independent: of n of them
-    // the share outside scatters by sqrt(0.05 0.95/n); four of these are allowed beyond what the limits themselves are off,
-    // 0.01 (Wilson & Hilferty's quantiles of a weighted sum).
+    // Of all densities of 20 seeds 95 % lie between the limits. Those of different wave numbers are independent: of n
+    // of them the share outside scatters by sqrt(0.05 0.95/n); four of these are allowed beyond what the limits
+    // themselves are off, 0.01 (Wilson & Hilferty's quantiles of a weighted sum).
     void theDensityOf20SeedsIsWithinItsLimits_data() { spectra(); }
     void theDensityOf20SeedsIsWithinItsLimits()
     {
@@ -104,8 +104,9 @@ private slots:
         QVERIFY2(std::abs(share - 0.05) < 0.01 + 4.0 * scatter, qPrintable(QString::number(share)));
     }
 
-    // The mean of 20 seeds over tenths of a decade: limits of the many modes in a bin are narrow, and a shape that was wrong by
-    // a few per cent would leave them. In each bin the chance is one in 20 to be outside twice the standard deviation.
+    // The mean of 20 seeds over tenths of a decade: limits of the many modes in a bin are narrow, and a shape that was
+    // wrong by a few per cent would leave them. In each bin the chance is one in 20 to be outside twice the standard
+    // deviation.
     void theMeanOf20SeedsFollowsTheRequest_data() { spectra(); }
     void theMeanOf20SeedsFollowsTheRequest()
     {
@@ -157,8 +158,8 @@ private slots:
         }
     }
 
-    // Normal heights: skewness 0 and kurtosis 3, with standard deviations sqrt(6/n), sqrt(24/n) for n independent heights. For
-    // R = exp(-r^2/lc^2) the sums over pairs, 6 R^3 and 24 R^4, give n = 3 A/(pi lc^2) and 4 A/(pi lc^2).
+    // Normal heights: skewness 0 and kurtosis 3, with standard deviations sqrt(6/n), sqrt(24/n) for n independent
+    // heights. For R = exp(-r^2/lc^2) the sums over pairs, 6 R^3 and 24 R^4, give n = 3 A/(pi lc^2) and 4 A/(pi lc^2).
     void theHeightsAreNormal()
     {
         const DiskSurface s = rough(RoughnessSpectrum::Gaussian);
@@ -174,7 +175,8 @@ private slots:
         QVERIFY(std::abs(kurtosis - 3.0) < 3.0 * std::sqrt(24.0 / (4.0 * patches * seeds)));
     }
 
-    // <(dw/dx)^2> = sigma^2 2/lc^2 for R = exp(-r^2/lc^2); differences over one cell d see 2 (1 - exp(-d^2/lc^2))/d^2 of it.
+    // <(dw/dx)^2> = sigma^2 2/lc^2 for R = exp(-r^2/lc^2); differences over one cell d see 2 (1 - exp(-d^2/lc^2))/d^2
+    // of it.
     void theSlopeIsThatOfTheSpectrum()
     {
         const DiskSurface s = rough(RoughnessSpectrum::Gaussian);
@@ -190,8 +192,9 @@ private slots:
         QVERIFY(std::abs(y / expected - 1.0) < 0.014);
     }
 
-    // What is asked for against the integrals of the spectra over the wave number across, where neither points nor periods
-    // matter: sigma^2 lc/sqrt(pi) exp(-q^2 lc^2/4) and (2/pi) sigma^2 lc/(1 + q^2 lc^2), whose integral over q > 0 is sigma^2.
+    // What is asked for against the integrals of the spectra over the wave number across, where neither points nor
+    // periods matter: sigma^2 lc/sqrt(pi) exp(-q^2 lc^2/4) and (2/pi) sigma^2 lc/(1 + q^2 lc^2), whose integral over q
+    // > 0 is sigma^2.
     void theRequestIsTheSpectrumOfTheProfile()
     {
         DiskSurface s = rough(RoughnessSpectrum::Gaussian);
@@ -215,8 +218,8 @@ private slots:
         }
     }
 
-    // In the plane C = C0, C0 (q/q_r)^(-2-2H), 0. On a wide track C0 follows from sigma^2 = 2 pi C0 (q_r^2/2 + q_r^2 (1 -
-    // (q_c/q_r)^(-2H))/(2H)).
+    // In the plane C = C0, C0 (q/q_r)^(-2-2H), 0. On a wide track C0 follows from sigma^2 = 2 pi C0 (q_r^2/2 + q_r^2 (1
+    // - (q_c/q_r)^(-2H))/(2H)).
     void theSelfAffineSpectrumIsThatOfTheHeader()
     {
         DiskSurface s = rough(RoughnessSpectrum::SelfAffine);

@@ -103,8 +103,8 @@ private slots:
         QVERIFY(std::abs(integral(s.psd) / (s.rms * s.rms) - 1.0) < 1e-12);
     }
 
-    // 4.5 waves of a sine, taken as periodic: at step k stands (9/(k^2 - 4.5^2)/pi)^2 of the variance, from step 10 on 0.4 % in
-    // all; behind a Hann window next to nothing, and the whole stays.
+    // 4.5 waves of a sine, taken as periodic: at step k stands (9/(k^2 - 4.5^2)/pi)^2 of the variance, from step 10 on
+    // 0.4 % in all; behind a Hann window next to nothing, and the whole stays.
     void whatDoesNotRepeatIsSeenThroughAWindow()
     {
         const double step = 2.0 * pi / 128e-6;

@@ -13,8 +13,8 @@ class TestAir : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Pressures of the US Standard Atmosphere 1976 at geopotential altitudes (its constants differ in the fifth digit). Viscosity at 300 K:
-    /// 1.458e-6 * 5196.1524/410.4. Mean free path at 300 K and p0: k = 1.380649e-23 J/K,
+    /// Pressures of the US Standard Atmosphere 1976 at geopotential altitudes (its constants differ in the fifth
+    /// digit). Viscosity at 300 K: 1.458e-6 * 5196.1524/410.4. Mean free path at 300 K and p0: k = 1.380649e-23 J/K,
     /// 1.380649e-23 * 300/(4.4428829 * 1.33225e-19 * 101325) = 69.062 nm.
     void atmosphere_data()
     {
@@ -45,14 +45,16 @@ private slots:
         QVERIFY2(std::abs(air.meanFreePath / meanFreePath - 1.0) < 2e-4, qPrintable(QString::number(air.meanFreePath)));
     }
 
-    /// The standard pressure at sea level, and half-way to the altitude z = 288.16/0.0065 m at which the law ends 2^-5.256 of it.
+    /// The standard pressure at sea level, and half-way to the altitude z = 288.16/0.0065 m at which the law ends
+    /// 2^-5.256 of it.
     void pressureLaw()
     {
         QCOMPARE(airAt(0.0, 250.0).pressure, 101325.0);
         QVERIFY(std::abs(airAt(0.5 * 288.16 / 0.0065, 250.0).pressure / 101325.0 * std::exp2(5.256) - 1.0) < 1e-13);
     }
 
-    /// What the established program calls standard air is this atmosphere at sea level and 25 C, in the digits that it gives.
+    /// What the established program calls standard air is this atmosphere at sea level and 25 C, in the digits that it
+    /// gives.
     void establishedStandardAirIsThatOf25C()
     {
         const Air air = airAt(0.0, 298.15);

@@ -22,7 +22,8 @@ AirBearingSurface slantedWall()
     AirBearingSurface surface;
     surface.baseRecess = 1.5e-6;
     surface.walls.push_back({.distance = {0.0, 3e-6, 20e-6}, .recess = {0.1e-6, 0.4e-6, 1.5e-6}});
-    surface.rails.push_back({.points = {{0.08e-3, 0.05e-3, 0}, {0.28e-3, 0.05e-3, 0}, {0.28e-3, 0.25e-3, 1}}, .recess = {0.1e-6}});
+    surface.rails.push_back(
+        {.points = {{0.08e-3, 0.05e-3, 0}, {0.28e-3, 0.05e-3, 0}, {0.28e-3, 0.25e-3, 1}}, .recess = {0.1e-6}});
     return surface;
 }
 
@@ -39,8 +40,8 @@ class TestCrossFeed : public QObject {
     Q_OBJECT
 
 private slots:
-    /// In each cell both of whose halves are cut, the parts add up to the whole, or to less where one would be more than four
-    /// times its even share.
+    /// In each cell both of whose halves are cut, the parts add up to the whole, or to less where one would be more
+    /// than four times its even share.
     void partsAddUpToTheCell()
     {
         const FilmGaps gaps(Recess(slantedWall(), side, side), uniformGrid(side, side, 37, 41));
@@ -71,16 +72,17 @@ private slots:
         }
     }
 
-    /// A step at 42 um, a rail 0.2 um behind a base of 1.2 um. The cell from 40 to 50 um has its centre at 45 um: its lower half
-    /// has 2 um of base and 3 of rail, its upper half, which is smooth, 5 of rail. With lifts of 20 nm the conduction is
-    /// 1.22^2 = 1.4884 against 0.22^2 = 0.0484, its mean (2*1.4884 + 8*0.0484)/10 = 0.3364: the base has its most, four times its
-    /// even share, the rail a seventh.
+    /// A step at 42 um, a rail 0.2 um behind a base of 1.2 um. The cell from 40 to 50 um has its centre at 45 um: its
+    /// lower half has 2 um of base and 3 of rail, its upper half, which is smooth, 5 of rail. With lifts of 20 nm the
+    /// conduction is 1.22^2 = 1.4884 against 0.22^2 = 0.0484, its mean (2*1.4884 + 8*0.0484)/10 = 0.3364: the base has
+    /// its most, four times its even share, the rail a seventh.
     void deepSideTakesTheFlow()
     {
         AirBearingSurface surface;
         surface.baseRecess = 1.2e-6;
-        surface.rails.push_back({.points = {{42e-6, -1e-6, 0}, {200e-6, -1e-6, 0}, {200e-6, 11e-6, 0}, {42e-6, 11e-6, 0}},
-                                 .recess = {0.2e-6}});
+        surface.rails.push_back(
+            {.points = {{42e-6, -1e-6, 0}, {200e-6, -1e-6, 0}, {200e-6, 11e-6, 0}, {42e-6, 11e-6, 0}},
+             .recess = {0.2e-6}});
         const FilmGaps gaps(Recess(surface, 100e-6, 10e-6), uniformGrid(100e-6, 10e-6, 10, 1));
         const CutPlace& place = gaps.faces[0].cut.front();
         QCOMPARE(place.at, gaps.pad.at(4, 0));
@@ -94,8 +96,8 @@ private slots:
         QVERIFY(close(rail->feed, 3e-6 * 0.0484 / 0.3364) && close(rail->lead, base->feed));
     }
 
-    /// Of a slanted wall no direction is more in need of cells than another: twice as many along x or along y change the load
-    /// by less than 0.4 %. Evenly spread, the flow across makes that 1.0 % up and 1.1 % down.
+    /// Of a slanted wall no direction is more in need of cells than another: twice as many along x or along y change
+    /// the load by less than 0.4 %. Evenly spread, the flow across makes that 1.0 % up and 1.1 % down.
     void slantedWallIsIsotropic()
     {
         const double square = load(96, 96), alongX = load(192, 96), alongY = load(96, 192);

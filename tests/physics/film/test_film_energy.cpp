@@ -70,7 +70,8 @@ private slots:
         for (const double ratio : {1e-3, 0.2, 0.7072, 0.999, 1.0001, 1.4143, 3.0, 700.0})
             QTest::addRow("%g", ratio) << ratio;
     }
-    /// Air compressed from V to V/r at constant temperature takes up p0 V (ln r - (1 - 1/r)) beyond what the ambient does.
+    /// Air compressed from V to V/r at constant temperature takes up p0 V (ln r - (1 - 1/r)) beyond what the ambient
+    /// does.
     void airInAVessel()
     {
         QFETCH(double, ratio);
@@ -86,8 +87,8 @@ private slots:
                  qPrintable(QString::number(stored / expected - 1.0)));
     }
 
-    /// The wide slider in its steady state, per width p0^2 h0^3/(12 mu L) times the integral of H^2 G P'^2/P, G the mobility; and
-    /// what the disk puts in is as much: Lambda times the integral of H P'. Second order.
+    /// The wide slider in its steady state, per width p0^2 h0^3/(12 mu L) times the integral of H^2 G P'^2/P, G the
+    /// mobility; and what the disk puts in is as much: Lambda times the integral of H P'. Second order.
     void wideSliderDissipates()
     {
         constexpr double length = 1e-3, Lambda = 40.0, knudsen = 0.6;
@@ -138,9 +139,9 @@ private slots:
         QTest::newRow("stepped slider") << true << 0.0;
         QTest::newRow("plane slider over waves") << false << 10e-9;
     }
-    /// What is stored grows by the work of slider and disk and by what flows bring, to the second order of the steps; of all that
-    /// is dissipated, 40 steps leave less than 1 %. The work on the volumes is that of the disk's surface and, under a plane slider,
-    /// that of the load against its motion.
+    /// What is stored grows by the work of slider and disk and by what flows bring, to the second order of the steps;
+    /// of all that is dissipated, 40 steps leave less than 1 %. The work on the volumes is that of the disk's surface
+    /// and, under a plane slider, that of the load against its motion.
     void balance()
     {
         QFETCH(bool, stepped);

@@ -50,7 +50,8 @@ class TestFilmGaps : public QObject {
     Q_OBJECT
 
 private slots:
-    /// For the recess at the centres of 7 rows of cells and one beside them on either side, for 7 rows of faces across x and 8 across y.
+    /// For the recess at the centres of 7 rows of cells and one beside them on either side, for 7 rows of faces across
+    /// x and 8 across y.
     void isAskedAtEachRow()
     {
         AirBearingSurface surface;
@@ -136,17 +137,19 @@ private slots:
             QVERIFY(std::abs(volume(FilmGaps(Recess(surface, L, W), cells)) / exact - 1.0) < 1e-12);
     }
 
-    /// Rails with corners inside cells, edges through the very centres of cells among them (the sixth, of 1/24 L): each half of
-    /// a cell belongs to the path on its side, divided where the edges are; at corners by four rows.
+    /// Rails with corners inside cells, edges through the very centres of cells among them (the sixth, of 1/24 L): each
+    /// half of a cell belongs to the path on its side, divided where the edges are; at corners by four rows.
     void volumeOfCorners()
     {
         AirBearingSurface surface;
         surface.baseRecess = 1e-6;
         for (int k = 0; k < 40; ++k) {
             const double s = 0.02 * k / 40;
-            surface.rails = {box((0.31 + s) * L, (0.72 + 0.7 * s) * L, (0.22 + 0.3 * s) * W, (0.66 + 1.1 * s) * W, 0.0)};
+            surface.rails = {
+                box((0.31 + s) * L, (0.72 + 0.7 * s) * L, (0.22 + 0.3 * s) * W, (0.66 + 1.1 * s) * W, 0.0)};
             const double exact = L * W * 1e-6 * (1.0 - (0.41 - 0.3 * s) * (0.44 + 0.8 * s));
-            const double error = (volume(FilmGaps(Recess(surface, L, W), uniform(24, 24))) - exact) / (L * W * 1e-6 / 576);
+            const double error =
+                (volume(FilmGaps(Recess(surface, L, W), uniform(24, 24))) - exact) / (L * W * 1e-6 / 576);
             QVERIFY2(std::abs(error) < 0.03, qPrintable(QString("%1: %2 cells").arg(k).arg(error)));
         }
     }
@@ -158,7 +161,10 @@ private slots:
         const double cell = L * W / 576;
         for (int k = 0; k < 40; ++k) {
             const double s = 0.02 * k / 40;
-            surface.rails = {{.points = {{(0.2 + s) * L, 0.1 * W}, {0.7 * L, (0.2 + s) * W}, {(0.8 - s) * L, 0.9 * W}, {0.3 * L, 0.7 * W}},
+            surface.rails = {{.points = {{(0.2 + s) * L, 0.1 * W},
+                                         {0.7 * L, (0.2 + s) * W},
+                                         {(0.8 - s) * L, 0.9 * W},
+                                         {0.3 * L, 0.7 * W}},
                               .recess = {0.0}}};
             double area = 0.0;
             const auto& p = surface.rails[0].points;
@@ -168,8 +174,8 @@ private slots:
         }
     }
 
-    /// A step anywhere along a path: its pieces add up, break exactly at the step and at the face, and pass what the two gaps
-    /// in series do: K = width/(sum of lengths/h^3).
+    /// A step anywhere along a path: its pieces add up, break exactly at the step and at the face, and pass what the
+    /// two gaps in series do: K = width/(sum of lengths/h^3).
     void stepAnywhereOnAPath_data()
     {
         QTest::addColumn<double>("position");
@@ -253,10 +259,13 @@ private slots:
             for (std::uint32_t p = row.pieces; p < row.pieceEnd; ++p)
                 resistance += gaps.pieces[p].extent / std::pow(gaps.pieces[p].recess + 20e-9, 3);
             const auto inverseSquare = [](double h) { return 1.0 / (h * h); };
-            const double exact = (edge - 1.5 * dx) / 8e-24 + wall / 500e-9 * 0.5 * (inverseSquare(20e-9) - inverseSquare(520e-9)) +
+            const double exact = (edge - 1.5 * dx) / 8e-24 +
+                                 wall / 500e-9 * 0.5 * (inverseSquare(20e-9) - inverseSquare(520e-9)) +
                                  (2.5 * dx - edge - wall) / std::pow(520e-9, 3);
-            // Four samples follow the wall: what it adds to the rail's resistance is wall h0/(2 * 500 nm), 2 % of its length.
-            QVERIFY2(std::abs(resistance - exact) < 0.25 * wall / 8e-24, qPrintable(QString::number((resistance - exact) * 8e-24 / wall)));
+            // Four samples follow the wall: what it adds to the rail's resistance is wall h0/(2 * 500 nm), 2 % of its
+            // length.
+            QVERIFY2(std::abs(resistance - exact) < 0.25 * wall / 8e-24,
+                     qPrintable(QString::number((resistance - exact) * 8e-24 / wall)));
         }
     }
 

@@ -48,7 +48,8 @@ private slots:
         QCOMPARE(grid.y.back(), W);
     }
 
-    /// Edges along the axes lie on lines of even numbers, exactly; oblique ones ask for no line. Cells crowd where edges are.
+    /// Edges along the axes lie on lines of even numbers, exactly; oblique ones ask for no line. Cells crowd where
+    /// edges are.
     void gradedByRails()
     {
         AirBearingSurface surface;
@@ -78,8 +79,8 @@ private slots:
         for (std::size_t j = 0; j < grid.y.size(); ++j) QVERIFY(std::abs(grid.y[j] - even.y[j]) < 1e-12 * W);
     }
 
-    /// A film whose pressure bends at 0.8 L alone, in a gap too wide to drag: cells crowd there, edges keep their lines, and
-    /// across, where nothing bends, cells stay alike.
+    /// A film whose pressure bends at 0.8 L alone, in a gap too wide to drag: cells crowd there, edges keep their
+    /// lines, and across, where nothing bends, cells stay alike.
     void adaptedToPressure()
     {
         AirBearingSurface surface;
@@ -87,7 +88,9 @@ private slots:
         const CellGrid coarse = uniformGrid(L, W, 60, 10);
         KnownFilm known{coarse, {}, std::vector<double>(coarse.cells(), 5e-6), 1e5, 1e-6};
         for (int j = 0; j < 10; ++j)
-            for (int i = 0; i < 60; ++i) known.pressure.push_back(1e5 * (1.0 + 3.0 * std::exp(-std::pow((coarse.centreX(i) / L - 0.8) / 0.02, 2))));
+            for (int i = 0; i < 60; ++i)
+                known.pressure.push_back(1e5 *
+                                         (1.0 + 3.0 * std::exp(-std::pow((coarse.centreX(i) / L - 0.8) / 0.02, 2))));
         const CellGrid grid = adaptedGrid(surface, L, W, 60, 10, known);
         QCOMPARE(grid.nx(), 60);
         QVERIFY(spacingAt(grid.x, 0.8 * L) < 0.5 * spacingAt(grid.x, 0.4 * L));
@@ -99,7 +102,8 @@ private slots:
         const CellGrid coarse = uniformGrid(L, W, 60, 10);
         KnownFilm known{coarse, std::vector<double>(coarse.cells(), 1e5), {}, 1e5, 1e-6};
         for (int j = 0; j < 10; ++j)
-            for (int i = 0; i < 60; ++i) known.gap.push_back(20e-9 * (1.5 + std::tanh((coarse.centreX(i) / L - 0.3) / 0.02)));
+            for (int i = 0; i < 60; ++i)
+                known.gap.push_back(20e-9 * (1.5 + std::tanh((coarse.centreX(i) / L - 0.3) / 0.02)));
         const CellGrid grid = adaptedGrid({}, L, W, 60, 10, known);
         QVERIFY(spacingAt(grid.x, 0.3 * L) < 0.5 * spacingAt(grid.x, 0.7 * L));
         QVERIFY(std::abs(spacingAt(grid.y, 0.1 * W) / spacingAt(grid.y, 0.6 * W) - 1.0) < 1e-9);

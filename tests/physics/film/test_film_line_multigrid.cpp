@@ -51,8 +51,10 @@ Slider railSlider()
     AirBearingSurface& s = slider.surface;
     s.baseRecess = 1.5e-6;
     s.walls = {{.distance = {-2e-6, 0.0, 6e-6}, .recess = {0.0, 0.1e-6, 1.5e-6}}};
-    s.rails = {box(0.05e-3, 0.80e-3, 0.05e-3, 0.30e-3, 0.2e-6, 0), box(0.05e-3, 0.80e-3, 0.70e-3, 0.95e-3, 0.2e-6, 0),
-               box(0.25e-3, 0.70e-3, 0.07e-3, 0.22e-3, 0.0, 1), box(0.25e-3, 0.70e-3, 0.78e-3, 0.93e-3, 0.0, 1),
+    s.rails = {box(0.05e-3, 0.80e-3, 0.05e-3, 0.30e-3, 0.2e-6, 0),
+               box(0.05e-3, 0.80e-3, 0.70e-3, 0.95e-3, 0.2e-6, 0),
+               box(0.25e-3, 0.70e-3, 0.07e-3, 0.22e-3, 0.0, 1),
+               box(0.25e-3, 0.70e-3, 0.78e-3, 0.93e-3, 0.0, 1),
                {.kind = RailKind::Step,
                 .points = {{0.95e-3, 0.40e-3, 1}, {1.20e-3, 0.44e-3, 1}, {1.20e-3, 0.56e-3, 1}, {0.95e-3, 0.60e-3, 1}},
                 .recess = {0.0}}};
@@ -103,8 +105,8 @@ class TestFilmLineMultigrid : public QObject {
     Q_OBJECT
 
 private slots:
-    /// One discrete equation has one solution: both methods must find it. Residuals of 1e-10 leave differences of the same
-    /// order, but for cells behind narrow gaps, which a small flow fills: 1e-7 has room for them.
+    /// One discrete equation has one solution: both methods must find it. Residuals of 1e-10 leave differences of the
+    /// same order, but for cells behind narrow gaps, which a small flow fills: 1e-7 has room for them.
     void findsNewtonsSolution_data() { eachSlider(); }
     void findsNewtonsSolution()
     {
@@ -126,8 +128,8 @@ private slots:
         QVERIFY2(worst < 1e-7, qPrintable(QString::number(worst)));
     }
 
-    /// Work in proportion to the cells: as many cycles on 192 x 192 cells as on 24 x 24, within two. An odd number of cells
-    /// has a coarse cell of one fine one at its end.
+    /// Work in proportion to the cells: as many cycles on 192 x 192 cells as on 24 x 24, within two. An odd number of
+    /// cells has a coarse cell of one fine one at its end.
     void cyclesDoNotGrow_data() { eachSlider(); }
     void cyclesDoNotGrow()
     {
@@ -217,7 +219,8 @@ private slots:
         FilmLineMultigrid multigrid = multigridOf(planeSlider(), 48);
         std::vector<double> p = ambient(multigrid.film());
         const double atFirst = residualAt(multigrid.film(), p);
-        const FilmSolution solution = multigrid.solve(p, {.tolerance = 1e-12}, [](int number, double) { return number < 2; });
+        const FilmSolution solution =
+            multigrid.solve(p, {.tolerance = 1e-12}, [](int number, double) { return number < 2; });
         QVERIFY(solution.cancelled && !solution.converged);
         QCOMPARE(solution.iterations, 2);
         QVERIFY(solution.residual < atFirst);
@@ -235,8 +238,8 @@ private slots:
         QCOMPARE(residualAt(multigrid.film(), p), solution.residual);
     }
 
-    /// The whole trailing edge closed: the disk drags air into a wedge without an exit. Whatever comes of it, pressures are
-    /// sound, no worse than at first, and the status tells the truth.
+    /// The whole trailing edge closed: the disk drags air into a wedge without an exit. Whatever comes of it, pressures
+    /// are sound, no worse than at first, and the status tells the truth.
     void closedWedge_data()
     {
         QTest::addColumn<ConvectionScheme>("scheme");

@@ -21,7 +21,8 @@ AirBearingSurface railed()
 {
     AirBearingSurface surface;
     surface.baseRecess = 1e-6;
-    surface.rails = {{.points = {{0.1 * L, 0.2 * W}, {0.95 * L, 0.2 * W}, {0.95 * L, 0.8 * W}, {0.1 * L, 0.8 * W}}, .recess = {0.0}}};
+    surface.rails = {{.points = {{0.1 * L, 0.2 * W}, {0.95 * L, 0.2 * W}, {0.95 * L, 0.8 * W}, {0.1 * L, 0.8 * W}},
+                      .recess = {0.0}}};
     return surface;
 }
 
@@ -47,11 +48,12 @@ private slots:
         FilmProblem problem(railed(), L, W, uniformGrid(L, W, 40, 32), setting(), flying);
         std::vector<double> residuals;
         FilmNewton newton(problem.film);
-        const FilmSolution solution = newton.solve(problem.p, {.tolerance = 1e-10}, [&](int iteration, double residual) {
-            const auto told = static_cast<int>(residuals.size());
-            if (iteration == told) residuals.push_back(residual);
-            return iteration == told || (iteration == told - 1 && residual == residuals.back());
-        });
+        const FilmSolution solution =
+            newton.solve(problem.p, {.tolerance = 1e-10}, [&](int iteration, double residual) {
+                const auto told = static_cast<int>(residuals.size());
+                if (iteration == told) residuals.push_back(residual);
+                return iteration == told || (iteration == told - 1 && residual == residuals.back());
+            });
         QVERIFY(solution.converged);
         QVERIFY(!solution.cancelled);
         QVERIFY(solution.residual <= 1e-10);
@@ -85,26 +87,30 @@ private slots:
     void cancels()
     {
         FilmProblem problem(railed(), L, W, uniformGrid(L, W, 24, 20), setting(), flying);
-        const FilmSolution solution = FilmNewton(problem.film).solve(problem.p, {}, [](int iteration, double) { return iteration < 2; });
+        const FilmSolution solution =
+            FilmNewton(problem.film).solve(problem.p, {}, [](int iteration, double) { return iteration < 2; });
         QVERIFY(solution.cancelled);
         QVERIFY(!solution.converged);
         QCOMPARE(solution.iterations, 2);
     }
 
-    /// Asked at each of Newton's iterations and after each of the linear solver's but the last one of a solution, which its tolerance
-    /// ends: solves + 1 times. Whenever it says no, that was the last time, and the pressure is one that was accepted.
+    /// Asked at each of Newton's iterations and after each of the linear solver's but the last one of a solution, which
+    /// its tolerance ends: solves + 1 times. Whenever it says no, that was the last time, and the pressure is one that
+    /// was accepted.
     void isAskedAtEachLinearIteration()
     {
         FilmProblem problem(railed(), L, W, uniformGrid(L, W, 24, 20), setting(), flying);
         const std::vector<double> start = problem.p;
         int calls = 0;
-        const FilmSolution whole = FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++calls > 0; });
+        const FilmSolution whole =
+            FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++calls > 0; });
         QVERIFY(whole.converged);
         QCOMPARE(calls, whole.solves + 1);
         for (int last = 1; last <= calls; ++last) {
             problem.p = start;
             int asked = 0;
-            const FilmSolution stopped = FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++asked < last; });
+            const FilmSolution stopped =
+                FilmNewton(problem.film).solve(problem.p, {}, [&](int, double) { return ++asked < last; });
             QVERIFY(stopped.cancelled && !stopped.converged);
             QCOMPARE(asked, last);
             std::vector<double> residual(problem.p.size());
@@ -121,12 +127,14 @@ private slots:
         const std::vector<double> p = problem.p;
         const PaddedGrid& pad = problem.gaps.pad;
         for (int j = 0; j < pad.ny; ++j)
-            for (int i = 0; i < pad.nx; ++i) problem.p[pad.at(i, j)] = problem.film.ambient() * (i % 3 == 0 ? 8.0 : 0.3);
+            for (int i = 0; i < pad.nx; ++i)
+                problem.p[pad.at(i, j)] = problem.film.ambient() * (i % 3 == 0 ? 8.0 : 0.3);
         QVERIFY(problem.solve({.tolerance = 1e-11}).converged);
         for (std::size_t at = 0; at < p.size(); ++at) QVERIFY(std::abs(problem.p[at] / p[at] - 1.0) < 1e-7);
     }
 
-    /// The trailing edge at the disk and below: no air where the gap is closed, pressures finite and positive all the same.
+    /// The trailing edge at the disk and below: no air where the gap is closed, pressures finite and positive all the
+    /// same.
     void contact_data()
     {
         QTest::addColumn<double>("height");
@@ -179,9 +187,9 @@ private slots:
         QVERIFY(error() < 1.1e-8);
     }
 
-    /// A cavity behind a rail, under a fast disk, and a guess with one cell far too high. Linearised there the diffusion's dependence on the
-    /// pressure counts, and Newton's whole step leads to pressures below zero. The bounded one does not, and the method goes on from there
-    /// to the solution, whatever the scheme.
+    /// A cavity behind a rail, under a fast disk, and a guess with one cell far too high. Linearised there the
+    /// diffusion's dependence on the pressure counts, and Newton's whole step leads to pressures below zero. The
+    /// bounded one does not, and the method goes on from there to the solution, whatever the scheme.
     void aWholeStepGoesBelowZero_data()
     {
         QTest::addColumn<ConvectionScheme>("scheme");

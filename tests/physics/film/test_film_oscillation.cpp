@@ -25,10 +25,13 @@ constexpr double length = 1.0e-3, width = 0.5e-3, gap = 2e-6;
 /// Parallel plates over a disk that rests, continuum air.
 struct Plates {
     explicit Plates(int cells, double speed = 0.0, double pitch = 0.0)
-        : recess(surface(), length, width), gaps(recess, uniformGrid(length, width, cells, cells)),
-          film(gaps, {.air = {}, .slip = {.model = SlipModel::Continuum},
+        : recess(surface(), length, width),
+          gaps(recess, uniformGrid(length, width, cells, cells)),
+          film(gaps, {.air = {},
+                      .slip = {.model = SlipModel::Continuum},
                       .disk = {.speed = speed / 25e-3, .radius = 25e-3, .field = VelocityField::Uniform}}),
-          pressure(gaps.pad.size(), film.ambient()), residual(pressure.size())
+          pressure(gaps.pad.size(), film.ambient()),
+          residual(pressure.size())
     {
         film.setAttitude({gap, pitch, 0.0});
         film.linearise(pressure, residual);
@@ -63,8 +66,8 @@ struct Plates {
     std::array<std::array<double, 3>, 3> byAttitude{};
 };
 
-/// Blech 1983, "On isothermal squeeze films", rectangular plates: spring and damping force per height, with the squeeze number
-/// sigma = 12 mu omega W^2/(p0 h^2) and the side ratio beta = W/L.
+/// Blech 1983, "On isothermal squeeze films", rectangular plates: spring and damping force per height, with the squeeze
+/// number sigma = 12 mu omega W^2/(p0 h^2) and the side ratio beta = W/L.
 std::complex<double> blech(double omega)
 {
     const Air air;
@@ -101,8 +104,10 @@ void TestFilmOscillation::squeezedPlatesAgreeWithBlech()
     const std::complex<double> coarse = Plates(80).heave({0.0, omega}), fine = Plates(160).heave({0.0, omega});
     const double errorCoarse = std::abs(coarse - exact), errorFine = std::abs(fine - exact);
     QVERIFY2(errorFine < 1e-3 * std::abs(exact), qPrintable(QString("%1 + %2 i against %3 + %4 i")
-                                                                .arg(fine.real()).arg(fine.imag())
-                                                                .arg(exact.real()).arg(exact.imag())));
+                                                                .arg(fine.real())
+                                                                .arg(fine.imag())
+                                                                .arg(exact.real())
+                                                                .arg(exact.imag())));
     // Second order: halving the cells leaves a quarter, once they resolve the layer at the edges.
     const double order = std::log2(errorCoarse / errorFine);
     QVERIFY2(std::abs(order - 2.0) < (frequency > 5e4 ? 0.3 : 0.15), qPrintable(QString::number(order)));
@@ -128,7 +133,8 @@ void TestFilmOscillation::slowMotionIsTheStaticStiffness()
         load[side] = plates.film.load(p)[0];
     }
     const double expected = -(load[1] - load[0]) / (2.0 * step);
-    QVERIFY2(std::abs(slow.real() - expected) < 1e-5 * expected, qPrintable(QString("%1 %2").arg(slow.real()).arg(expected)));
+    QVERIFY2(std::abs(slow.real() - expected) < 1e-5 * expected,
+             qPrintable(QString("%1 %2").arg(slow.real()).arg(expected)));
 }
 
 TOUCHDOWN_TEST(TestFilmOscillation)

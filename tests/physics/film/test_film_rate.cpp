@@ -29,7 +29,9 @@ FilmSetting setting(double speed, SlipModel slip)
 
 /// A low slider: 2 nm at its trailing edge.
 struct LowSlider : FilmProblem {
-    LowSlider() : FilmProblem(planeSurface(), L, W, uniformGrid(L, W, 24, 16), setting(15.0, SlipModel::FukuiKaneko), {2e-9, 100e-6, 0.0})
+    LowSlider()
+        : FilmProblem(planeSurface(), L, W, uniformGrid(L, W, 24, 16), setting(15.0, SlipModel::FukuiKaneko),
+                      {2e-9, 100e-6, 0.0})
     {
         if (!solve({.tolerance = 1e-12, .maximumIterations = 100}).converged) qFatal("the film was not solved");
         linearise();
@@ -44,7 +46,8 @@ struct LowSlider : FilmProblem {
     double from(const std::vector<double>& other) const
     {
         double largest = 0.0;
-        for (std::size_t at = 0; at < p.size(); ++at) largest = std::max(largest, std::abs(p[at] - other[at]) / film.ambient());
+        for (std::size_t at = 0; at < p.size(); ++at)
+            largest = std::max(largest, std::abs(p[at] - other[at]) / film.ambient());
         return largest;
     }
     /// dp = -dt R/V, a number of times; false where that left what pressures can be.
@@ -75,22 +78,25 @@ class TestFilmRate : public QObject {
     Q_OBJECT
 
 private slots:
-    /// An even gap, a disk at rest, no slip: dp/dt = D div grad p with D = p0 h^2/(12 mu) around ambient, and the five-point formula
-    /// has its largest eigenvalue just below 4 D (1/dx^2 + 1/dy^2).
+    /// An even gap, a disk at rest, no slip: dp/dt = D div grad p with D = p0 h^2/(12 mu) around ambient, and the
+    /// five-point formula has its largest eigenvalue just below 4 D (1/dx^2 + 1/dy^2).
     void evenGap()
     {
         constexpr int nx = 32, ny = 24;
         const double h = 100e-9;
-        FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, nx, ny), setting(0.0, SlipModel::Continuum), {h, 0.0, 0.0});
+        FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, nx, ny), setting(0.0, SlipModel::Continuum),
+                            {h, 0.0, 0.0});
         std::vector<double> residual(problem.p.size());
         problem.film.linearise(problem.p, residual);
         const Air air;
         const double diffusion = air.pressure * h * h / (12.0 * air.viscosity);
-        const double limit = 4.0 * diffusion * (nx * nx / (L * L) + ny * ny / (W * W)), rate = fastestFilmRate(problem.film);
+        const double limit = 4.0 * diffusion * (nx * nx / (L * L) + ny * ny / (W * W)),
+                     rate = fastestFilmRate(problem.film);
         QVERIFY2(std::abs(rate / limit - 1.0) < 1e-9, qPrintable(QString::number(rate / limit)));
     }
-    /// The air under a low slider in explicit steps: below 2/rate it comes back to its steady state, at 1.3 times that it runs away, as
-    /// the gap, which is largest at the inlet, is even over a few cells only. Implicit steps of a thousand times that length lead to the steady state, and stay.
+    /// The air under a low slider in explicit steps: below 2/rate it comes back to its steady state, at 1.3 times that
+    /// it runs away, as the gap, which is largest at the inlet, is even over a few cells only. Implicit steps of a
+    /// thousand times that length lead to the steady state, and stay.
     void explicitStepsHaveALimit()
     {
         LowSlider slider;
@@ -120,7 +126,8 @@ private slots:
     void theLimitGoesWithTheCells()
     {
         const auto rate = [](int n) {
-            FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, n, n), setting(0.1, SlipModel::FukuiKaneko), {10e-9, 100e-6, 0.0});
+            FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, n, n), setting(0.1, SlipModel::FukuiKaneko),
+                                {10e-9, 100e-6, 0.0});
             std::vector<double> residual(problem.p.size());
             problem.film.linearise(problem.p, residual);
             return fastestFilmRate(problem.film);

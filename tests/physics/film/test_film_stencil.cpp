@@ -14,8 +14,8 @@ class TestFilmStencil : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Each number where it belongs: small whole numbers, so that nothing is rounded. Of v = 1 in cell (2, 1) alone the cells
-    /// around have what they have from that side; it has itself the sum less the eight, and what it stores.
+    /// Each number where it belongs: small whole numbers, so that nothing is rounded. Of v = 1 in cell (2, 1) alone the
+    /// cells around have what they have from that side; it has itself the sum less the eight, and what it stores.
     void unitCell()
     {
         const PaddedGrid pad{5, 4};
@@ -35,8 +35,8 @@ private slots:
         const std::size_t cell = pad.at(2, 1), up = pad.stride();
         v[cell] = 1.0;
         stencil.apply(v, 0.0, volume, out);
-        const std::array<std::size_t, 8> beside{cell - up - 1, cell - up, cell - up + 1, cell - 1,
-                                                cell + 1,      cell + up - 1, cell + up, cell + up + 1};
+        const std::array<std::size_t, 8> beside{cell - up - 1, cell - up,     cell - up + 1, cell - 1,
+                                                cell + 1,      cell + up - 1, cell + up,     cell + up + 1};
         for (std::size_t k = 0; k < 8; ++k) QCOMPARE(out[beside[k]], 8.0 - static_cast<double>(k)); // from the far side
         QCOMPARE(out[cell], 100.0 - 36.0);
         QCOMPARE(out[pad.at(0, 1)], 0.0);
@@ -51,13 +51,14 @@ private slots:
         QCOMPARE(out[cell - up], 7.0 - 6.0 * 0.0625);
     }
 
-    /// A face across y passes on 2 * 3 * (1/4) of the cell below and 2 * 5 * (-1/16) of the one above: F = 1.5 v1 - 0.625 v2, besides
-    /// E = 7 and c = 1, of which c (v1 + v2)/2 - E (v2 - v1) = 7.5 v1 - 6.5 v2.
+    /// A face across y passes on 2 * 3 * (1/4) of the cell below and 2 * 5 * (-1/16) of the one above: F = 1.5 v1 -
+    /// 0.625 v2, besides E = 7 and c = 1, of which c (v1 + v2)/2 - E (v2 - v1) = 7.5 v1 - 6.5 v2.
     void passesOnWhatIsStored()
     {
         const PaddedGrid pad{3, 4};
         FilmStencil stencil(pad);
-        std::vector<double> volume(pad.size(), 0.0), E(pad.size(), 7.0), c(pad.size(), 1.0), effective(pad.size()), convection(pad.size());
+        std::vector<double> volume(pad.size(), 0.0), E(pad.size(), 7.0), c(pad.size(), 1.0), effective(pad.size()),
+            convection(pad.size());
         const std::size_t face = pad.at(1, 2);
         volume[face - pad.stride()] = 3.0;
         volume[face] = 5.0;
@@ -70,9 +71,10 @@ private slots:
         QCOMPARE(convection[face + 1], 1.0);
     }
 
-    /// Five cells with conductances of a third, which single precision rounds by up to 2^-24 of itself: the smoothest mode,
-    /// v = sin(pi (i + 1)/(n + 1)) sin(pi (j + 1)/(n + 1)), has J v = lambda v with lambda = (8/3) sin^2(pi/(2 (n + 1))), 3e-4 of the
-    /// largest. It is as exact as the conductances; numbers times v itself would be wrong by 2^-24/3e-4.
+    /// Five cells with conductances of a third, which single precision rounds by up to 2^-24 of itself: the smoothest
+    /// mode, v = sin(pi (i + 1)/(n + 1)) sin(pi (j + 1)/(n + 1)), has J v = lambda v with lambda = (8/3) sin^2(pi/(2 (n
+    /// + 1))), 3e-4 of the largest. It is as exact as the conductances; numbers times v itself would be wrong by
+    /// 2^-24/3e-4.
     void smoothMode()
     {
         const int n = 120;
@@ -88,8 +90,7 @@ private slots:
             }
         stencil.apply(v, 0.0, volume, out);
         for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i)
-                QVERIFY(std::abs(out[pad.at(i, j)] - lambda * v[pad.at(i, j)]) < 1e-7 * lambda);
+            for (int i = 0; i < n; ++i) QVERIFY(std::abs(out[pad.at(i, j)] - lambda * v[pad.at(i, j)]) < 1e-7 * lambda);
     }
 };
 

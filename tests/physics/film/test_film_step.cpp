@@ -25,7 +25,8 @@ AirBearingSurface steppedSurface()
 {
     AirBearingSurface surface;
     surface.baseRecess = 0.3e-6;
-    surface.rails = {{.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
+    surface.rails = {
+        {.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
     return surface;
 }
 
@@ -97,8 +98,9 @@ private slots:
         QFETCH(double, order);
         std::array<double, 3> loads{};
         for (std::size_t k = 0; k < loads.size(); ++k)
-            loads[k] = Moving({.method = FilmTimeMethod(method), .tolerance = 1e-12, .share = 0.0, .maximumIterations = 30})
-                           .loadAt(1.3e-5, 40 << k, ratio);
+            loads[k] =
+                Moving({.method = FilmTimeMethod(method), .tolerance = 1e-12, .share = 0.0, .maximumIterations = 30})
+                    .loadAt(1.3e-5, 40 << k, ratio);
         const double observed = std::log2((loads[1] - loads[0]) / (loads[2] - loads[1]));
         QVERIFY2(std::abs(observed - order) < 0.15, qPrintable(QStringLiteral("order %1").arg(observed)));
     }
@@ -259,7 +261,8 @@ private slots:
         GasFilm& gas = film.film;
         const PaddedGrid& pad = gas.pad();
         const std::vector<double> p(film.stepper.pressure().begin(), film.stepper.pressure().end());
-        std::vector<double> v(pad.size(), 0.0), w(pad.size(), 0.0), out(pad.size(), 0.0), high(pad.size(), 0.0), low(pad.size(), 0.0);
+        std::vector<double> v(pad.size(), 0.0), w(pad.size(), 0.0), out(pad.size(), 0.0), high(pad.size(), 0.0),
+            low(pad.size(), 0.0);
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
                 v[pad.at(i, j)] = std::sin(1.7 * i + 0.9 * j * j);

@@ -116,7 +116,8 @@ private slots:
         QVERIFY(std::abs(above / under - ratio) < 1e-7);
     }
 
-    /// Any positive w gives finite numbers and a positive mobility; none gives the smallest entry; NaN is seen, not hidden.
+    /// Any positive w gives finite numbers and a positive mobility; none gives the smallest entry; NaN is seen, not
+    /// hidden.
     void anyNumber_data() { eachModel(); }
     void anyNumber()
     {
@@ -192,7 +193,8 @@ private slots:
             }
     }
 
-    /// The reference itself. Incompressible, Lambda -> 0: W/Lambda = [ln a - 2 (a - 1)/(a + 1)]/(a - 1)^2, a = 2: ln 2 - 2/3.
+    /// The reference itself. Incompressible, Lambda -> 0: W/Lambda = [ln a - 2 (a - 1)/(a + 1)]/(a - 1)^2, a = 2: ln 2
+    /// - 2/3.
     void referenceWithoutCompressibility()
     {
         const double load = wideSlider(
@@ -212,9 +214,10 @@ private slots:
         QVERIFY2(std::abs(order - 4.0) < 0.15, qPrintable(QString::number(order)));
     }
 
-    /// Loads of the infinitely wide slider, h1/h0 = 2, Kn at the outlet, as an independent computation gives them, to half
-    /// their last digit. Its Fukui-Kaneko figures rest on kinetic values interpolated from the 16 that are tabulated: cubic
-    /// splines and monotone cubics of Q_P - D/6 or of Q_P less the fit, in ln D or 1/D, give .17399 to .17404 for the first.
+    /// Loads of the infinitely wide slider, h1/h0 = 2, Kn at the outlet, as an independent computation gives them, to
+    /// half their last digit. Its Fukui-Kaneko figures rest on kinetic values interpolated from the 16 that are
+    /// tabulated: cubic splines and monotone cubics of Q_P - D/6 or of Q_P less the fit, in ln D or 1/D, give .17399 to
+    /// .17404 for the first.
     void infinitelyWideSlider_data()
     {
         QTest::addColumn<SlipModel>("model");

@@ -54,7 +54,8 @@ private slots:
     void sumOfResiduals()
     {
         QFETCH(ConvectionScheme, scheme);
-        if (scheme == ConvectionScheme::CompleteFlux) scheme = ConvectionScheme::Exponential; // its flows add a correction
+        if (scheme == ConvectionScheme::CompleteFlux)
+            scheme = ConvectionScheme::Exponential; // its flows add a correction
         AirBearingSurface surface;
         surface.rails = {box(0.21e-3, 0.93e-3, 0.13e-3, 0.55e-3)};
         FilmProblem problem(surface, L, W, uniformGrid(L, W, 17, 13), settingOf(scheme), {30e-9, 120e-6, 5e-6});
@@ -71,8 +72,8 @@ private slots:
         QVERIFY(std::abs(sum - outflow) < 1e-14 * size);
     }
 
-    /// Ambient pressure under a level slider without steps is the solution, whatever the disk does; and with the disk at rest
-    /// under any slider.
+    /// Ambient pressure under a level slider without steps is the solution, whatever the disk does; and with the disk
+    /// at rest under any slider.
     void nothingHappens_data() { addSchemes(); }
     void nothingHappens()
     {
@@ -94,15 +95,18 @@ private slots:
         QVERIFY(largest < 1e-13 * 1e-18 * 1e10 / (12.0 * 1.8e-5));
     }
 
-    /// A slider mirrored across y, with roll and skew turned round, has the mirrored pressure, to what the solver leaves.
+    /// A slider mirrored across y, with roll and skew turned round, has the mirrored pressure, to what the solver
+    /// leaves.
     void mirrored_data() { addSchemes(); }
     void mirrored()
     {
         QFETCH(ConvectionScheme, scheme);
         AirBearingSurface surface, mirror;
         surface.walls = mirror.walls = {{.distance = {0.0, 30e-6}, .recess = {0.0, 2e-6}}};
-        surface.rails = {box(0.1e-3, 0.6e-3, 0.07e-3, 0.33e-3),
-                         {.points = {{0.5e-3, 0.4e-3, 1}, {0.95e-3, 0.47e-3, 1}, {0.9e-3, 0.7e-3, 1}, {0.5e-3, 0.66e-3, 1}}, .recess = {0.0}}};
+        surface.rails = {
+            box(0.1e-3, 0.6e-3, 0.07e-3, 0.33e-3),
+            {.points = {{0.5e-3, 0.4e-3, 1}, {0.95e-3, 0.47e-3, 1}, {0.9e-3, 0.7e-3, 1}, {0.5e-3, 0.66e-3, 1}},
+             .recess = {0.0}}};
         for (const Rail& rail : surface.rails) {
             Rail other = rail;
             // An edge belongs to the corner where it begins: turned round, it begins where it ended.
@@ -115,17 +119,21 @@ private slots:
         QVERIFY(a.solve({.tolerance = 1e-11}).converged && b.solve({.tolerance = 1e-11}).converged);
         for (int j = 0; j < 26; ++j)
             for (int i = 0; i < 30; ++i)
-                QVERIFY2(std::abs(a.at(i, j) / b.at(i, 25 - j) - 1.0) < 1e-8, qPrintable(QString::number(a.at(i, j) / b.at(i, 25 - j) - 1.0)));
+                QVERIFY2(std::abs(a.at(i, j) / b.at(i, 25 - j) - 1.0) < 1e-8,
+                         qPrintable(QString::number(a.at(i, j) / b.at(i, 25 - j) - 1.0)));
         const FilmForces f = a.film.forces(a.p), g = b.film.forces(b.p);
         QVERIFY2(std::abs(f.net / g.net - 1.0) < 1e-8, qPrintable(QString::number(f.net / g.net - 1.0)));
-        QVERIFY2(std::abs(f.pitchTorque / g.pitchTorque - 1.0) < 1e-8, qPrintable(QString::number(f.pitchTorque / g.pitchTorque - 1.0)));
-        QVERIFY2(std::abs(f.rollTorque / g.rollTorque + 1.0) < 1e-8, qPrintable(QString::number(f.rollTorque / g.rollTorque + 1.0)));
+        QVERIFY2(std::abs(f.pitchTorque / g.pitchTorque - 1.0) < 1e-8,
+                 qPrintable(QString::number(f.pitchTorque / g.pitchTorque - 1.0)));
+        QVERIFY2(std::abs(f.rollTorque / g.rollTorque + 1.0) < 1e-8,
+                 qPrintable(QString::number(f.rollTorque / g.rollTorque + 1.0)));
         QVERIFY2(std::abs(f.shearX / g.shearX - 1.0) < 1e-8, qPrintable(QString::number(f.shearX / g.shearX - 1.0)));
         QVERIFY2(std::abs(f.shearY / g.shearY + 1.0) < 1e-8, qPrintable(QString::number(f.shearY / g.shearY + 1.0)));
     }
 
-    /// The plane slider with cells far too coarse for its boundary layers: pressures stay above ambient, rise along the middle to
-    /// one peak and fall, and the peak is not above the converged 2.3167 p0 (physics: h1/h0 = 3.5, Peclet up to 20 a cell).
+    /// The plane slider with cells far too coarse for its boundary layers: pressures stay above ambient, rise along the
+    /// middle to one peak and fall, and the peak is not above the converged 2.3167 p0 (physics: h1/h0 = 3.5, Peclet up
+    /// to 20 a cell).
     void noOvershoot_data()
     {
         QTest::addColumn<ConvectionScheme>("scheme");
@@ -142,25 +150,30 @@ private slots:
         FilmSetting setting = settingOf(scheme, 0.0);
         setting.slip.model = SlipModel::FukuiKanekoFit;
         const double length = 1.25e-3, width = 1e-3;
-        FilmProblem problem(planeSurface(), length, width, uniformGrid(length, width, n, n), setting, {100e-9, 200e-6, 0.0});
+        FilmProblem problem(planeSurface(), length, width, uniformGrid(length, width, n, n), setting,
+                            {100e-9, 200e-6, 0.0});
         QVERIFY(problem.solve().converged);
         const double ambient = problem.film.ambient();
         QVERIFY(problem.lowest() >= ambient * (1.0 - 1e-9));
-        QVERIFY2(problem.peak() / ambient - 1.0 < 2.3167 * 1.001, qPrintable(QString::number(problem.peak() / ambient - 1.0)));
+        QVERIFY2(problem.peak() / ambient - 1.0 < 2.3167 * 1.001,
+                 qPrintable(QString::number(problem.peak() / ambient - 1.0)));
         int turns = 0;
         for (int i = 1; i + 1 < n; ++i)
-            turns += (problem.at(i, n / 2) > problem.at(i - 1, n / 2)) != (problem.at(i + 1, n / 2) > problem.at(i, n / 2));
+            turns +=
+                (problem.at(i, n / 2) > problem.at(i - 1, n / 2)) != (problem.at(i + 1, n / 2) > problem.at(i, n / 2));
         QVERIFY(turns <= 1);
     }
 
-    /// Deep below the rails a cavity draws the pressure down, never below zero, however coarse the cells and fast the disk.
+    /// Deep below the rails a cavity draws the pressure down, never below zero, however coarse the cells and fast the
+    /// disk.
     void pressuresStayPositive_data() { addSchemes(); }
     void pressuresStayPositive()
     {
         QFETCH(ConvectionScheme, scheme);
         AirBearingSurface surface;
         surface.baseRecess = 0.6e-6;
-        surface.rails = {box(0.05e-3, 0.3e-3, 0.0, W), box(0.3e-3, 0.97e-3, 0.0, 0.15e-3), box(0.3e-3, 0.97e-3, 0.65e-3, W)};
+        surface.rails = {box(0.05e-3, 0.3e-3, 0.0, W), box(0.3e-3, 0.97e-3, 0.0, 0.15e-3),
+                         box(0.3e-3, 0.97e-3, 0.65e-3, W)};
         for (const double speed : {10.0, 100.0, 1000.0}) {
             FilmSetting setting = settingOf(scheme);
             setting.disk = uniformMotion(speed, 0.15);
@@ -172,8 +185,8 @@ private slots:
         }
     }
 
-    /// A rail whose side moves across two cells in 24 steps, against the flow's: the load falls steadily, each step by at least
-    /// half and at most twice the mean. Grids that see only whole cells would stand still and jump.
+    /// A rail whose side moves across two cells in 24 steps, against the flow's: the load falls steadily, each step by
+    /// at least half and at most twice the mean. Grids that see only whole cells would stand still and jump.
     void sideEdgeMovesThroughCells()
     {
         std::vector<double> loads;
@@ -181,14 +194,16 @@ private slots:
             AirBearingSurface surface;
             surface.baseRecess = 1e-6;
             surface.rails = {box(0.3125e-3, 0.90625e-3, (0.3 + k / 384.0) * W, 0.7 * W)};
-            FilmProblem problem(surface, L, W, uniformGrid(L, W, 32, 32), settingOf(ConvectionScheme::CompleteFlux), {20e-9, 100e-6, 2e-6});
+            FilmProblem problem(surface, L, W, uniformGrid(L, W, 32, 32), settingOf(ConvectionScheme::CompleteFlux),
+                                {20e-9, 100e-6, 2e-6});
             QVERIFY(problem.solve({.tolerance = 1e-9}).converged);
             loads.push_back(problem.load() / gramForce);
         }
         const double mean = (loads.front() - loads.back()) / 24.0;
         for (std::size_t k = 1; k < loads.size(); ++k) {
             const double step = loads[k - 1] - loads[k];
-            QVERIFY2(step > 0.5 * mean && step < 2.0 * mean, qPrintable(QString("%1: %2 of %3").arg(k).arg(step).arg(mean)));
+            QVERIFY2(step > 0.5 * mean && step < 2.0 * mean,
+                     qPrintable(QString("%1: %2 of %3").arg(k).arg(step).arg(mean)));
         }
     }
 
@@ -198,16 +213,21 @@ private slots:
         const auto load = [](double shift, int n) {
             AirBearingSurface surface;
             surface.baseRecess = 1e-6;
-            surface.rails = {{.points = {{(0.3 + shift) * L, 0.3 * W}, {0.9 * L, 0.36 * W}, {0.84 * L, 0.7 * W}, {(0.36 + shift) * L, 0.64 * W}},
+            surface.rails = {{.points = {{(0.3 + shift) * L, 0.3 * W},
+                                         {0.9 * L, 0.36 * W},
+                                         {0.84 * L, 0.7 * W},
+                                         {(0.36 + shift) * L, 0.64 * W}},
                               .recess = {0.0}}};
-            FilmProblem problem(surface, L, W, uniformGrid(L, W, n, n), settingOf(ConvectionScheme::CompleteFlux), {20e-9, 100e-6, 2e-6});
+            FilmProblem problem(surface, L, W, uniformGrid(L, W, n, n), settingOf(ConvectionScheme::CompleteFlux),
+                                {20e-9, 100e-6, 2e-6});
             return problem.solve().converged ? problem.load() / gramForce : std::numeric_limits<double>::quiet_NaN();
         };
         for (const double shift : {0.0, 0.02, 0.05}) {
             const double fine = load(shift, 128);
             for (const double more : {0.0, 0.004}) {
                 const double coarse = load(shift + more, 32);
-                QVERIFY2(std::abs(coarse / fine - 1.0) < 0.03, qPrintable(QString("%1: %2 of %3").arg(shift + more).arg(coarse).arg(fine)));
+                QVERIFY2(std::abs(coarse / fine - 1.0) < 0.03,
+                         qPrintable(QString("%1: %2 of %3").arg(shift + more).arg(coarse).arg(fine)));
             }
         }
     }

@@ -29,9 +29,11 @@ AirBearingSurface surface()
     result.taperLength = 0.1e-3;
     result.taperAngle = 1e-3;
     result.walls = {{.distance = {0.0, 20e-6}, .recess = {0.0, 1.2e-6}}};
-    result.rails = {{.points = {{0.05e-3, 0.08e-3, 1}, {0.62e-3, 0.11e-3, 1}, {0.58e-3, 0.31e-3, 1}, {0.05e-3, 0.27e-3, 1}}, .recess = {0.0}},
-                    {.points = {{0.0, 0.4e-3}, {0.33e-3, 0.4e-3}, {0.33e-3, 0.7e-3}, {0.0, 0.7e-3}}, .recess = {150e-9}},
-                    {.points = {{0.66e-3, 0.3e-3}, {0.87e-3, 0.3e-3}, {0.87e-3, 0.52e-3}, {0.66e-3, 0.52e-3}}, .recess = {0.0}}};
+    result.rails = {
+        {.points = {{0.05e-3, 0.08e-3, 1}, {0.62e-3, 0.11e-3, 1}, {0.58e-3, 0.31e-3, 1}, {0.05e-3, 0.27e-3, 1}},
+         .recess = {0.0}},
+        {.points = {{0.0, 0.4e-3}, {0.33e-3, 0.4e-3}, {0.33e-3, 0.7e-3}, {0.0, 0.7e-3}}, .recess = {150e-9}},
+        {.points = {{0.66e-3, 0.3e-3}, {0.87e-3, 0.3e-3}, {0.87e-3, 0.52e-3}, {0.66e-3, 0.52e-3}}, .recess = {0.0}}};
     return result;
 }
 
@@ -53,7 +55,9 @@ std::vector<double> roughPressure(const PaddedGrid& pad, double ambient)
     std::vector<double> p(pad.size(), ambient);
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i)
-            p[pad.at(i, j)] = ambient * (1.0 + 2.0 * std::sin(3.1 * (i + 0.5) / pad.nx) * std::sin(3.1 * (j + 0.5) / pad.ny) + uniform(random));
+            p[pad.at(i, j)] =
+                ambient *
+                (1.0 + 2.0 * std::sin(3.1 * (i + 0.5) / pad.nx) * std::sin(3.1 * (j + 0.5) / pad.ny) + uniform(random));
     return p;
 }
 
@@ -82,7 +86,8 @@ struct OverDisk : FilmProblem {
     OverDisk(const FilmSetting& setting, double waves) : FilmProblem(surface(), L, W, cells(), setting, attitude)
     {
         if (waves == 0.0) return;
-        for (std::size_t at = 0; at < p.size(); ++at) disk.push_back(waves * std::sin(1.9 * static_cast<double>(at * at % 97)));
+        for (std::size_t at = 0; at < p.size(); ++at)
+            disk.push_back(waves * std::sin(1.9 * static_cast<double>(at * at % 97)));
         film.setSurface(disk);
         film.setAttitude(attitude);
     }
@@ -96,8 +101,11 @@ void addSettings()
     FilmSetting setting;
     setting.disk = {.speed = 600.0, .radius = 22e-3, .skew = 0.2};
     using enum ConvectionScheme;
-    for (const auto& [name, scheme] : {std::pair{"upwind", Upwind}, {"hybrid", Hybrid}, {"power law", PowerLaw},
-                                       {"exponential", Exponential}, {"complete flux", CompleteFlux}}) {
+    for (const auto& [name, scheme] : {std::pair{"upwind", Upwind},
+                                       {"hybrid", Hybrid},
+                                       {"power law", PowerLaw},
+                                       {"exponential", Exponential},
+                                       {"complete flux", CompleteFlux}}) {
         setting.scheme = scheme;
         QTest::addRow("%s", name) << setting << 0.0;
         setting.disk.skew = -2.5; // backwards along x
@@ -123,8 +131,8 @@ class TestGasFilmDerivatives : public QObject {
     Q_OBJECT
 
 private slots:
-    /// dR/dp, column by column, against central differences of fourth order with a step of 1e-4 p: their error is the fifth
-    /// derivative's 1e-16/30 and a rounding of 1e-16/1e-4 of the flows.
+    /// dR/dp, column by column, against central differences of fourth order with a step of 1e-4 p: their error is the
+    /// fifth derivative's 1e-16/30 and a rounding of 1e-16/1e-4 of the flows.
     void jacobian_data() { addSettings(); }
     void jacobian()
     {
@@ -219,7 +227,8 @@ private slots:
             QVERIFY(std::abs(image[at] - Complex(Ju[at], Jv[at])) < 1e-13 * norm(Jv));
     }
 
-    /// The nine numbers a cell say the same, also when cells store at another rate: rounded by up to 2^-24 each, with random v.
+    /// The nine numbers a cell say the same, also when cells store at another rate: rounded by up to 2^-24 each, with
+    /// random v.
     void stencil_data() { addSettings(); }
     void stencil()
     {
@@ -245,8 +254,8 @@ private slots:
         }
     }
 
-    /// dR/dheight, dR/dpitch, dR/droll against central differences of fourth order; steps that move the gap by at most 0.05 nm,
-    /// of 20 nm and more.
+    /// dR/dheight, dR/dpitch, dR/droll against central differences of fourth order; steps that move the gap by at most
+    /// 0.05 nm, of 20 nm and more.
     void attitudeColumns_data() { addSettings(); }
     void attitudeColumns()
     {
@@ -264,7 +273,8 @@ private slots:
             std::vector<double> slope(pad.size(), 0.0), r(pad.size());
             for (const auto& [offset, weight] : {std::pair{-2, 1.0}, {-1, -8.0}, {1, 8.0}, {2, -1.0}}) {
                 const double shift = offset * steps[k];
-                problem.film.setAttitude({attitude.height + (k == 0 ? shift : 0.0), attitude.pitch + (k == 1 ? shift : 0.0),
+                problem.film.setAttitude({attitude.height + (k == 0 ? shift : 0.0),
+                                          attitude.pitch + (k == 1 ? shift : 0.0),
                                           attitude.roll + (k == 2 ? shift : 0.0)});
                 problem.film.residual(problem.p, r);
                 for (std::size_t at = 0; at < r.size(); ++at) slope[at] += weight * r[at] / (12.0 * steps[k]);
@@ -280,8 +290,8 @@ private slots:
         }
     }
 
-    /// What leaves one cell enters the next: changing a pressure that no face of the outline feels (two cells away and more, as
-    /// the complete flux scheme looks that far) does not change the sum of the residuals. So J^T 1 = 0 there.
+    /// What leaves one cell enters the next: changing a pressure that no face of the outline feels (two cells away and
+    /// more, as the complete flux scheme looks that far) does not change the sum of the residuals. So J^T 1 = 0 there.
     void whatLeavesOneCellEntersTheNext_data() { addSettings(); }
     void whatLeavesOneCellEntersTheNext()
     {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double gramForce = 9.80665e-3; // [N]
 
-/// The infinitely wide slider with h1/h0 = 2, Kn0 and bearing number given, as the middle one of three rows a thousand kilometres
-/// wide: its neighbours and the outline are too far for any flow across. W = int (p/p0 - 1) dX.
+/// The infinitely wide slider with h1/h0 = 2, Kn0 and bearing number given, as the middle one of three rows a thousand
+/// kilometres wide: its neighbours and the outline are too far for any flow across. W = int (p/p0 - 1) dX.
 double wideLoad(double bearingNumber, double knudsen, SlipModel model, ConvectionScheme scheme, int cells)
 {
     constexpr double L = 1e-3;
@@ -30,7 +30,8 @@ double wideLoad(double bearingNumber, double knudsen, SlipModel model, Convectio
     CellGrid grid;
     grid.y = {0.0, 1e6, 2e6, 3e6};
     for (int i = 0; i <= cells; ++i) grid.x.push_back(L * (1.0 - std::pow(1.0 - static_cast<double>(i) / cells, 1.6)));
-    FilmProblem problem(planeSurface(), L, 3e6, grid, {air, {.model = model}, uniformMotion(speed), scheme}, {h0, h0 / L, 0.0});
+    FilmProblem problem(planeSurface(), L, 3e6, grid, {air, {.model = model}, uniformMotion(speed), scheme},
+                        {h0, h0 / L, 0.0});
     if (!problem.solve({.tolerance = 1e-10}).converged) return std::nan("");
     double sum = 0.0;
     for (int i = 0; i < cells; ++i) sum += (problem.at(i, 1) / air.pressure - 1.0) * problem.gaps.grid.widthX(i) / L;
@@ -55,8 +56,9 @@ class TestGasFilmLoad : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Published figures (five digits), and the independent solution of the ordinary equation. For Fukui-Kaneko the published
-    /// ones, .17403 and .24276, hold for another table of kinetic values: theirs moves the load by 1e-4 of it.
+    /// Published figures (five digits), and the independent solution of the ordinary equation. For Fukui-Kaneko the
+    /// published ones, .17403 and .24276, hold for another table of kinetic values: theirs moves the load by 1e-4 of
+    /// it.
     void wideSliders_data()
     {
         QTest::addColumn<SlipModel>("model");
@@ -94,21 +96,24 @@ private slots:
         for (const ConvectionScheme scheme : {ConvectionScheme::Exponential, ConvectionScheme::CompleteFlux}) {
             const double coarse = wideLoad(61.6, 1.25, SlipModel::FirstOrder, scheme, 50) - reference;
             const double fine = wideLoad(61.6, 1.25, SlipModel::FirstOrder, scheme, 100) - reference;
-            QVERIFY2(std::abs(std::log2(coarse / fine) - 2.0) < 0.15, qPrintable(QString::number(std::log2(coarse / fine))));
+            QVERIFY2(std::abs(std::log2(coarse / fine) - 2.0) < 0.15,
+                     qPrintable(QString::number(std::log2(coarse / fine))));
         }
     }
 
-    /// 8.2148 gf, centre at 0.73043 L, peak 2.3167 p0 above ambient (independent Newton solution, Richardson), on grids adapted
-    /// from 48 x 48 cells: 0.02 % at 192 x 192, of second order on the way there.
+    /// 8.2148 gf, centre at 0.73043 L, peak 2.3167 p0 above ambient (independent Newton solution, Richardson), on grids
+    /// adapted from 48 x 48 cells: 0.02 % at 192 x 192, of second order on the way there.
     void planeSlider()
     {
-        FilmProblem first(planeSurface(), planeLength, planeWidth, uniformGrid(planeLength, planeWidth, 48, 48), planeSetting(), planeAttitude);
+        FilmProblem first(planeSurface(), planeLength, planeWidth, uniformGrid(planeLength, planeWidth, 48, 48),
+                          planeSetting(), planeAttitude);
         QVERIFY(first.solve().converged);
         KnownFilm known = first.known();
         known.draggedGap = draggedGap(Air{}.viscosity, 15.0, planeLength, known.ambient);
         const auto load = [&](int n) {
-            FilmProblem problem(planeSurface(), planeLength, planeWidth, adaptedGrid(planeSurface(), planeLength, planeWidth, n, n, known),
-                                planeSetting(), planeAttitude);
+            FilmProblem problem(planeSurface(), planeLength, planeWidth,
+                                adaptedGrid(planeSurface(), planeLength, planeWidth, n, n, known), planeSetting(),
+                                planeAttitude);
             if (!problem.solve().converged) return std::array{std::nan(""), 0.0, 0.0};
             const FilmForces forces = problem.film.forces(problem.p);
             return std::array{forces.net / gramForce, 0.5 - forces.pitchTorque / forces.net / planeLength,
@@ -155,9 +160,9 @@ private slots:
         QVERIFY(std::abs(shear[1] / (-stress * L * W * std::sin(0.3)) - 1.0) < 1e-12);
     }
 
-    /// Poiseuille -(h/2) dp/dx over a level slider is -(h/2) W times what the pressure gains from end to end: nothing between two
-    /// ends at p0. On a pitched one, by parts, (1/2) int (p - p0) dh/dx = -(pitch/2) int (p - p0), where p is straight between
-    /// centres and to the outline: of the outermost cells three quarters count.
+    /// Poiseuille -(h/2) dp/dx over a level slider is -(h/2) W times what the pressure gains from end to end: nothing
+    /// between two ends at p0. On a pitched one, by parts, (1/2) int (p - p0) dh/dx = -(pitch/2) int (p - p0), where p
+    /// is straight between centres and to the outline: of the outermost cells three quarters count.
     void poiseuilleShear()
     {
         const double L = 1e-3, W = 0.8e-3;
@@ -169,7 +174,8 @@ private slots:
             double load = 0.0;
             for (int j = 0; j < 8; ++j)
                 for (int i = 0; i < 20; ++i) {
-                    const double above = problem.film.ambient() * std::sin(0.15 * (i + 0.5)) * std::sin(0.39 * (j + 0.5));
+                    const double above =
+                        problem.film.ambient() * std::sin(0.15 * (i + 0.5)) * std::sin(0.39 * (j + 0.5));
                     problem.p[pad.at(i, j)] += above;
                     load += above * (i == 0 || i == 19 ? 0.75 : 1.0) * L / 20 * W / 8;
                 }
@@ -191,7 +197,9 @@ private slots:
         AirBearingSurface surface;
         surface.baseRecess = 0.7e-6;
         surface.walls = {{.distance = {0.0, 40e-6}, .recess = {0.0, 0.7e-6}}};
-        surface.rails = {{.points = {{0.13e-3, 0.11e-3, 1}, {0.88e-3, 0.17e-3, 1}, {0.81e-3, 0.61e-3, 0}, {0.2e-3, 0.5e-3, 0}}, .recess = {0.0}}};
+        surface.rails = {
+            {.points = {{0.13e-3, 0.11e-3, 1}, {0.88e-3, 0.17e-3, 1}, {0.81e-3, 0.61e-3, 0}, {0.2e-3, 0.5e-3, 0}},
+             .recess = {0.0}}};
         FilmSetting setting;
         setting.disk = {.skew = 0.2};
         const Attitude attitude{30e-9, 120e-6, 4e-6};
@@ -238,20 +246,23 @@ private slots:
                 const std::array<double, 5> down = values();
                 p = middle;
                 for (std::size_t k = 0; k < 5; ++k)
-                    QVERIFY(std::abs((up[k] - down[k]) / (2.0 * step) - exact.byPressure[k][pad.at(i, j)]) < 1e-6 * largest[k]);
+                    QVERIFY(std::abs((up[k] - down[k]) / (2.0 * step) - exact.byPressure[k][pad.at(i, j)]) <
+                            1e-6 * largest[k]);
             }
         const std::array<double, 3> steps{0.01e-9, 0.01e-9 / L, 0.01e-9 / W};
         for (std::size_t m = 0; m < 3; ++m) {
             const auto moved = [&](double share) {
                 const double d = share * steps[m];
-                problem.film.setAttitude({attitude.height + (m == 0 ? d : 0.0), attitude.pitch + (m == 1 ? d : 0.0), attitude.roll + (m == 2 ? d : 0.0)});
+                problem.film.setAttitude({attitude.height + (m == 0 ? d : 0.0), attitude.pitch + (m == 1 ? d : 0.0),
+                                          attitude.roll + (m == 2 ? d : 0.0)});
                 return values();
             };
             const std::array<double, 5> up = moved(1.0), down = moved(-1.0);
             for (std::size_t k = 0; k < 5; ++k) {
                 const double difference = (up[k] - down[k]) / (2.0 * steps[m]);
                 // Sums of forces of either sign: against the load that a change of its own gap would make.
-                QVERIFY(std::abs(difference - exact.byAttitude[k][m]) < 1e-6 * std::abs(exact.byAttitude[k][m]) + 1e-9 * std::abs(now[k]) / steps[m] * 1e-2);
+                QVERIFY(std::abs(difference - exact.byAttitude[k][m]) <
+                        1e-6 * std::abs(exact.byAttitude[k][m]) + 1e-9 * std::abs(now[k]) / steps[m] * 1e-2);
             }
         }
     }

@@ -14,15 +14,15 @@ using namespace touchdown::test;
 
 namespace {
 
-// Oblique films. The gap h = 2 - s and the disk's motion change and point along one direction only, s = x cos a + y sin a,
-// through pitch, roll and skew; so does the pressure, in a flow without divergence:
+// Oblique films. The gap h = 2 - s and the disk's motion change and point along one direction only, s = x cos a + y sin
+// a, through pitch, roll and skew; so does the pressure, in a flow without divergence:
 //
 //   U p h/2 - h^2 G(p h)/(12 mu) dp/ds = C,   constant.
 //
-// Held on the outline to this solution of the ordinary equation, the film must find it inside, where flows along x and y each
-// change from cell to cell: what the flow across adds counts as much as the flow along. The gap is a plane, so the error is the
-// scheme's alone. Solved against the stream by the Runge-Kutta method from beyond the trailing corner, so that all layers at that
-// end are outside: smooth at any Peclet number.
+// Held on the outline to this solution of the ordinary equation, the film must find it inside, where flows along x and
+// y each change from cell to cell: what the flow across adds counts as much as the flow along. The gap is a plane, so
+// the error is the scheme's alone. Solved against the stream by the Runge-Kutta method from beyond the trailing corner,
+// so that all layers at that end are outside: smooth at any Peclet number.
 
 constexpr double side = 1e-3, angle = 0.5, gapAtOrigin = 400e-9, slope = 200e-6; // h = gapAtOrigin - slope s
 constexpr Air air{};
@@ -41,7 +41,8 @@ public:
             const double s = i * step_;
             const auto change = [&](double at, double value) {
                 const double h = gap(at);
-                return (0.5 * speed_ * value * h - flow) * 12.0 * air.viscosity / (h * h * table_.at(value * h, h).mobility);
+                return (0.5 * speed_ * value * h - flow) * 12.0 * air.viscosity /
+                       (h * h * table_.at(value * h, h).mobility);
             };
             const double k1 = change(s, p), k2 = change(s - 0.5 * step_, p - 0.5 * step_ * k1);
             const double k3 = change(s - 0.5 * step_, p - 0.5 * step_ * k2), k4 = change(s - step_, p - step_ * k3);
@@ -96,10 +97,14 @@ double error(const ObliqueFilm& exact, double speed, ConvectionScheme scheme, in
 
 } // namespace
 
-/// The same along a flat gap without diffusion to speak of: each streamline keeps its pressure. The scheme alone mixes them.
+/// The same along a flat gap without diffusion to speak of: each streamline keeps its pressure. The scheme alone mixes
+/// them.
 double streamlineError(ConvectionScheme scheme, double angleOfFlow, int n)
 {
-    const FilmSetting setting{.air = air, .slip = {.model = SlipModel::Continuum}, .disk = uniformMotion(1e9, -angleOfFlow), .scheme = scheme};
+    const FilmSetting setting{.air = air,
+                              .slip = {.model = SlipModel::Continuum},
+                              .disk = uniformMotion(1e9, -angleOfFlow),
+                              .scheme = scheme};
     FilmProblem problem(planeSurface(), side, side, uniformGrid(side, side, n, n), setting, {200e-9, 0.0, 0.0});
     const auto exact = [&](double x, double y) {
         return air.pressure * (2.0 + std::sin(7.0 * (x * std::sin(angleOfFlow) - y * std::cos(angleOfFlow)) / side));
@@ -124,9 +129,9 @@ class TestGasFilmOrder : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Smooth cross-stream profile, no diffusion: exponential fitting is upwind, whose error is that of the flow on either side
-    /// of a cell and of first order (it falls like 1/n only slowly here: 0.85 to 0.95 from 64 to 128 cells); the complete flux
-    /// scheme counts how the flow across feeds the flow along, and is of second.
+    /// Smooth cross-stream profile, no diffusion: exponential fitting is upwind, whose error is that of the flow on
+    /// either side of a cell and of first order (it falls like 1/n only slowly here: 0.85 to 0.95 from 64 to 128
+    /// cells); the complete flux scheme counts how the flow across feeds the flow along, and is of second.
     void streamlines_data()
     {
         QTest::addColumn<ConvectionScheme>("scheme");
@@ -147,8 +152,9 @@ private slots:
         QVERIFY2(std::abs(observed - order) < (order < 1.0 ? 0.03 : 0.05), qPrintable(QString::number(observed)));
     }
 
-    /// Along a sloping gap at low and high Peclet numbers; the flow's parts along x and y are constant here, so that exponential
-    /// fitting, too, is of second order everywhere: convection carries p h. At 2000 m/s it finds the solution to eight digits.
+    /// Along a sloping gap at low and high Peclet numbers; the flow's parts along x and y are constant here, so that
+    /// exponential fitting, too, is of second order everywhere: convection carries p h. At 2000 m/s it finds the
+    /// solution to eight digits.
     void slopingGap_data()
     {
         QTest::addColumn<ConvectionScheme>("scheme");
@@ -179,7 +185,8 @@ private slots:
         QVERIFY2(std::abs(observed - order) < 0.15, qPrintable(QString::number(observed)));
         QVERIFY2(fine < bound, qPrintable(QString::number(fine)));
     }
-    /// Between, where diffusion and convection are alike, errors of both signs cancel and no order shows: the error is small.
+    /// Between, where diffusion and convection are alike, errors of both signs cancel and no order shows: the error is
+    /// small.
     void slopingGapAtPecletOfOne()
     {
         const ObliqueFilm exact(20.0, {});

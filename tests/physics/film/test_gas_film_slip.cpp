@@ -18,8 +18,9 @@ namespace {
 
 constexpr double wedgeAngle = 0.03, wedgeInlet = 100e-9, wedgeSpeed = 10.0; // [rad], [m], [m/s]
 
-/// A wedge from 100 nm down to the disk, which it touches, infinitely wide: the middle one of three rows that are a thousand kilometres wide.
-/// Cells grow from 2 pm over the angle. Pressures against ambient where the gap is nearest to these.
+/// A wedge from 100 nm down to the disk, which it touches, infinitely wide: the middle one of three rows that are a
+/// thousand kilometres wide. Cells grow from 2 pm over the angle. Pressures against ambient where the gap is nearest to
+/// these.
 std::vector<double> wedgePressures(SlipModel model, const std::vector<double>& gaps)
 {
     constexpr int cells = 200;
@@ -33,12 +34,17 @@ std::vector<double> wedgePressures(SlipModel model, const std::vector<double>& g
     std::vector<double> distances{0.0};
     for (int i = 0; i < cells; ++i, width *= low) distances.push_back(at += width);
     for (int i = cells; i >= 0; --i) grid.x.push_back(length * (1.0 - distances[static_cast<std::size_t>(i)] / at));
-    FilmProblem problem(planeSurface(), length, 3e6, grid, {.air = {}, .slip = {.model = model}, .disk = uniformMotion(wedgeSpeed)}, {0.0, wedgeAngle, 0.0});
-    if (!problem.solve({.tolerance = 1e-9, .maximumIterations = 200}).converged) return std::vector<double>(gaps.size(), std::nan(""));
+    FilmProblem problem(planeSurface(), length, 3e6, grid,
+                        {.air = {}, .slip = {.model = model}, .disk = uniformMotion(wedgeSpeed)},
+                        {0.0, wedgeAngle, 0.0});
+    if (!problem.solve({.tolerance = 1e-9, .maximumIterations = 200}).converged)
+        return std::vector<double>(gaps.size(), std::nan(""));
     std::vector<double> pressures;
     for (const double gap : gaps) {
         int nearest = 0;
-        const auto distance = [&](int i) { return std::abs(wedgeAngle * (length - problem.gaps.grid.centreX(i)) - gap); };
+        const auto distance = [&](int i) {
+            return std::abs(wedgeAngle * (length - problem.gaps.grid.centreX(i)) - gap);
+        };
         for (int i = 0; i < cells; ++i)
             if (distance(i) < distance(nearest)) nearest = i;
         pressures.push_back(problem.at(nearest, 1) / problem.film.ambient());
@@ -53,7 +59,9 @@ double padLoad(double gap, double blendWidth)
     AirBearingSurface surface;
     surface.baseRecess = 5e-9;
     surface.rails = {{.points = {{0.5 * L, 0.0}, {L, 0.0}, {L, L}, {0.5 * L, L}}, .recess = {0.0}}};
-    const FilmSetting setting{.air = {}, .slip = {.model = SlipModel::Combination, .switchGap = 0.3e-9, .blendWidth = blendWidth}, .disk = uniformMotion(10.0)};
+    const FilmSetting setting{.air = {},
+                              .slip = {.model = SlipModel::Combination, .switchGap = 0.3e-9, .blendWidth = blendWidth},
+                              .disk = uniformMotion(10.0)};
     FilmProblem problem(surface, L, L, uniformGrid(L, L, 24, 24), setting, {gap, 0.0, 0.0});
     return problem.solve({.tolerance = 1e-11}).converged ? problem.load() : std::nan("");
 }
@@ -75,18 +83,21 @@ private slots:
         QTest::newRow("Fukui-Kaneko") << SlipModel::FukuiKaneko << 0.0;
         QTest::newRow("Fukui-Kaneko fit") << SlipModel::FukuiKanekoFit << 0.0;
     }
-    /// Where the gap closes nothing passes, and dp/dx = 6 mu U/(Q h^2). With first order, 1 + 6 a Kn or 1 + 4 a Kn, Q h^2 becomes 6 or 4 a
-    /// lambda0 p0 h/p, so that p goes with h^-s, s = mu U/(a lambda0 p0 theta), 0.94 here, or 1.5 times that; more slowly as long as the 1
-    /// in Q counts. Fukui-Kaneko's Q is larger by a logarithm. Ten times less of a gap multiplies the pressure, without end.
+    /// Where the gap closes nothing passes, and dp/dx = 6 mu U/(Q h^2). With first order, 1 + 6 a Kn or 1 + 4 a Kn, Q
+    /// h^2 becomes 6 or 4 a lambda0 p0 h/p, so that p goes with h^-s, s = mu U/(a lambda0 p0 theta), 0.94 here, or 1.5
+    /// times that; more slowly as long as the 1 in Q counts. Fukui-Kaneko's Q is larger by a logarithm. Ten times less
+    /// of a gap multiplies the pressure, without end.
     void singularModels()
     {
         QFETCH(SlipModel, model);
         QFETCH(double, exponent);
         const std::vector<double> p = wedgePressures(model, {1e-9, 1e-10, 1e-11});
-        QVERIFY2(p[1] > 1.5 * p[0] && p[2] > 1.5 * p[1], qPrintable(QString("%1, %2, %3").arg(p[0]).arg(p[1]).arg(p[2])));
+        QVERIFY2(p[1] > 1.5 * p[0] && p[2] > 1.5 * p[1],
+                 qPrintable(QString("%1, %2, %3").arg(p[0]).arg(p[1]).arg(p[2])));
         if (exponent == 0.0) return;
         const double found = std::log10(p[2] / p[1]);
-        QVERIFY2(found < 1.05 * exponent && found > 0.85 * exponent, qPrintable(QString("%1 of %2").arg(found).arg(exponent)));
+        QVERIFY2(found < 1.05 * exponent && found > 0.85 * exponent,
+                 qPrintable(QString("%1 of %2").arg(found).arg(exponent)));
     }
     void boundedModels_data()
     {
@@ -97,8 +108,9 @@ private slots:
         QTest::newRow("new second order") << SlipModel::NewSecondOrder << 3.0;
         QTest::newRow("combination, new second order below 0.3 nm") << SlipModel::Combination << 3.0;
     }
-    /// With a second-order term c Kn^2, Q h^2 is at least c (lambda0 p0/p)^2 whatever the gap, so that 1/p falls by no more than 6 mu U/(c
-    /// (lambda0 p0)^2) times the way: in the last tenth of a nanometre, 3.3 nm long, by some hundredths of 1/p0 (Wu & Bogy 2003).
+    /// With a second-order term c Kn^2, Q h^2 is at least c (lambda0 p0/p)^2 whatever the gap, so that 1/p falls by no
+    /// more than 6 mu U/(c (lambda0 p0)^2) times the way: in the last tenth of a nanometre, 3.3 nm long, by some
+    /// hundredths of 1/p0 (Wu & Bogy 2003).
     void boundedModels()
     {
         QFETCH(SlipModel, model);
@@ -110,13 +122,14 @@ private slots:
         for (std::size_t k = 1; k < gaps.size(); ++k) {
             // Cells grow by a twentieth of their distance from the disk; each pressure is that of a cell nearby.
             const double bound = 1.0 / (1.0 / p[0] - 1.05 * perWay * gaps[0] / wedgeAngle);
-            QVERIFY2(p[k] >= p[k - 1] && p[k] < bound, qPrintable(QString("%1, %2, bound %3").arg(p[k - 1]).arg(p[k]).arg(bound)));
+            QVERIFY2(p[k] >= p[k - 1] && p[k] < bound,
+                     qPrintable(QString("%1, %2, bound %3").arg(p[k - 1]).arg(p[k]).arg(bound)));
         }
         QVERIFY(p[2] < 1.2 * p[0]);
     }
 
-    /// The paper's hard switch: Q jumps at 0.3 nm, the load of a parallel pad with it, upwards with the gap, so that two heights carry the same
-    /// load. Blended over 0.1 nm it falls steadily, by as little as the gap changes.
+    /// The paper's hard switch: Q jumps at 0.3 nm, the load of a parallel pad with it, upwards with the gap, so that
+    /// two heights carry the same load. Blended over 0.1 nm it falls steadily, by as little as the gap changes.
     void theHardSwitchJumps()
     {
         const double below = padLoad(0.3e-9 - 1e-16, 0.0), above = padLoad(0.3e-9 + 1e-16, 0.0);
@@ -124,11 +137,13 @@ private slots:
         QVERIFY(padLoad(0.31e-9, 0.0) < above && padLoad(0.29e-9, 0.0) > below); // falling on either side
 
         const double blendedBelow = padLoad(0.3e-9 - 1e-16, 0.1e-9), blendedAbove = padLoad(0.3e-9 + 1e-16, 0.1e-9);
-        QVERIFY2(std::abs(blendedAbove / blendedBelow - 1.0) < 1e-5, qPrintable(QString("%1, %2").arg(blendedBelow).arg(blendedAbove)));
+        QVERIFY2(std::abs(blendedAbove / blendedBelow - 1.0) < 1e-5,
+                 qPrintable(QString("%1, %2").arg(blendedBelow).arg(blendedAbove)));
         double before = padLoad(0.24e-9, 0.1e-9);
         for (double gap = 0.25e-9; gap < 0.365e-9; gap += 0.01e-9) {
             const double load = padLoad(gap, 0.1e-9);
-            QVERIFY2(load < before && load > 0.93 * before, qPrintable(QString("%1: %2, %3").arg(gap).arg(load).arg(before)));
+            QVERIFY2(load < before && load > 0.93 * before,
+                     qPrintable(QString("%1: %2, %3").arg(gap).arg(load).arg(before)));
             before = load;
         }
     }

@@ -21,7 +21,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The infinitely wide slider with an inlet gap twice the outlet's, as the middle one of three rows of cells a thousand kilometres wide.
+/// The infinitely wide slider with an inlet gap twice the outlet's, as the middle one of three rows of cells a thousand
+/// kilometres wide.
 struct WideFilm {
     static constexpr double L = 1e-3, bearingNumber = 40.0, knudsen = 0.6;
     static constexpr SlipModel model = SlipModel::FirstOrder;
@@ -70,13 +71,15 @@ struct WideFilm {
     static double mobility(double w) { return w * flowFactor({.model = model}, knudsen / w); }
 };
 
-/// Load for each amplitude of waves exp(i (2 pi n X - omega t)) that move with the disk, linear. With T = omega t and sigma =
-/// 12 mu omega L^2/(p0 h0^2) = 2 Lambda 2 pi n, mass balance d(H^2 G dP/dX - Lambda P H)/dX = sigma d(P H)/dT about the steady state
-/// P, H; p, c the changes of the pressure and of the flow, h = -exp(2 pi i n X) that of the gap, w = p H + P h:
+/// Load for each amplitude of waves exp(i (2 pi n X - omega t)) that move with the disk, linear. With T = omega t and
+/// sigma = 12 mu omega L^2/(p0 h0^2) = 2 Lambda 2 pi n, mass balance d(H^2 G dP/dX - Lambda P H)/dX = sigma d(P H)/dT
+/// about the steady state P, H; p, c the changes of the pressure and of the flow, h = -exp(2 pi i n X) that of the gap,
+/// w = p H + P h:
 ///
 ///   c = H^2 G p' + (2 H h G + H^2 G' w) P' - Lambda w,   c' = -i sigma w,   p(0) = p(1) = 0.
 ///
-/// All by the classical Runge-Kutta method from the outlet; c there such that p(0) = 0. First order slip: G = w + 6 Kn, G' = 1.
+/// All by the classical Runge-Kutta method from the outlet; c there such that p(0) = 0. First order slip: G = w + 6 Kn,
+/// G' = 1.
 Complex waveLoad(double waves, int steps)
 {
     constexpr double Lambda = WideFilm::bearingNumber;
@@ -215,8 +218,8 @@ private slots:
         QVERIFY(near(over->film.load(over->p), lower->film.load(lower->p)));
     }
 
-    /// Waves of a tenth of the gap, two and a half over the length, that stand still: the ordinary equation with the gap
-    /// 2 - X - 0.1 sin(2.5 2 pi X - 0.7); second order.
+    /// Waves of a tenth of the gap, two and a half over the length, that stand still: the ordinary equation with the
+    /// gap 2 - X - 0.1 sin(2.5 2 pi X - 0.7); second order.
     void wavesThatStandStill()
     {
         const auto gap = [](double x) { return 2.0 - x - 0.1 * std::sin(5.0 * std::numbers::pi * x - 0.7); };
@@ -241,8 +244,8 @@ private slots:
         QTest::newRow("as long as the slider") << 1.0;
         QTest::newRow("a third of the slider") << 3.0;
     }
-    /// Low waves that move with the disk: the load oscillates as the linear equation says, in amplitude and phase; second order
-    /// in cells and steps. Waves of 1e-4 of the gap are linear to 1e-8, with the harmonic alone.
+    /// Low waves that move with the disk: the load oscillates as the linear equation says, in amplitude and phase;
+    /// second order in cells and steps. Waves of 1e-4 of the gap are linear to 1e-8, with the harmonic alone.
     void wavesThatMove()
     {
         QFETCH(double, waves);

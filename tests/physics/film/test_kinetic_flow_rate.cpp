@@ -21,9 +21,9 @@ class TestKineticFlowRate : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The tabulated kinetic values (BGK, variational), to half their last digit. At D = 2 and 3 the table (1.59403, 1.70922) is
-    /// 1.2e-4 and 2.4e-5 below what the principle gives: by tests/support/kinetic_flow_rate.py, and by its double
-    /// integrals on 160 Gauss points, 1.594146 and 1.709245.
+    /// The tabulated kinetic values (BGK, variational), to half their last digit. At D = 2 and 3 the table
+    /// (1.59403, 1.70922) is 1.2e-4 and 2.4e-5 below what the principle gives: by tests/support/kinetic_flow_rate.py,
+    /// and by its double integrals on 160 Gauss points, 1.594146 and 1.709245.
     void tabulatedValues_data()
     {
         QTest::addColumn<double>("d");
@@ -42,7 +42,8 @@ private slots:
                  qPrintable(QString::number(kineticFlowRate(d).value, 'g', 9)));
     }
 
-    /// Half-way between the stored values, where the cubic pieces err most: 40 digits of tests/support/kinetic_flow_rate.py.
+    /// Half-way between the stored values, where the cubic pieces err most: 40 digits of
+    /// tests/support/kinetic_flow_rate.py.
     void betweenTheStoredValues_data()
     {
         QTest::addColumn<double>("d");
@@ -80,7 +81,8 @@ private slots:
         // 1000/6 + 1.0162 + 0.0010653
         QVERIFY(std::abs(kineticFlowRate(1000.0).value - 167.68393196666667) < 1e-12);
         QVERIFY(std::abs(kineticFlowRate(1e6).value - (1e6 / 6.0 + 1.0162 + 1.0653e-6)) < 1e-9);
-        // On the way there it stays between the two laws: 34.346033 by 40 digits, 200/6 + 1.0162 + 1.0653/200 = 34.354860.
+        // On the way there it stays between the two laws: 34.346033 by 40 digits, 200/6 + 1.0162 + 1.0653/200
+        // = 34.354860.
         const double between = kineticFlowRate(200.0).value;
         QVERIFY(between > 34.346033 && between < 34.354860);
     }
@@ -117,9 +119,10 @@ private slots:
         }
     }
 
-    /// By hand. D = 5: 5/6 + 1.0162 + 0.21306 - 0.085416 = 1.977177 and 0.6926 + 1.25087 + 0.031306 - 0.0003876 = 1.9743884 below;
-    /// D = 0.15: 0.020778 + 1.25087 + 1.0435333 - 0.4306667 = 1.8845147 and -0.3343785 + 2.10673 + 0.1102 - 0.0030844 = 1.8794671 below;
-    /// D = 0.01: -0.0222919 + 2.10673 + 1.653 - 0.694 = 3.0434381, and e times less D is 1/sqrt(pi) more.
+    /// By hand. D = 5: 5/6 + 1.0162 + 0.21306 - 0.085416 = 1.977177 and 0.6926 + 1.25087 + 0.031306 - 0.0003876
+    /// = 1.9743884 below; D = 0.15: 0.020778 + 1.25087 + 1.0435333 - 0.4306667 = 1.8845147 and -0.3343785 + 2.10673 +
+    /// 0.1102 - 0.0030844 = 1.8794671 below; D = 0.01: -0.0222919 + 2.10673 + 1.653 - 0.694 = 3.0434381, and e times
+    /// less D is 1/sqrt(pi) more.
     void fit()
     {
         QVERIFY(std::abs(fittedFlowRate(5.0).value - 1.9771773) < 1e-7);

@@ -35,9 +35,11 @@ PathFlow<Number> flowOf(std::vector<Piece> pieces, double width = 1.0, double sh
     return flow;
 }
 
-/// The pressure at the upstream end for a pressure p at the downstream end, by the classical Runge-Kutta method against the
-/// stream, in which direction errors die out. The flow at x is `flow` plus a slope before and another after the face.
-double upstreamPressure(const std::vector<Piece>& pieces, double p, double flow, double slopeBelow, double slopeAbove, int steps)
+/// The pressure at the upstream end for a pressure p at the downstream end, by the classical Runge-Kutta method against
+/// the stream, in which direction errors die out. The flow at x is `flow` plus a slope before and another after the
+/// face.
+double upstreamPressure(const std::vector<Piece>& pieces, double p, double flow, double slopeBelow, double slopeAbove,
+                        int steps)
 {
     const auto across = [&](const Piece& piece, double from, double to) {
         const double middle = 0.5 * (piece.start + piece.end), dx = (to - from) / steps;
@@ -75,7 +77,8 @@ void addPaths()
     row("Peclet 1000", {{-0.5, 0.0, 5.0, 0.005}, {0.0, 0.5, 5.0, 0.005}});
     row("a step up before the face", {{-0.5, -0.2, 1.0, 0.5}, {-0.2, 0.0, 10.0, 500.0}, {0.0, 0.5, 10.0, 500.0}});
     row("a step down after the face", {{-0.5, 0.0, 10.0, 500.0}, {0.0, 0.1, 10.0, 500.0}, {0.1, 0.5, 1.0, 0.5}});
-    row("a groove, Peclet 200 beside it", {{-0.5, -0.3, 2.0, 0.01}, {-0.3, 0.0, 9.0, 30.0}, {0.0, 0.2, 9.0, 30.0}, {0.2, 0.5, 2.0, 0.01}});
+    row("a groove, Peclet 200 beside it",
+        {{-0.5, -0.3, 2.0, 0.01}, {-0.3, 0.0, 9.0, 30.0}, {0.0, 0.2, 9.0, 30.0}, {0.2, 0.5, 2.0, 0.01}});
 }
 
 } // namespace
@@ -130,8 +133,8 @@ private slots:
         QVERIFY(std::abs(flow.above - 0.7 * 9.0 / 6.5) < 1e-15);
     }
 
-    /// The scheme is exact where the flow is linear on either side of the face: with the flow f at the face and slopes s1 and s2
-    /// the pressures at the ends belong together, so A p1 - B p2 - s1 m1 - s2 m2 = f.
+    /// The scheme is exact where the flow is linear on either side of the face: with the flow f at the face and slopes
+    /// s1 and s2 the pressures at the ends belong together, so A p1 - B p2 - s1 m1 - s2 m2 = f.
     void linearFlowAgainstRungeKutta_data() { addPaths(); }
     void linearFlowAgainstRungeKutta()
     {
@@ -140,7 +143,8 @@ private slots:
         struct Case {
             double p, f, below, above;
         };
-        for (const Case& k : {Case{1.0, 0.3, 0.0, 0.0}, Case{2.0, -0.4, 0.7, 0.0}, Case{1.5, 0.9, 0.0, -1.3}, Case{1.2, 0.5, 2.0, -1.0}}) {
+        for (const Case& k : {Case{1.0, 0.3, 0.0, 0.0}, Case{2.0, -0.4, 0.7, 0.0}, Case{1.5, 0.9, 0.0, -1.3},
+                              Case{1.2, 0.5, 2.0, -1.0}}) {
             const double far = upstreamPressure(pieces, k.p, k.f, k.below, k.above, 4000);
             const bool against = pieces.front().c < 0.0;
             const double p1 = against ? k.p : far, p2 = against ? far : k.p;
@@ -150,14 +154,15 @@ private slots:
         }
     }
 
-    /// At a Peclet number of 1e4 nothing of the downstream pressure is left: F = c p1, and the flow at the face is what the
-    /// upstream half passes. There w/I is exp(-c x/D) c/D about the upstream end, first moment D/c - length before the face.
+    /// At a Peclet number of 1e4 nothing of the downstream pressure is left: F = c p1, and the flow at the face is what
+    /// the upstream half passes. There w/I is exp(-c x/D) c/D about the upstream end, first moment D/c - length before
+    /// the face.
     void convectionAlone()
     {
         const double c = 3.0, D = 3e-4, before = 0.4;
         for (const bool against : {false, true}) {
-            const PathFlow<double> flow =
-                against ? flowOf({{-0.6, 0.0, -c, D}, {0.0, before, -c, D}}) : flowOf({{-before, 0.0, c, D}, {0.0, 0.6, c, D}});
+            const PathFlow<double> flow = against ? flowOf({{-0.6, 0.0, -c, D}, {0.0, before, -c, D}})
+                                                  : flowOf({{-before, 0.0, c, D}, {0.0, 0.6, c, D}});
             QVERIFY(std::abs((against ? flow.B : flow.A) - c) < 1e-14);
             QCOMPARE(against ? flow.A : flow.B, 0.0);
             const double upstream = against ? flow.above : flow.below, downstream = against ? flow.below : flow.above;
@@ -199,8 +204,11 @@ private slots:
     {
         for (const double c : {0.0, 0.03, 3.0, -3.0, 400.0}) {
             const PathFlow<double> coarse = flowOf({{-1.0, 0.0, c, 0.8}, {0.0, 1.0, c, 0.8}});
-            const PathFlow<double> fine = flowOf({{-1.0, -0.7, c, 0.8}, {-0.7, -0.1, c, 0.8}, {-0.1, 0.0, c, 0.8},
-                                                  {0.0, 0.25, c, 0.8}, {0.25, 1.0, c, 0.8}});
+            const PathFlow<double> fine = flowOf({{-1.0, -0.7, c, 0.8},
+                                                  {-0.7, -0.1, c, 0.8},
+                                                  {-0.1, 0.0, c, 0.8},
+                                                  {0.0, 0.25, c, 0.8},
+                                                  {0.25, 1.0, c, 0.8}});
             // chi is good to 2e-10 at its change to the series.
             QVERIFY(std::abs(coarse.A - fine.A) < 1e-10 * coarse.A);
             QVERIFY(std::abs(coarse.B - fine.B) < 1e-10 * (coarse.A + coarse.B));

@@ -50,7 +50,8 @@ private slots:
         QVERIFY(std::abs(flowFactor({.model = SlipModel::FukuiKanekoFit}, knudsen) - 6.0 * 1.53623) < 1e-13);
     }
 
-    /// Without rarefaction all models are the continuum's, and to first order in Kn they differ as their first coefficients.
+    /// Without rarefaction all models are the continuum's, and to first order in Kn they differ as their first
+    /// coefficients.
     void thinSlip_data()
     {
         QTest::addColumn<SlipModel>("model");

@@ -54,8 +54,8 @@ void TestMinimumSpacing::aPitchedPlaneIsNearestAtItsTrailingEdge()
 
 void TestMinimumSpacing::aRailIsNearestAtItsRearCorner()
 {
-    // At (0.9, 0.5) mm: 10 nm + 100 urad * 0.1 mm - 2 urad * 0.1 mm = 10 + 10 - 0.2 nm. The sides of edges are sampled 1e-10 m
-    // away, which 100 urad turn into 1e-14 m.
+    // At (0.9, 0.5) mm: 10 nm + 100 urad * 0.1 mm - 2 urad * 0.1 mm = 10 + 10 - 0.2 nm. The sides of edges are sampled
+    // 1e-10 m away, which 100 urad turn into 1e-14 m.
     const auto place = nearest(withRail(), {10e-9, 100e-6, 2e-6});
     QVERIFY(std::abs(place.spacing - 19.8e-9) < 2e-14);
     QVERIFY(std::abs(place.at.x - 0.9e-3) < 2e-10);
@@ -79,7 +79,8 @@ void TestMinimumSpacing::isALowerCornerHoweverItIsTilted_data()
     QTest::addColumn<double>("pitch");
     QTest::addColumn<double>("roll");
     for (const double pitch : {-200e-6, 0.0, 100e-6})
-        for (const double roll : {-50e-6, 0.0, 3e-6}) QTest::addRow("%g, %g urad", 1e6 * pitch, 1e6 * roll) << pitch << roll;
+        for (const double roll : {-50e-6, 0.0, 3e-6})
+            QTest::addRow("%g, %g urad", 1e6 * pitch, 1e6 * roll) << pitch << roll;
 }
 
 /// The lowest of the rail's four corners, as above; of a level edge any point. The rest is 1 um higher.
@@ -89,10 +90,12 @@ void TestMinimumSpacing::isALowerCornerHoweverItIsTilted()
     QFETCH(double, roll);
     double lowest = 1.0;
     for (const double x : {0.2e-3, 0.9e-3})
-        for (const double y : {0.1e-3, 0.5e-3}) lowest = std::min(lowest, 10e-9 + pitch * (length - x) - roll * (y - 0.5 * width));
+        for (const double y : {0.1e-3, 0.5e-3})
+            lowest = std::min(lowest, 10e-9 + pitch * (length - x) - roll * (y - 0.5 * width));
     const auto place = nearest(withRail(), {10e-9, pitch, roll});
     QVERIFY2(std::abs(place.spacing - lowest) < 3e-14, qPrintable(QString::number(place.spacing - lowest)));
-    QVERIFY(std::abs(10e-9 + pitch * (length - place.at.x) - roll * (place.at.y - 0.5 * width) - place.spacing) < 1e-21);
+    QVERIFY(std::abs(10e-9 + pitch * (length - place.at.x) - roll * (place.at.y - 0.5 * width) - place.spacing) <
+            1e-21);
 }
 
 /// All points bear alike: the lattice's are in the middle on the average.

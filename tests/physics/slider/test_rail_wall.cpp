@@ -73,8 +73,8 @@ private slots:
         }
     }
 
-    /// Where a wall has a recess it meets every box around the point, is within its bounds, and no lower than promised; breaks
-    /// stay within its bounds.
+    /// Where a wall has a recess it meets every box around the point, is within its bounds, and no lower than promised;
+    /// breaks stay within its bounds.
     void boxesAndBounds()
     {
         test::RandomSurface random(11);

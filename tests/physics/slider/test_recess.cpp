@@ -160,8 +160,8 @@ private slots:
         QVERIFY(near(at(facing, 67, 40), 0.2));
     }
 
-    /// A slot from x = 60 to 64, its left side with a wall that would reach x = 70: beyond the slot is the rail's own polygon,
-    /// where a deeper top lies over it.
+    /// A slot from x = 60 to 64, its left side with a wall that would reach x = 70: beyond the slot is the rail's own
+    /// polygon, where a deeper top lies over it.
     void wallEndsAtItsOwnPolygon()
     {
         const Rail slotted =
@@ -185,8 +185,9 @@ private slots:
         QVERIFY(near(at(surfaceOf({rectangle(20, 20, 60, 60, 1, 1.9)}), 63, 40), 0.3));
     }
 
-    /// Right edge: 0.1 um per um up to 10 um; top edge: 0.05 um per um up to 20 um. At the corner (60, 60) the outer offset
-    /// lines x = 70 and y = 80 meet at (10, 20) from it: the top wall holds beyond y = 2 x, the right one before it.
+    /// Right edge: 0.1 um per um up to 10 um; top edge: 0.05 um per um up to 20 um. At the corner (60, 60) the outer
+    /// offset lines x = 70 and y = 80 meet at (10, 20) from it: the top wall holds beyond y = 2 x, the right one before
+    /// it.
     void wallsOfUnequalWidthAtAConvexCorner()
     {
         const Rail rail = step({{20, 20}, {60, 20, 1}, {60, 60, 2}, {20, 60}}, 0);
@@ -197,9 +198,9 @@ private slots:
         QVERIFY(near(at(surfaceOf({reversed(rail)}, surface.walls), 63, 67), 0.05 * std::hypot(3.0, 7.0)));
     }
 
-    /// A concave corner at (60, 40): floor y = 40 with 0.1 um per um up to 20 um, side x = 60 with 0.05 um per um up to 10 um.
-    /// The outer offset lines meet at (10, 20) from it. At (4, 6) the floor holds (border: y = 8), although the side's wall
-    /// would be shallower, 0.2; at (2, 6) the side holds, 0.1.
+    /// A concave corner at (60, 40): floor y = 40 with 0.1 um per um up to 20 um, side x = 60 with 0.05 um per um up to
+    /// 10 um. The outer offset lines meet at (10, 20) from it. At (4, 6) the floor holds (border: y = 8), although the
+    /// side's wall would be shallower, 0.2; at (2, 6) the side holds, 0.1.
     void wallsOfUnequalWidthAtAConcaveCorner()
     {
         const Rail rail = step({{20, 20}, {120, 20}, {120, 40, 1}, {60, 40, 2}, {60, 80}, {20, 80}}, 0);
@@ -209,8 +210,8 @@ private slots:
         QVERIFY(near(at(surfaceOf({reversed(rail)}, surface.walls), 64, 46), 0.6));
     }
 
-    /// The top edge ends at (60, 60). Its neighbour without a wall comes from (70, 40), so that its extension goes through
-    /// (57.5, 65), or from (50, 40), through (62.5, 65), where the distance to the corner counts.
+    /// The top edge ends at (60, 60). Its neighbour without a wall comes from (70, 40), so that its extension goes
+    /// through (57.5, 65), or from (50, 40), through (62.5, 65), where the distance to the corner counts.
     void wallEndsOnTheExtensionOfAnEdgeWithoutOne()
     {
         const AirBearingSurface blunt = surfaceOf({step({{20, 40}, {70, 40}, {60, 60, 1}, {20, 60}}, 0)});

@@ -86,8 +86,8 @@ private slots:
         }
     }
 
-    /// Between breaks the recess changes no faster than its steepest slope; the smallest jumps, of two levels that come close by
-    /// chance, are told from it by the short steps.
+    /// Between breaks the recess changes no faster than its steepest slope; the smallest jumps, of two levels that come
+    /// close by chance, are told from it by the short steps.
     void continuousBetweenBreaks()
     {
         QFETCH_GLOBAL(unsigned, seed);
@@ -170,8 +170,8 @@ private slots:
         }
     }
 
-    /// A smooth box has no break on any line through it, and in its recess the plane of a top alone: the middle of two opposite
-    /// corners is the same for both pairs, and is the recess in the middle.
+    /// A smooth box has no break on any line through it, and in its recess the plane of a top alone: the middle of two
+    /// opposite corners is the same for both pairs, and is the recess in the middle.
     void smoothBoxesHoldNoBreak()
     {
         QFETCH_GLOBAL(unsigned, seed);

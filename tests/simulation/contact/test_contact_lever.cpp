@@ -27,7 +27,8 @@ class TestContactLever : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Near the trailing edge, 0.575 mm behind the middle, a force presses the nose down; 0.3 mm inside of it, it lifts the inner edge.
+    /// Near the trailing edge, 0.575 mm behind the middle, a force presses the nose down; 0.3 mm inside of it, it lifts
+    /// the inner edge.
     void aForceTurnsTheSlider()
     {
         const Vector3 arms = ContactLever(pico()).arms(1.2e-3, 0.2e-3);
@@ -35,7 +36,8 @@ private slots:
         QVERIFY(std::abs(arms[1] - -0.575e-3) < 1e-15);
         QVERIFY(std::abs(arms[2] - 0.3e-3) < 1e-15);
     }
-    /// Without skew the disk runs along x under the slider's middle: mu N, with half the thickness, 0.15 mm, below the mass centre.
+    /// Without skew the disk runs along x under the slider's middle: mu N, with half the thickness, 0.15 mm, below the
+    /// mass centre.
     void frictionPressesTheNoseDown()
     {
         const auto rubbing = ContactLever(pico()).rubbing(0.625e-3, 0.5e-3);
@@ -43,7 +45,8 @@ private slots:
         QVERIFY(std::abs(rubbing.pitchTorque - -0.4 * 0.15e-3) < 1e-16);
         QVERIFY(std::abs(rubbing.rollTorque) < 1e-16);
     }
-    /// With a skew of 30 degrees the disk runs with (cos 30, -sin 30) of its speed: the part towards the inner edge lifts that edge.
+    /// With a skew of 30 degrees the disk runs with (cos 30, -sin 30) of its speed: the part towards the inner edge
+    /// lifts that edge.
     void skewedFrictionRollsTheSlider()
     {
         Case c = pico();

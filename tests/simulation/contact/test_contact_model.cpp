@@ -7,8 +7,8 @@
 
 #include <QTest>
 
-#include "core/physics/contact/asperity_contact.h"
 #include "core/case/fields.h"
+#include "core/physics/contact/asperity_contact.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -62,7 +62,8 @@ private slots:
         QCOMPARE(at("minimum_spacing"), 1.0);
         QCOMPARE(at("contact_force"), 2.0);
         QCOMPARE(at("net_contact_force"), 1.5);
-        // mu N against the disk's speed of metres a second, half the thickness below the mass centre, its part along the slider.
+        // mu N against the disk's speed of metres a second, half the thickness below the mass centre, its part along
+        // the slider.
         QCOMPARE(at("friction_force"), 2.0 * mu);
         QVERIFY(std::abs(at("friction_torque") + 0.1 * 2.0 * mu * std::cos(0.5)) < 1e-12);
         QVERIFY(!std::isnan(values[quantities.size() - 1]));

@@ -7,9 +7,9 @@
 
 #include <QTest>
 
-#include "core/physics/contact/elastic_pair.h"
-#include "core/case_files/case_file.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
+#include "core/physics/contact/elastic_pair.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -107,8 +107,9 @@ private slots:
         QCOMPARE(findQuantity(trace.quantities, "adhesion_force"), -1);
         QCOMPARE(figure(trace.summary, "largest_contact_force"), trace.column("contact_force")[200]);
         QVERIFY(std::isnan(figure(trace.summary, "pull_off_force")));
-        // Nothing is kept: the way out is the way in. Gaps may be wrong by 1e-8 of 10 nm, and so the pressures by as much times
-        // the stiffness E* pi/(2 cell) of the shortest waves, 110 Pa or 1e-6 of the mean pressure, either way.
+        // Nothing is kept: the way out is the way in. Gaps may be wrong by 1e-8 of 10 nm, and so the pressures by as
+        // much times the stiffness E* pi/(2 cell) of the shortest waves, 110 Pa or 1e-6 of the mean pressure, either
+        // way.
         for (std::size_t i = 0; i < 200; ++i)
             QVERIFY(std::abs(trace.column("contact_force")[i] - trace.column("contact_force")[400 - i]) < 2e-6 * force);
         QCOMPARE(trace.summary.tail.size(), std::size_t{2});
@@ -272,8 +273,8 @@ private slots:
         QVERIFY(trace.samples.time.back() < 1e-3);
     }
 
-    /// The pull of an adhesive sphere lies between (3/2) pi R dgamma (Johnson, Kendall & Roberts) and 2 pi R dgamma (Derjaguin,
-    /// Muller & Toporov); on the way in it snaps nearer than it lets go.
+    /// The pull of an adhesive sphere lies between (3/2) pi R dgamma (Johnson, Kendall & Roberts) and 2 pi R dgamma
+    /// (Derjaguin, Muller & Toporov); on the way in it snaps nearer than it lets go.
     void snapsInAndPullsOff()
     {
         Case c = sample("contact_pull_off");
@@ -292,8 +293,8 @@ private slots:
         QVERIFY(std::ranges::all_of(trace.column("adhesion_force"), [](double force) { return force <= 0.0; }));
         QVERIFY(trace.summary.warnings.empty());
     }
-    /// With a Tabor number of (R dgamma^2/(E*^2 z_0^3))^(1/3) = 0.22 the sphere keeps its shape: it neither snaps nor jumps, and
-    /// its pull is near 2 pi R dgamma, less what it yields.
+    /// With a Tabor number of (R dgamma^2/(E*^2 z_0^3))^(1/3) = 0.22 the sphere keeps its shape: it neither snaps nor
+    /// jumps, and its pull is near 2 pi R dgamma, less what it yields.
     void stiffSphereDoesNotSnap()
     {
         Case c = sample("contact_pull_off");

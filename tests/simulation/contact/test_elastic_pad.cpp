@@ -65,8 +65,8 @@ private slots:
         QVERIFY2(remarks[0].find("0.0082 nm") != std::string::npos, remarks[0].c_str());
         QVERIFY(ElasticPad(flatPad()).remarks().empty());
     }
-    /// The zone of a Lennard-Jones law is E* z0^2/(1.0264^2 dgamma), 8/3 (s^3 - s^9) <= 1.0264: at z0 = 0.3 nm, 50 mN/m and
-    /// 84.81 GPa 0.1449 um.
+    /// The zone of a Lennard-Jones law is E* z0^2/(1.0264^2 dgamma), 8/3 (s^3 - s^9) <= 1.0264: at z0 = 0.3 nm, 50 mN/m
+    /// and 84.81 GPa 0.1449 um.
     void tellsOfCoarseCells()
     {
         Case c = flatPad();

@@ -6,8 +6,8 @@
 
 #include <QTest>
 
-#include "core/simulation/contact/elastic_pad.h"
 #include "core/case/fields.h"
+#include "core/simulation/contact/elastic_pad.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -48,12 +48,18 @@ Case withRoughDisk(bool adhesion)
     return c;
 }
 
-CellGrid filmGrid() { return {{0.0, 1.0e-3, 1.203e-3, 1.2091e-3, 1.22e-3, length}, {0.0, 0.29e-3, 0.3035e-3, 0.31e-3, width}}; }
+CellGrid filmGrid()
+{
+    return {{0.0, 1.0e-3, 1.203e-3, 1.2091e-3, 1.22e-3, length}, {0.0, 0.29e-3, 0.3035e-3, 0.31e-3, width}};
+}
 
 /// All that a contact on a slider looks at.
 struct Scene {
     explicit Scene(const Case& c)
-        : recess(c.surface, length, width), spacing(c.surface, recess), surface(c.diskSurface), grid(filmGrid()),
+        : recess(c.surface, length, width),
+          spacing(c.surface, recess),
+          surface(c.diskSurface),
+          grid(filmGrid()),
           contact(c, spacing, surface, grid, pad, {})
     {}
     Recess recess;
@@ -65,9 +71,15 @@ struct Scene {
 };
 
 /// The pad's trailing edge at `spacing`.
-Attitude at(double spacing, double roll = 0.0) { return {spacing - pitch * (length - 1.212e-3) + roll * (0.304e-3 - 0.5 * width), pitch, roll}; }
+Attitude at(double spacing, double roll = 0.0)
+{
+    return {spacing - pitch * (length - 1.212e-3) + roll * (0.304e-3 - 0.5 * width), pitch, roll};
+}
 
-bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b)); }
+bool near(double a, double b, double tolerance)
+{
+    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
 
 } // namespace
 
@@ -75,8 +87,8 @@ class TestElasticSliderContact : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The model "contact" holds the same pad at the same separation of its lowest point, which it takes 1e-10 m beside the edge: at
-    /// 150 urad 1.5e-14 m deeper, where a stiffness of some 5e5 N/m makes of it 1e-8 N.
+    /// The model "contact" holds the same pad at the same separation of its lowest point, which it takes 1e-10 m beside
+    /// the edge: at 150 urad 1.5e-14 m deeper, where a stiffness of some 5e5 N/m makes of it 1e-8 N.
     void carriesWhatThePadAloneCarries_data()
     {
         QTest::addColumn<bool>("adhesion");
@@ -119,7 +131,8 @@ private slots:
         std::size_t cell = 0;
         for (int j = 0; j < fields.grid.ny(); ++j)
             for (int i = 0; i < fields.grid.nx(); ++i, ++cell) {
-                const double force = (snapshot.values[1][cell] + snapshot.values[2][cell]) * fields.grid.widthX(i) * fields.grid.widthY(j);
+                const double force = (snapshot.values[1][cell] + snapshot.values[2][cell]) * fields.grid.widthX(i) *
+                                     fields.grid.widthY(j);
                 net += force;
                 pitchTorque += force * (0.5 * length - fields.grid.centreX(i));
                 rollTorque += force * (0.5 * width - fields.grid.centreY(j));
@@ -129,7 +142,8 @@ private slots:
         QVERIFY(near(f.friction, 0.3 * f.contact, 1e-9));
         // The disk runs nearly along x: to 1 - cos(1/40) and 1/40.
         QVERIFY(near(f.pitchTorque - pitchTorque, -0.15e-3 * f.friction, 1e-3));
-        QVERIFY(near(f.rollTorque - rollTorque, 0.15e-3 * f.friction * (1.206e-3 - 0.5 * length) / (23e-3 - 0.196e-3), 0.02));
+        QVERIFY(near(f.rollTorque - rollTorque, 0.15e-3 * f.friction * (1.206e-3 - 0.5 * length) / (23e-3 - 0.196e-3),
+                     0.02));
     }
     /// Whatever was tried in between, a state goes on from the one that was accepted.
     void triesLeaveNoTrace_data() { carriesWhatThePadAloneCarries_data(); }
@@ -173,8 +187,10 @@ private slots:
             const bool out = scene.contact.outOfReach(at(spacing));
             const SliderContactForces& f = scene.contact.at(at(spacing), 0.0);
             (out ? far : near) += 1;
-            if (out) QVERIFY(f.contact == 0.0 && f.adhesion == 0.0 && f.pitchTorque == 0.0);
-            else if (adhesion && spacing > 20e-9) QVERIFY(-f.adhesion < 1e-4 * c.suspension.preload);
+            if (out)
+                QVERIFY(f.contact == 0.0 && f.adhesion == 0.0 && f.pitchTorque == 0.0);
+            else if (adhesion && spacing > 20e-9)
+                QVERIFY(-f.adhesion < 1e-4 * c.suspension.preload);
         }
         QVERIFY(far > 0 && near > 0);
     }
@@ -187,7 +203,8 @@ private slots:
         QVERIFY(scene.contact.deform(height));
         double volume = 0.0;
         for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 5; ++i) volume -= height[scene.pad.at(i, j)] * scene.grid.widthX(i) * scene.grid.widthY(j);
+            for (int i = 0; i < 5; ++i)
+                volume -= height[scene.pad.at(i, j)] * scene.grid.widthX(i) * scene.grid.widthY(j);
         FieldSnapshot snapshot;
         scene.contact.observe(snapshot);
         const RecordedFields fields = ElasticSliderContact::fields(withRoughDisk(true));
@@ -197,7 +214,8 @@ private slots:
         for (int j = 0; j < fields.grid.ny(); ++j)
             for (int i = 0; i < fields.grid.nx(); ++i, ++cell) {
                 const double x = fields.grid.centreX(i), y = fields.grid.centreY(j);
-                const double separation = attitude.height + attitude.pitch * (length - x) + scene.recess.at(x, y) - snapshot.values[3][cell];
+                const double separation =
+                    attitude.height + attitude.pitch * (length - x) + scene.recess.at(x, y) - snapshot.values[3][cell];
                 pressed += (snapshot.values[0][cell] - separation) * fields.grid.widthX(i) * fields.grid.widthY(j);
             }
         QVERIFY(pressed != 0.0);
@@ -213,9 +231,11 @@ private slots:
         QCOMPARE(scene.contact.problemAt(at(-1e-9)), std::string());
         QCOMPARE(scene.contact.problemAt({100e-9, -200e-6, 0.0}).substr(0, 16), std::string("The slider came "));
         const std::string problem = scene.contact.problemAt({100e-9, -200e-6, 0.0});
-        QVERIFY(problem.find("x = 100") != std::string::npos && problem.find("elastic.patch_pitch") != std::string::npos);
+        QVERIFY(problem.find("x = 100") != std::string::npos &&
+                problem.find("elastic.patch_pitch") != std::string::npos);
     }
-    /// A wave of 20 um at 13.006 m/s changes by as much as its RMS height over 20 um/(2 pi) 3.183 um; half of that takes 122.4 ns.
+    /// A wave of 20 um at 13.006 m/s changes by as much as its RMS height over 20 um/(2 pi) 3.183 um; half of that
+    /// takes 122.4 ns.
     void followsAMovingSurface()
     {
         Case c = withPad();
@@ -227,7 +247,8 @@ private slots:
         c.diskSurface.motion = SurfaceMotion::Still;
         QVERIFY(!std::isfinite(Scene(c).contact.longestStep()));
     }
-    /// With the default tolerance, over a hundred steps in and out of contact, each accepted, as with one ten thousand times tighter.
+    /// With the default tolerance, over a hundred steps in and out of contact, each accepted, as with one ten thousand
+    /// times tighter.
     void aLooseToleranceFollowsTheSameWay()
     {
         Case c = withRoughDisk(true);
@@ -241,7 +262,8 @@ private slots:
             const SliderContactForces &a = tight.contact.at(attitude, time), &b = loose.contact.at(attitude, time);
             QCOMPARE(b.problem, std::string());
             // 1e-4 of the largest attraction, 0.17 GPa, over the patch of some 170 um^2 is 3 uN.
-            QVERIFY2(std::abs(a.load()[0] - b.load()[0]) < 3e-6, qPrintable(QString("step %1: %2 and %3 N").arg(k).arg(a.load()[0]).arg(b.load()[0])));
+            QVERIFY2(std::abs(a.load()[0] - b.load()[0]) < 3e-6,
+                     qPrintable(QString("step %1: %2 and %3 N").arg(k).arg(a.load()[0]).arg(b.load()[0])));
             pressed += a.contact > 0.0;
             tight.contact.accept();
             loose.contact.accept();

@@ -22,7 +22,11 @@ Case withPad()
 {
     Case c = defaultsOf(ModelKind::Film);
     c.contact = ContactKind::OnoYamane;
-    c.onoYamane = {.meniscusForce = 10e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3, .touchDown = 3e-9, .takeOff = 5e-9,
+    c.onoYamane = {.meniscusForce = 10e-3,
+                   .contactStiffness = 5e6,
+                   .initialContactForce = 5e-3,
+                   .touchDown = 3e-9,
+                   .takeOff = 5e-9,
                    .friction = 0.3};
     c.surface.baseRecess = 2e-6;
     c.surface.rails = {{.points = {{1.1e-3, 0.48e-3}, {edge, 0.48e-3}, {edge, 0.52e-3}, {1.1e-3, 0.52e-3}}}};
@@ -45,9 +49,9 @@ class TestOnoYamaneContact : public QObject {
     Q_OBJECT
 
 private slots:
-    /// At 2 nm: F_cr = 5 mN + 5e6 N/m 1 nm = 10 mN, F_m = -10 mN; friction 3 mN with an arm of 0.15 mm. Forces of zero sum
-    /// have no torque of their own. The pad is 0.575 mm behind the middle, R = 23 mm: the disk runs 1/40 off x, whose cosine is
-    /// 1 - 3.1e-4.
+    /// At 2 nm: F_cr = 5 mN + 5e6 N/m 1 nm = 10 mN, F_m = -10 mN; friction 3 mN with an arm of 0.15 mm. Forces of zero
+    /// sum have no torque of their own. The pad is 0.575 mm behind the middle, R = 23 mm: the disk runs 1/40 off x,
+    /// whose cosine is 1 - 3.1e-4.
     void pressed()
     {
         Contact contact(withPad());
@@ -58,8 +62,8 @@ private slots:
         QVERIFY(std::abs(f.friction - 3e-3) < 1e-7);
         QVERIFY(std::abs(f.pitchTorque - -3e-3 * 0.15e-3 * (1.0 - 3.1e-4)) < 5e-11);
     }
-    /// Deeper by 1 nm the net force is 5 mN, 0.575 mm behind the middle: nose down. A symmetric pad rolls by friction alone, 1/40 of
-    /// whose 4.5 mN points to the inner edge.
+    /// Deeper by 1 nm the net force is 5 mN, 0.575 mm behind the middle: nose down. A symmetric pad rolls by friction
+    /// alone, 1/40 of whose 4.5 mN points to the inner edge.
     void netForceTurnsTheNoseDown()
     {
         Contact contact(withPad());
@@ -68,15 +72,16 @@ private slots:
         QVERIFY(std::abs(f.pitchTorque - expected) < 1e-3 * std::abs(expected));
         QVERIFY(std::abs(f.rollTorque - 4.5e-3 * 0.15e-3 / 40.0) < 1e-10);
     }
-    /// Rolled by 2 urad the outer corner, 20 um from the middle, is 0.04 nm lower and bears alone: 5 mN + 5e6 N/m 1.04 nm less 10 mN,
-    /// 20 um outside: outer edge up. Friction rolls as above.
+    /// Rolled by 2 urad the outer corner, 20 um from the middle, is 0.04 nm lower and bears alone: 5 mN + 5e6 N/m 1.04
+    /// nm less 10 mN, 20 um outside: outer edge up. Friction rolls as above.
     void theLowerCornerBears()
     {
         Contact contact(withPad());
         const SliderContactForces& f = contact.law.at(at(2e-9, 2e-6), 0.0);
         const double net = 5e6 * 0.04e-9;
         QVERIFY(std::abs(f.contact + f.adhesion - net) < 1e-7);
-        // The weighted mean of all that is within 0.01 nm lies within 5 um of the corner; friction adds 0.3 10.2 mN 0.15 mm/40.
+        // The weighted mean of all that is within 0.01 nm lies within 5 um of the corner; friction adds 0.3 10.2 mN
+        // 0.15 mm/40.
         const double friction = 0.3 * 10.2e-3 * 0.15e-3 / 40.0;
         QVERIFY(f.rollTorque > -net * 20e-6 + 0.95 * friction);
         QVERIFY(f.rollTorque < -net * 15e-6 + 1.05 * friction);

@@ -41,8 +41,8 @@ private slots:
         const FilmBranch& flying = all.branches.front();
         QCOMPARE(flying.region, ContactRegion::Apart);
         QCOMPARE(flying.points.front().parameter, light);
-        // Loads to 1e-9 of the preload over a stiffness of some 1e5 N/m: 1e-13 m; Newton's last change is 1e-5 of ten nanometres, and
-        // what is left after it smaller by its square.
+        // Loads to 1e-9 of the preload over a stiffness of some 1e5 N/m: 1e-13 m; Newton's last change is 1e-5 of ten
+        // nanometres, and what is left after it smaller by its square.
         QVERIFY(std::abs(flying.points.front().at.spacing - upper) < 1e-12);
         const MarkedFilmEquilibrium* mark = markOf(all, EquilibriumMark::Switch);
         QVERIFY(mark != nullptr);

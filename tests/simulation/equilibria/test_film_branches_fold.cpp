@@ -18,8 +18,9 @@ class TestFilmBranchesFold : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Menisci whose force falls linearly to zero at d_e, below the static spacing: F = f_m (d_e - d)/(d_e - d_s) at spacing d. Where the
-    /// film bears F at d(F), f_m = F (d_e - d_s)/(d_e - d(F)); it has a least value, below which there is no equilibrium, and two above.
+    /// Menisci whose force falls linearly to zero at d_e, below the static spacing: F = f_m (d_e - d)/(d_e - d_s) at
+    /// spacing d. Where the film bears F at d(F), f_m = F (d_e - d_s)/(d_e - d(F)); it has a least value, below which
+    /// there is no equilibrium, and two above.
     void findsTheFoldOfMenisci()
     {
         const SteadyResult rest = staticStateOf(smallCase(), always);
@@ -28,7 +29,8 @@ private slots:
             const double pulled = takeOff - spacingUnder(force, spacing, rest).value_or(takeOff);
             return pulled > 0.0 ? force * width / pulled : std::numeric_limits<double>::infinity();
         };
-        // From three forces of which the middle one needs least, to the bottom of the parabola through them, time and again.
+        // From three forces of which the middle one needs least, to the bottom of the parabola through them, time and
+        // again.
         std::array<double, 3> x{1e-4, 2e-4, 4e-4}, y{needed(x[0]), needed(x[1]), needed(x[2])};
         while (!(y[1] <= y[0] && y[1] < y[2] && std::isfinite(y[0]))) {
             x = {x[1], x[2], 2.0 * x[2]};
@@ -36,7 +38,8 @@ private slots:
         }
         for (int k = 0; k < 6; ++k) {
             const double p = (x[1] - x[0]) * (y[1] - y[2]), q = (x[1] - x[2]) * (y[1] - y[0]);
-            const double bottom = x[1] - 0.5 * ((x[1] - x[0]) * p - (x[1] - x[2]) * q) / (p - q), value = needed(bottom);
+            const double bottom = x[1] - 0.5 * ((x[1] - x[0]) * p - (x[1] - x[2]) * q) / (p - q),
+                         value = needed(bottom);
             const bool above = bottom > x[1], lower = value < y[1];
             if (lower) {
                 (above ? x[0] : x[2]) = x[1];
@@ -58,7 +61,8 @@ private slots:
         const MarkedFilmEquilibrium* fold = markOf(all, EquilibriumMark::Fold);
         QVERIFY(fold != nullptr);
         // Both are stationary: errors of the force and along the branch count by their squares.
-        QVERIFY2(std::abs(fold->at.parameter - least) < 1e-5 * least, qPrintable(QString::number(fold->at.parameter / least - 1.0)));
+        QVERIFY2(std::abs(fold->at.parameter - least) < 1e-5 * least,
+                 qPrintable(QString::number(fold->at.parameter / least - 1.0)));
         const auto branch = std::ranges::find(all.branches, ContactRegion::Bridged, &FilmBranch::region);
         QVERIFY(branch != all.branches.end());
         // One side grows without oscillating, the other does not.

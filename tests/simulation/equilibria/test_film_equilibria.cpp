@@ -25,8 +25,12 @@ Case withMenisci(int degreesOfFreedom)
     c.steady.stiffness = false;
     const double spacing = steady(c).minimumSpacing;
     c.contact = ContactKind::OnoYamane;
-    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3,
-                   .touchDown = spacing - 2e-9, .takeOff = spacing + 3e-9, .friction = 0.3};
+    c.onoYamane = {.meniscusForce = 1e-3,
+                   .contactStiffness = 5e6,
+                   .initialContactForce = 5e-3,
+                   .touchDown = spacing - 2e-9,
+                   .takeOff = spacing + 3e-9,
+                   .friction = 0.3};
     return c;
 }
 
@@ -59,8 +63,9 @@ private slots:
             bool known = false;
             for (const AirBearingMode& mode : expected.modes) {
                 // s to 1e-5, the film at it to 1e-8
-                known = known || (std::abs(s.imag() / (2.0 * std::numbers::pi) - mode.frequency) < 1e-4 * mode.frequency &&
-                                  std::abs(-s.real() / std::abs(s) - mode.dampingRatio) < 1e-4);
+                known =
+                    known || (std::abs(s.imag() / (2.0 * std::numbers::pi) - mode.frequency) < 1e-4 * mode.frequency &&
+                              std::abs(-s.real() / std::abs(s) - mode.dampingRatio) < 1e-4);
             }
             QVERIFY(known);
         }
@@ -72,8 +77,8 @@ private slots:
         QTest::newRow("height and pitch") << 2;
         QTest::newRow("height, pitch and roll") << 3;
     }
-    /// What contact, friction and the suspension's springs do at the equilibrium, put into the load instead: without contact
-    /// the static state must be there.
+    /// What contact, friction and the suspension's springs do at the equilibrium, put into the load instead: without
+    /// contact the static state must be there.
     void contactBalances()
     {
         QFETCH(int, degreesOfFreedom);
@@ -100,8 +105,10 @@ private slots:
         const SteadyResult expected = steady(free);
         QCOMPARE(expected.status, SteadyStatus::Converged);
         // Loads to 1e-9 of the preload, over the film's stiffness of some 1e5 N/m.
-        QVERIFY2(std::abs(expected.minimumSpacing - at->spacing) < 1e-12, qPrintable(QString::number(expected.minimumSpacing - at->spacing)));
-        QVERIFY2(std::abs(expected.attitude.pitch - at->attitude.pitch) < 1e-9, qPrintable(QString::number(expected.attitude.pitch - at->attitude.pitch)));
+        QVERIFY2(std::abs(expected.minimumSpacing - at->spacing) < 1e-12,
+                 qPrintable(QString::number(expected.minimumSpacing - at->spacing)));
+        QVERIFY2(std::abs(expected.attitude.pitch - at->attitude.pitch) < 1e-9,
+                 qPrintable(QString::number(expected.attitude.pitch - at->attitude.pitch)));
         QVERIFY(std::abs(expected.attitude.roll - at->attitude.roll) < 1e-9);
     }
 

@@ -82,15 +82,16 @@ private slots:
         int found = 0;
         for (const FoundEquilibrium& at : springEquilibria(model)) {
             const double d = model.guards(at.q)[SpringModel::Pad];
-            if (std::abs(d * 1e9 - flyingHeight) > 1e-3 || (pitch != 0.0 && std::abs(at.q[1] * 1e6 - pitch) > 1e-2)) continue;
+            if (std::abs(d * 1e9 - flyingHeight) > 1e-3 || (pitch != 0.0 && std::abs(at.q[1] * 1e6 - pitch) > 1e-2))
+                continue;
             ++found;
             QCOMPARE(stabilityOf(eigenvaluesAt(model, at.q, at.mode)), Stability::Stable);
         }
         QCOMPARE(found, 1);
     }
 
-    /// With d given the contact is known; the force balance falls with z at fixed d where both springs stiffen, and the moment
-    /// balance of what remains is scanned: equations (2) and (3) written down once more, and bisection alone.
+    /// With d given the contact is known; the force balance falls with z at fixed d where both springs stiffen, and the
+    /// moment balance of what remains is scanned: equations (2) and (3) written down once more, and bisection alone.
     void agreesWithAScan()
     {
         const Case c;
@@ -101,7 +102,8 @@ private slots:
             const double z = d + dh * theta;
             const double ff = spring(c.springs.frontStiffness, z0 + df * c.springs.pitch, z + df * theta);
             const double fr = spring(c.springs.rearStiffness, z0 - dr * c.springs.pitch, z - dr * theta);
-            const double real = std::max(0.0, c.onoYamane.initialContactForce + c.onoYamane.contactStiffness * (c.onoYamane.touchDown - d));
+            const double real = std::max(0.0, c.onoYamane.initialContactForce +
+                                                  c.onoYamane.contactStiffness * (c.onoYamane.touchDown - d));
             const double contact = real - c.onoYamane.meniscusForce;
             if (!moment) return ff + fr + contact - c.suspension.stiffness * (z - z0);
             return df * ff - dr * fr - dh * contact - 0.5 * c.slider.thickness * c.onoYamane.friction * real -
@@ -116,7 +118,9 @@ private slots:
             return 0.5 * (low + high);
         };
         // theta of the force balance at each d, then the sign changes of the moment between 3 and 5 nm.
-        const auto pitchAt = [&](double d) { return root([&](double theta) { return balance(d, theta, false); }, 40e-6, 140e-6); };
+        const auto pitchAt = [&](double d) {
+            return root([&](double theta) { return balance(d, theta, false); }, 40e-6, 140e-6);
+        };
         std::vector<double> roots;
         const auto moment = [&](double d) { return balance(d, pitchAt(d), true); };
         for (double d = 3.0005e-9; d < 5e-9; d += 1e-11)
@@ -159,8 +163,8 @@ private slots:
         }
     }
 
-    /// Held by menisci whose pull f_m (d_e - z)/(d_e - d_s) falls with z, against the spring k z_0^2 (z_0 - z)/z^2, both balance
-    /// on a branch whose f_m is largest where
+    /// Held by menisci whose pull f_m (d_e - z)/(d_e - d_s) falls with z, against the spring k z_0^2 (z_0 - z)/z^2,
+    /// both balance on a branch whose f_m is largest where
     ///     2 z^2 - (3 z_0 + d_e) z + 2 z_0 d_e = 0,   z = (26 - sqrt(116))/4 nm for z_0 = 7 nm, d_e = 5 nm.
     void findsTheFoldOfMenisci()
     {
@@ -183,7 +187,8 @@ private slots:
         for (const EquilibriumPiece& piece : all.pieces)
             for (const SpringEquilibrium& point : piece.points) {
                 if (piece.mode.contact == ContactRegion::Apart || std::abs(point.flyingHeight - z) < 1e-12) continue;
-                const bool stiffer = 1e6 * 49e-18 * (14e-9 - point.flyingHeight) / std::pow(point.flyingHeight, 3) > point.parameter / 3e-9;
+                const bool stiffer = 1e6 * 49e-18 * (14e-9 - point.flyingHeight) / std::pow(point.flyingHeight, 3) >
+                                     point.parameter / 3e-9;
                 QCOMPARE(point.stability == Stability::Stable, stiffer);
                 if (!stiffer) QCOMPARE(point.stability, Stability::Divergence);
             }
@@ -203,7 +208,8 @@ private slots:
         c.onoYamane.padDistance = -0.3e-3;
         c.onoYamane.meniscusForce = 0.0;
         const auto hurwitz = [&](double mu) {
-            const double M = c.slider.mass, J = c.slider.pitchInertia, kc = c.onoYamane.contactStiffness, dh = c.onoYamane.padDistance;
+            const double M = c.slider.mass, J = c.slider.pitchInertia, kc = c.onoYamane.contactStiffness,
+                         dh = c.onoYamane.padDistance;
             const double e = dh + 0.5 * c.slider.thickness * mu;
             const double cz = 2 * 0.01 * std::sqrt(1e6 / M), ct = 2 * 0.01 * std::sqrt(0.9 / J); // per mass and inertia
             const double zz = (1e6 + kc) / M, zt = -kc * dh / M, tz = -kc * e / J, tt = (0.9 + kc * dh * e) / J;
@@ -233,8 +239,8 @@ private slots:
 
     void piecesEndWhereTheLawSwitches()
     {
-        // The default slider, set lower and lower: it touches down where its static height is d_s; caught, it takes off where
-        // the pad has risen to d_e.
+        // The default slider, set lower and lower: it touches down where its static height is d_s; caught, it takes off
+        // where the pad has risen to d_e.
         const Case c;
         const SpringEquilibria all = traceSpringEquilibria(byField(c, "springs.flying_height"), 14e-9, 1e-9, 9);
         const auto mark = [&](const char* title) {

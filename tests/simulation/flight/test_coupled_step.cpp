@@ -17,7 +17,8 @@ namespace {
 /// So tight that what is left of a step does not count beside its discretisation.
 CoupledStepOptions tight(FilmCoupling coupling)
 {
-    return {.coupling = coupling, .film = {.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30}, .tolerance = 1e-17};
+    return {
+        .coupling = coupling, .film = {.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30}, .tolerance = 1e-17};
 }
 
 CoupledStepOptions byDefault(FilmCoupling coupling)
@@ -125,8 +126,8 @@ private slots:
         QTest::newRow("monolithic") << int(FilmCoupling::Monolithic);
         QTest::newRow("staggered") << int(FilmCoupling::Staggered);
     }
-    /// A pico slider let go 1 nm above its static state, for 4 us: a quarter of the slowest mode's period, about one of the fastest's.
-    /// Results with halved steps differ by e, e/4, e/16.
+    /// A pico slider let go 1 nm above its static state, for 4 us: a quarter of the slowest mode's period, about one of
+    /// the fastest's. Results with halved steps differ by e, e/4, e/16.
     void order()
     {
         QFETCH(int, coupling);
@@ -139,14 +140,15 @@ private slots:
             const double change = k > 0 ? slider.from(last) : 0.0;
             if (k > 1) {
                 const double observed = std::log2(before / change);
-                QVERIFY2(std::abs(observed - 2.0) < 0.15, qPrintable(QString("order %1 with %2 steps").arg(observed).arg(steps << k)));
+                QVERIFY2(std::abs(observed - 2.0) < 0.15,
+                         qPrintable(QString("order %1 with %2 steps").arg(observed).arg(steps << k)));
             }
             before = change;
             last = slider.q();
         }
     }
-    /// Both go to the same motion: with steps h and h/2, e and e/4 from it, (4 q(h/2) - q(h))/3 is nearer still. The slider has gone
-    /// 1 nm; what is left of either is of the third order, a hundredth of the last change.
+    /// Both go to the same motion: with steps h and h/2, e and e/4 from it, (4 q(h/2) - q(h))/3 is nearer still. The
+    /// slider has gone 1 nm; what is left of either is of the third order, a hundredth of the last change.
     void bothWaysGoToTheSameMotion()
     {
         std::array<Vector3, 2> limits{};
@@ -157,11 +159,13 @@ private slots:
                 FlyingSlider slider(pico(), picoAtRest(), tight(coupling), {1e-9, 0.0, 0.0});
                 QVERIFY(slider.takeAll(4e-6, steps));
                 if (steps == 400) coarse = std::max(coarse, slider.from(limit));
-                for (std::size_t k = 0; k < 3; ++k) limit[k] = steps == 200 ? slider.q()[k] : (4.0 * slider.q()[k] - limit[k]) / 3.0;
+                for (std::size_t k = 0; k < 3; ++k)
+                    limit[k] = steps == 200 ? slider.q()[k] : (4.0 * slider.q()[k] - limit[k]) / 3.0;
             }
         }
         const SliderBody body(pico(), picoAtRest().attitude);
-        const double apart = body.displacement({limits[0][0] - limits[1][0], limits[0][1] - limits[1][1], limits[0][2] - limits[1][2]});
+        const double apart =
+            body.displacement({limits[0][0] - limits[1][0], limits[0][1] - limits[1][1], limits[0][2] - limits[1][2]});
         QVERIFY2(apart < 0.02 * coarse, qPrintable(QString("%1 of %2 m").arg(apart).arg(coarse)));
     }
     /// A force of a third of the preload sets in between steps.
@@ -179,7 +183,8 @@ private slots:
             const double change = k > 0 ? slider.from(last) : 0.0;
             if (k > 1) {
                 const double observed = std::log2(before / change);
-                QVERIFY2(std::abs(observed - 2.0) < 0.15, qPrintable(QString("order %1 with %2 steps").arg(observed).arg(50 << k)));
+                QVERIFY2(std::abs(observed - 2.0) < 0.15,
+                         qPrintable(QString("order %1 with %2 steps").arg(observed).arg(50 << k)));
             }
             before = change;
             last = slider.q();
@@ -199,8 +204,9 @@ private slots:
         QTest::newRow("staggered, short: trapezoidal") << staggered << 0.1 << 0.25;
         QTest::newRow("staggered") << staggered << 0.8 << 0.25;
     }
-    /// Newmark's exact discrete answer for M z'' = -k z - f0: about the equilibrium z_{n+1} + z_{n-1} = 2 cos(phi) z_n with
-    /// cos(phi) = 1 - w^2/2/(1 + beta w^2), so that phi/w - 1 is w^4/480 for Fox and Goodwin, -w^2/12 for the trapezoidal rule.
+    /// Newmark's exact discrete answer for M z'' = -k z - f0: about the equilibrium z_{n+1} + z_{n-1} = 2 cos(phi) z_n
+    /// with cos(phi) = 1 - w^2/2/(1 + beta w^2), so that phi/w - 1 is w^4/480 for Fox and Goodwin, -w^2/12 for the
+    /// trapezoidal rule.
     void massOnASpring()
     {
         QFETCH(int, coupling);
@@ -227,8 +233,9 @@ private slots:
             z1 = z;
         }
     }
-    /// Fox and Goodwin's discrete motion of a uniform step has a velocity of 1 - w^4/288 times omega z, with u = v (1 - w^2/12): where
-    /// lengths change the energy is off by twice the difference of two of these, and must not add up from change to change.
+    /// Fox and Goodwin's discrete motion of a uniform step has a velocity of 1 - w^4/288 times omega z, with u = v (1 -
+    /// w^2/12): where lengths change the energy is off by twice the difference of two of these, and must not add up
+    /// from change to change.
     void changingStepsKeepEnergy()
     {
         const Case c = almostVacuum();
@@ -248,8 +255,9 @@ private slots:
             QVERIFY2(off < 4.0 * std::pow(0.6, 4) / 288, qPrintable(QString("%1 after %2 steps").arg(off).arg(n + 1)));
         }
     }
-    /// Falls on a wall in steps of omega dt = 2.2, too long for Fox and Goodwin's velocities, u = v (1 - w^2/12) at best, and chosen before
-    /// the wall was met. The trapezoidal rule then loses and gains what a step's penetration stores: no more than there was.
+    /// Falls on a wall in steps of omega dt = 2.2, too long for Fox and Goodwin's velocities, u = v (1 - w^2/12) at
+    /// best, and chosen before the wall was met. The trapezoidal rule then loses and gains what a step's penetration
+    /// stores: no more than there was.
     void stiffnessMetWithinAStep()
     {
         const Case c = almostVacuum();
@@ -262,7 +270,8 @@ private slots:
         for (int n = 0; n < 60; ++n) {
             QVERIFY(slider.take(2.2 / omega).converged());
             const double v = slider.stepper.motion().v[0];
-            const double energy = wall.energy() + 0.5 * c.slider.mass * v * v + c.suspension.preload * (slider.q()[0] - top);
+            const double energy =
+                wall.energy() + 0.5 * c.slider.mass * v * v + c.suspension.preload * (slider.q()[0] - top);
             QVERIFY2(energy < 2.0 * first, qPrintable(QString("%1 after %2 steps").arg(energy / first).arg(n + 1)));
             touched = touched || wall.energy() > 0.0;
         }
@@ -278,22 +287,26 @@ private slots:
             SpringAndJump contact(stiffness, rest.attitude.height, 0.0);
             FlyingSlider slider(c, rest, byDefault(coupling), {1e-9, 0.0, 0.0}, &contact);
             const CoupledStepResult result = slider.stepper.step(2.2 / omega);
-            QVERIFY(result.failure == (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
+            QVERIFY(result.failure ==
+                    (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
             QVERIFY(slider.stepper.step(1.0 / omega).converged());
         }
     }
-    /// The same on air, whose stiffness is about that of the fastest mode, 228 kHz: 2/omega = 1.4 us; steps twice as long.
+    /// The same on air, whose stiffness is about that of the fastest mode, 228 kHz: 2/omega = 1.4 us; steps twice as
+    /// long.
     void staggeredEndsAtLongStepsOnAir()
     {
         for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
             FlyingSlider slider(pico(), picoAtRest(), byDefault(coupling), {1e-9, 0.0, 0.0});
             const CoupledStepResult result = slider.stepper.step(2.8e-6);
-            QVERIFY(result.failure == (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
+            QVERIFY(result.failure ==
+                    (coupling == FilmCoupling::Monolithic ? CoupledFailure::None : CoupledFailure::Iteration));
             QVERIFY(slider.stepper.step(2e-7).converged());
         }
     }
 
-    /// Asked for each attitude and, of the first step, within the film's three responses: whenever it says no, that was the last time.
+    /// Asked for each attitude and, of the first step, within the film's three responses: whenever it says no, that was
+    /// the last time.
     void stops()
     {
         int calls = 0, last = 1000000;
@@ -320,7 +333,8 @@ private slots:
     {
         QFETCH(int, coupling);
         const CoupledStepOptions options = tight(FilmCoupling(coupling));
-        FlyingSlider once(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0}), often(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
+        FlyingSlider once(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0}),
+            often(pico(), picoAtRest(), options, {1e-9, 0.0, 0.0});
         for (int n = 0; n < 6; ++n) {
             QVERIFY(often.stepper.step(3e-7).converged());
             QVERIFY(often.stepper.step(2e-8).converged());
@@ -330,8 +344,9 @@ private slots:
         }
     }
     void forcesBalance_data() { order_data(); }
-    /// Staggered, a step of h leaves M/(beta h^2) = 4e9 N/m times its position's rest unbalanced: 1e-18 m are 3e-7 of the load, 15 mN.
-    /// Monolithic ends with forces that know the last change. The acceleration is that of the forces, both ways.
+    /// Staggered, a step of h leaves M/(beta h^2) = 4e9 N/m times its position's rest unbalanced: 1e-18 m are 3e-7 of
+    /// the load, 15 mN. Monolithic ends with forces that know the last change. The acceleration is that of the forces,
+    /// both ways.
     void forcesBalance()
     {
         QFETCH(int, coupling);

@@ -79,8 +79,12 @@ struct Recording {
     FilmRecorder recorder;
 
     explicit Recording(const Case& of)
-        : c(of), recess(c.surface, length, width), spacing(c.surface, recess), body(c, {1e-8, 1e-4, 0.0}),
-          columns(filmQuantities(c).size()), callback([this](const RunUpdate& update) { return take(update); }),
+        : c(of),
+          recess(c.surface, length, width),
+          spacing(c.surface, recess),
+          body(c, {1e-8, 1e-4, 0.0}),
+          columns(filmQuantities(c).size()),
+          callback([this](const RunUpdate& update) { return take(update); }),
           recorder(c, body, recess, spacing, callback)
     {
         const std::vector<Quantity> quantities = filmQuantities(c);
@@ -176,7 +180,8 @@ private slots:
         Summary summary;
         r.recorder.finish(summary);
         QCOMPARE(summary.endTime, 1e-6);
-        const auto height = std::ranges::find(summary.final, std::string("height"), &std::pair<std::string, double>::first);
+        const auto height =
+            std::ranges::find(summary.final, std::string("height"), &std::pair<std::string, double>::first);
         QVERIFY(height != summary.final.end());
         QVERIFY(std::abs(height->second - polynomial(1e-6).q[0]) < 1e-19);
     }
@@ -197,7 +202,8 @@ private slots:
         QVERIFY(std::abs(r.value("adhesion_force", 3) - -3e-3) < 1e-18);
         QVERIFY(std::abs(r.value("height", 3) - polynomial(0.3e-6).q[0]) < 1e-19);
     }
-    /// The books are closed where what was gained is the change of the energy; what is missing counts against the part that changed most.
+    /// The books are closed where what was gained is the change of the energy; what is missing counts against the part
+    /// that changed most.
     void tellsWhatTheBooksMiss()
     {
         Case c = plainSlider();

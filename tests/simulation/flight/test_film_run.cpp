@@ -21,7 +21,8 @@ private slots:
         QTest::newRow("pico, staggered") << "film_pico" << int(FilmCoupling::Staggered);
         QTest::newRow("femto, monolithic") << "film_femto" << int(FilmCoupling::Monolithic);
     }
-    /// The static state is one of the equations in time, but for what its own solution leaves: 1e-10 of the load on some 1e6 N/m.
+    /// The static state is one of the equations in time, but for what its own solution leaves: 1e-10 of the load on
+    /// some 1e6 N/m.
     void staysAtRest()
     {
         QFETCH(QString, slider);
@@ -37,7 +38,8 @@ private slots:
         QVERIFY(flight.largestDistance("roll", rest.attitude.roll) < 1e-9);
         QVERIFY(flight.largestDistance("air_bearing_force", rest.forces.net) < 1e-5 * c.suspension.preload);
     }
-    /// Offsets count from the static state, of the mass centre: the trailing edge goes up by 3 nm less L/2 10 urad. Velocities count.
+    /// Offsets count from the static state, of the mass centre: the trailing edge goes up by 3 nm less L/2 10 urad.
+    /// Velocities count.
     void startsAtItsOffsets()
     {
         Case c = fromRest("film_femto", 0.1e-6);
@@ -58,9 +60,9 @@ private slots:
         QCOMPARE(flight.of("pitch_velocity")[0], -2.0);
         QCOMPARE(flight.of("roll_velocity")[0], 0.5);
     }
-    /// With a given state it starts there, 250 nm up. Above the height of its design the pico's cavity pulls as hard as its pads
-    /// bear or harder: it is pressed down with some f0/M = 9.2e3 m/s^2, 40 nm in 3 us. It cannot fall faster than with all of the
-    /// atmosphere on it.
+    /// With a given state it starts there, 250 nm up. Above the height of its design the pico's cavity pulls as hard as
+    /// its pads bear or harder: it is pressed down with some f0/M = 9.2e3 m/s^2, 40 nm in 3 us. It cannot fall faster
+    /// than with all of the atmosphere on it.
     void startsFarUp()
     {
         Case c = fromRest("film_pico", 3e-6);
@@ -75,7 +77,8 @@ private slots:
         const double suction = c.air.given.pressure * c.slider.length * c.slider.width;
         for (std::size_t n = 0; n < height.size(); ++n) {
             const double t = flight.time[n];
-            QVERIFY(height.front() - height[n] <= 0.5 * (c.suspension.preload + suction) / c.slider.mass * t * t + 1e-15);
+            QVERIFY(height.front() - height[n] <=
+                    0.5 * (c.suspension.preload + suction) / c.slider.mass * t * t + 1e-15);
         }
     }
     /// Twice the same bits.
@@ -88,8 +91,8 @@ private slots:
         for (const auto& [quantity, values] : one.columns) QCOMPARE(values, other.columns.at(quantity));
         QCOMPARE(one.summary.steps, other.summary.steps);
     }
-    /// 2-DOF by a suspension that holds the roll with 100 N m/rad, against which the air's torques, below 0.1 uN m, turn the slider
-    /// by less than 1 nrad, or by no roll at all.
+    /// 2-DOF by a suspension that holds the roll with 100 N m/rad, against which the air's torques, below 0.1 uN m,
+    /// turn the slider by less than 1 nrad, or by no roll at all.
     void stiffRollIsNoRoll()
     {
         Case stiff = fromRest("film_pico", 15e-6);
@@ -112,7 +115,8 @@ private slots:
             lowest = std::min(lowest, b[n]);
         }
         QVERIFY2(apart < 1e-3 * lowest, qPrintable(QString("%1 of %2 m").arg(apart).arg(lowest)));
-        QVERIFY2(one.largestDistance("roll", 0.0) < 1e-9, qPrintable(QString::number(one.largestDistance("roll", 0.0))));
+        QVERIFY2(one.largestDistance("roll", 0.0) < 1e-9,
+                 qPrintable(QString::number(one.largestDistance("roll", 0.0))));
     }
     /// Fixed steps of 5 ns: as many as fit, and the last one passes the end.
     void fixedSteps()
@@ -124,7 +128,8 @@ private slots:
         const Flight flight = fly(c);
         QVERIFY_STATUS(flight, RunStatus::Completed);
         QVERIFY(flight.summary.steps >= 400 && flight.summary.steps <= 401);
-        for (std::size_t n = 1; n < flight.time.size(); ++n) QVERIFY(std::abs(flight.of("time_step")[n] - 5e-9) < 1e-18);
+        for (std::size_t n = 1; n < flight.time.size(); ++n)
+            QVERIFY(std::abs(flight.of("time_step")[n] - 5e-9) < 1e-18);
     }
     /// One call more at most, with what has come so far; its samples are kept, without gaps.
     void stops()
@@ -136,7 +141,8 @@ private slots:
         QVERIFY(flight.summary.message.starts_with("stopped at "));
         QVERIFY(flight.summary.endTime > 0.0 && flight.summary.endTime < 0.1);
         QVERIFY(flight.time.size() > 1);
-        for (std::size_t n = 0; n < flight.time.size(); ++n) QVERIFY(std::abs(flight.time[n] - 1e-7 * double(n)) < 1e-15);
+        for (std::size_t n = 0; n < flight.time.size(); ++n)
+            QVERIFY(std::abs(flight.time[n] - 1e-7 * double(n)) < 1e-15);
         QVERIFY(flight.time.back() <= flight.summary.endTime + 1e-15);
         for (const auto& [name, value] : flight.summary.final) QVERIFY2(std::isfinite(value), name.c_str());
         int calls = 0;
@@ -144,8 +150,8 @@ private slots:
         QVERIFY(atOnce.status == RunStatus::Cancelled);
         QVERIFY(calls <= 2);
     }
-    /// Pushed upwards with 1 m/s against a preload of 15 mN, which would stop it after 0.1 ms in 54 um; 3 m/s take it beyond 0.1 mm,
-    /// from which no slider comes back.
+    /// Pushed upwards with 1 m/s against a preload of 15 mN, which would stop it after 0.1 ms in 54 um; 3 m/s take it
+    /// beyond 0.1 mm, from which no slider comes back.
     void leavesTheDisk()
     {
         Case c = fromRest("film_pico", 1e-3);
@@ -156,7 +162,8 @@ private slots:
         QVERIFY(flight.summary.endTime > 0.0 && flight.summary.endTime < 1e-3);
         QVERIFY(flight.final("minimum_spacing") > 1e-6);
     }
-    /// Driven into a disk without a contact law: the run ends with the last good state and a sentence, and no number that is none.
+    /// Driven into a disk without a contact law: the run ends with the last good state and a sentence, and no number
+    /// that is none.
     void cannotGoOn()
     {
         Case c = fromRest("film_pico", 50e-6);

@@ -19,7 +19,11 @@ Case bouncing(double duration)
     Case c = fromRest("film_pico", duration);
     c.contact = ContactKind::OnoYamane;
     c.degreesOfFreedom = 2;
-    c.onoYamane = {.meniscusForce = 5e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3, .touchDown = 3e-9, .takeOff = 4e-9,
+    c.onoYamane = {.meniscusForce = 5e-3,
+                   .contactStiffness = 5e6,
+                   .initialContactForce = 5e-3,
+                   .touchDown = 3e-9,
+                   .takeOff = 4e-9,
                    .friction = 0.3};
     c.initial.heightOffset = 15e-9;
     c.run.sampleInterval = 0.02e-6;
@@ -38,8 +42,9 @@ class TestFilmRunContact : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Samples so near to each switch that the spacing there is read off them: within 20 ns at 20 mm/s and 2e6 m/s^2 a parabola through
-    /// three samples misses less than a tenth of run.step_error. At touch-down it is d_s, at take-off d_e.
+    /// Samples so near to each switch that the spacing there is read off them: within 20 ns at 20 mm/s and 2e6 m/s^2 a
+    /// parabola through three samples misses less than a tenth of run.step_error. At touch-down it is d_s, at take-off
+    /// d_e.
     void switchesAreLocated()
     {
         Case c = bouncing(12e-6);
@@ -54,9 +59,11 @@ private slots:
             const std::size_t k = std::min(static_cast<std::size_t>(place), spacing.size() - 2);
             const double share = place - double(k);
             const double found = (1.0 - share) * spacing[k] + share * spacing[k + 1];
-            const double expected = event.name == "touch-down" ? c.onoYamane.touchDown
-                                    : event.name == "take-off" ? c.onoYamane.takeOff
-                                                               : c.onoYamane.touchDown + c.onoYamane.initialContactForce / c.onoYamane.contactStiffness;
+            const double expected =
+                event.name == "touch-down" ? c.onoYamane.touchDown
+                : event.name == "take-off"
+                    ? c.onoYamane.takeOff
+                    : c.onoYamane.touchDown + c.onoYamane.initialContactForce / c.onoYamane.contactStiffness;
             QVERIFY2(std::abs(found - expected) < c.run.stepError,
                      qPrintable(QString("%1 at %2 nm").arg(event.name.c_str()).arg(found * 1e9)));
         }
@@ -79,7 +86,8 @@ private slots:
                 QCOMPARE(adhesion, -law.meniscusForce);
             }
             QVERIFY(std::abs(flight.of("net_contact_force")[n] - contact - adhesion) < 1e-15);
-            QVERIFY(std::abs(flight.of("friction_force")[n] - law.friction * contact) < 1e-3 * law.friction * contact + 1e-15);
+            QVERIFY(std::abs(flight.of("friction_force")[n] - law.friction * contact) <
+                    1e-3 * law.friction * contact + 1e-15);
         }
     }
     /// Pressed down by all of a fall from 250 nm, deeper than there is a gap: the contact carries.
@@ -95,8 +103,9 @@ private slots:
         for (const auto& [quantity, values] : flight.columns)
             for (const double value : values) QVERIFY2(std::isfinite(value), quantity.c_str());
     }
-    /// Two ways to solve the same equations. Each ends a step with up to run.step_error of its own, 1e-12 m, and they fall by some
-    /// 30 mm/s and 2e4 m/s^2: after the hundreds of steps to the first switch that is less than 5 ns and 0.1 nm.
+    /// Two ways to solve the same equations. Each ends a step with up to run.step_error of its own, 1e-12 m, and they
+    /// fall by some 30 mm/s and 2e4 m/s^2: after the hundreds of steps to the first switch that is less than 5 ns and
+    /// 0.1 nm.
     void staggeredAgrees()
     {
         Case c = bouncing(4e-6);

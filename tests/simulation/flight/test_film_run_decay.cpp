@@ -24,8 +24,8 @@ Complex exponent(const AirBearingMode& mode)
     return {-mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio), omega};
 }
 
-/// s of the free motion after the slider was displaced and kicked as the mode moves; its air is that of the displaced slider at
-/// rest, which fades within the first period.
+/// s of the free motion after the slider was displaced and kicked as the mode moves; its air is that of the displaced
+/// slider at rest, which fades within the first period.
 Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, double amplitude, int stepsPerSample)
 {
     const Complex s = exponent(mode);
@@ -54,7 +54,8 @@ Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, doub
         for (std::size_t n = 0; n < update.samples.size(); ++n) {
             if (update.samples.time[n] * mode.frequency < 0.99) continue;
             Eigen::Vector3d motion;
-            for (std::size_t k = 0; k < 3; ++k) motion[Eigen::Index(k)] = update.samples.columns[columns[k]][n] - body.rest()[k];
+            for (std::size_t k = 0; k < 3; ++k)
+                motion[Eigen::Index(k)] = update.samples.columns[columns[k]][n] - body.rest()[k];
             samples.push_back(motion.cwiseProduct(Eigen::Vector3d(1.0, 0.5 * c.slider.length, 0.5 * c.slider.width)));
         }
         return true;
@@ -77,8 +78,8 @@ private slots:
         QTest::newRow("pico, monolithic") << "film_pico" << int(FilmCoupling::Monolithic);
         QTest::newRow("pico, staggered") << "film_pico" << int(FilmCoupling::Staggered);
     }
-    /// Of second order, so that s with two lengths of step, h and h/2, gives (4 s(h/2) - s(h))/3 with an error far below. Amplitudes
-    /// of 2e-3 of the spacing: nonlinearity changes frequencies by their square.
+    /// Of second order, so that s with two lengths of step, h and h/2, gives (4 s(h/2) - s(h))/3 with an error far
+    /// below. Amplitudes of 2e-3 of the spacing: nonlinearity changes frequencies by their square.
     void decaysAsItsModes()
     {
         QFETCH(QString, slider);
@@ -90,12 +91,16 @@ private slots:
         QCOMPARE(known.modes.size(), std::size_t(3));
         for (const AirBearingMode& mode : known.modes) {
             const double amplitude = 2e-3 * known.steady.minimumSpacing;
-            const Complex coarse = decay(c, known.steady, mode, amplitude, 2), fine = decay(c, known.steady, mode, amplitude, 4);
+            const Complex coarse = decay(c, known.steady, mode, amplitude, 2),
+                          fine = decay(c, known.steady, mode, amplitude, 4);
             const Complex s = (4.0 * fine - coarse) / 3.0;
             const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
             const QString found = QString("%1 mode: %2 Hz with damping ratio %3, in time %4 Hz with %5")
-                                      .arg(mode.kind.c_str()).arg(mode.frequency).arg(mode.dampingRatio)
-                                      .arg(frequency).arg(damping);
+                                      .arg(mode.kind.c_str())
+                                      .arg(mode.frequency)
+                                      .arg(mode.dampingRatio)
+                                      .arg(frequency)
+                                      .arg(damping);
             QVERIFY2(std::abs(frequency / mode.frequency - 1.0) < 1e-3, qPrintable(found));
             QVERIFY2(std::abs(damping / mode.dampingRatio - 1.0) < 1e-2, qPrintable(found));
         }

@@ -13,8 +13,8 @@ using namespace touchdown::test;
 
 namespace {
 
-/// The plane slider of the sample case, held where it flies by its load of 8.2 gf at 0.73 of the length, and kicked onto a contact
-/// that sets in 10 nm below its static trailing edge.
+/// The plane slider of the sample case, held where it flies by its load of 8.2 gf at 0.73 of the length, and kicked
+/// onto a contact that sets in 10 nm below its static trailing edge.
 Case planeOverContact()
 {
     Case c = fromRest("film_plane", 30e-6);
@@ -56,9 +56,9 @@ private slots:
         fine.run.duration = 12e-6;
         QTest::newRow("the slider of Fig. 5, on the grid of its case") << fine;
     }
-    /// What the disk gave, less what air, dampers, friction and menisci took, is the change of the stored energy, to 1 % of the
-    /// largest change of a part. On coarse grids that holds where no edge of a rail cuts a cell: the load of those is found more
-    /// closely than by their mean pressure, and the volumes are not.
+    /// What the disk gave, less what air, dampers, friction and menisci took, is the change of the stored energy, to 1
+    /// % of the largest change of a part. On coarse grids that holds where no edge of a rail cuts a cell: the load of
+    /// those is found more closely than by their mean pressure, and the volumes are not.
     void energyCloses()
     {
         QFETCH(Case, flown);

@@ -15,7 +15,8 @@ namespace {
 
 bool warns(const Flight& flight, const char* of)
 {
-    return std::ranges::any_of(flight.summary.warnings, [&](const std::string& each) { return each.find(of) != std::string::npos; });
+    return std::ranges::any_of(flight.summary.warnings,
+                               [&](const std::string& each) { return each.find(of) != std::string::npos; });
 }
 
 /// Pressed down with three times the load of its design: low, and stiff.
@@ -62,8 +63,8 @@ class TestFilmRunLimits : public QObject {
     Q_OBJECT
 
 private slots:
-    /// In turns, steps find a solution up to 2/omega of the stiffest way to move. Longer ones are cut, and the run says so and why; solved at
-    /// once they need no cut at either length.
+    /// In turns, steps find a solution up to 2/omega of the stiffest way to move. Longer ones are cut, and the run says
+    /// so and why; solved at once they need no cut at either length.
     void inTurnsAtLowSpacing()
     {
         const double fastest = [] {
@@ -88,11 +89,12 @@ private slots:
             QVERIFY(!warns(atOnce, "were cut"));
         }
     }
-    /// The hard switch of slip at 0.3 nm: the force jumps, and more steps find no solution, or have errors that ask for shorter ones, than
-    /// with the switch blended over 0.1 nm. Both are the same motion but for the jump.
+    /// The hard switch of slip at 0.3 nm: the force jumps, and more steps find no solution, or have errors that ask for
+    /// shorter ones, than with the switch blended over 0.1 nm. Both are the same motion but for the jump.
     void throughTheHardSwitchOfSlip()
     {
-        const Flight hard = fly(throughTheSwitch(0.0, FilmCoupling::Staggered)), smooth = fly(throughTheSwitch(0.1e-9, FilmCoupling::Staggered));
+        const Flight hard = fly(throughTheSwitch(0.0, FilmCoupling::Staggered)),
+                     smooth = fly(throughTheSwitch(0.1e-9, FilmCoupling::Staggered));
         QVERIFY_STATUS(hard, RunStatus::Completed);
         QVERIFY_STATUS(smooth, RunStatus::Completed);
         for (const Flight* flight : {&hard, &smooth}) {

@@ -42,9 +42,9 @@ private slots:
         QVERIFY(scene.prepare([&] { return ++calls_ > 0; }) == FilmScene::State::Ready);
         QVERIFY(scene.contact() && !scene.disk().flat());
     }
-    /// No more work than this between two calls: a row of a spectrum of 33 rows, of amplitudes of 32 (twice: first their sum), or of
-    /// statistics (twice: first their mean); one of 512 scan lines for the patches, which are sought for the recorded fields and for
-    /// the contact.
+    /// No more work than this between two calls: a row of a spectrum of 33 rows, of amplitudes of 32 (twice: first
+    /// their sum), or of statistics (twice: first their mean); one of 512 scan lines for the patches, which are sought
+    /// for the recorded fields and for the contact.
     void isAskedAtEachRow()
     {
         constexpr int rows = 32, spectrum = rows / 2 + 1, scanLines = 512;
@@ -59,7 +59,8 @@ private slots:
             FilmScene scene(case_);
             int asked = 0;
             QVERIFY(scene.prepare([&] { return ++asked < last; }) == FilmScene::State::Stopped);
-            QVERIFY2(asked >= last && asked <= last + deepest, qPrintable(QString("%1 calls after call %2").arg(asked - last).arg(last)));
+            QVERIFY2(asked >= last && asked <= last + deepest,
+                     qPrintable(QString("%1 calls after call %2").arg(asked - last).arg(last)));
         }
     }
 
@@ -68,8 +69,10 @@ private slots:
     {
         QTest::addColumn<double>("height");
         QTest::addColumn<QString>("advice");
-        QTest::newRow("above") << 20e-9 << "start higher (initial.nominal_trailing_edge_height) or allow more film.maximum_iterations";
-        QTest::newRow("below") << -60e-9 << "start higher (initial.nominal_trailing_edge_height): air that the rails shut in";
+        QTest::newRow("above")
+            << 20e-9 << "start higher (initial.nominal_trailing_edge_height) or allow more film.maximum_iterations";
+        QTest::newRow("below") << -60e-9
+                               << "start higher (initial.nominal_trailing_edge_height): air that the rails shut in";
     }
     void saysHowToBegin()
     {

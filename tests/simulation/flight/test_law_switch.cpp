@@ -69,7 +69,8 @@ private slots:
         const Step step(10e-9, -0.00705);
         QCOMPARE(*wayToSwitch(step.law, step.body, step.begin, step.end, width, shortest), dt);
     }
-    /// At 3.02 nm there is 0.07 nm to the middle of the width, and the law still holds; at 2.96 nm 0.01 nm, and it does not.
+    /// At 3.02 nm there is 0.07 nm to the middle of the width, and the law still holds; at 2.96 nm 0.01 nm, and it does
+    /// not.
     void theAim()
     {
         const Step step(10e-9, -0.02);

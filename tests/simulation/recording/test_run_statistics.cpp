@@ -46,10 +46,10 @@ private slots:
 
     void bouncing_data()
     {
-        QTest::addColumn<double>("swing");  // amplitude at the end [m]
-        QTest::addColumn<double>("decay");  // over the last tenth [-]
+        QTest::addColumn<double>("swing"); // amplitude at the end [m]
+        QTest::addColumn<double>("decay"); // over the last tenth [-]
         QTest::addColumn<bool>("bouncing");
-        QTest::addColumn<double>("early");  // amplitude of the first half, of the later one [-]
+        QTest::addColumn<double>("early"); // amplitude of the first half, of the later one [-]
         QTest::newRow("at rest") << 0.0 << 1.0 << false << 1.0;
         QTest::newRow("constant swing") << 1e-9 << 1.0 << true << 1.0;
         QTest::newRow("constant after a larger one") << 1e-9 << 1.0 << true << 10.0;
@@ -72,8 +72,10 @@ private slots:
         for (int i = 0; i < count; ++i) {
             const double t = 1e-7 * i;
             batch.time.push_back(t);
-            const double amplitude = swing * std::pow(decay, 10.0 * (double(i) / count - 1.0)) * (2 * i < count ? early : 1.0);
-            for (auto& column : batch.columns) column.push_back(7e-9 + amplitude * std::sin(2 * std::numbers::pi * 100e3 * t));
+            const double amplitude =
+                swing * std::pow(decay, 10.0 * (double(i) / count - 1.0)) * (2 * i < count ? early : 1.0);
+            for (auto& column : batch.columns)
+                column.push_back(7e-9 + amplitude * std::sin(2 * std::numbers::pi * 100e3 * t));
         }
         statistics.add(batch);
         Summary summary;

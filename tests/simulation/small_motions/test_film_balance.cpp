@@ -22,8 +22,13 @@ Case withMenisci()
     c.film.tolerance = 1e-12;
     c.steady.shearArm = 0.5;
     c.contact = ContactKind::OnoYamane;
-    c.onoYamane = {.meniscusForce = 1e-3, .contactStiffness = 5e6, .initialContactForce = 5e-3, .touchDown = 5e-9, .takeOff = 20e-9,
-                   .friction = 0.3, .takeOffShape = TakeOffShape::Linear};
+    c.onoYamane = {.meniscusForce = 1e-3,
+                   .contactStiffness = 5e6,
+                   .initialContactForce = 5e-3,
+                   .touchDown = 5e-9,
+                   .takeOff = 20e-9,
+                   .friction = 0.3,
+                   .takeOffShape = TakeOffShape::Linear};
     return c;
 }
 
@@ -52,8 +57,8 @@ private slots:
         QTest::newRow("apart") << static_cast<int>(ContactRegion::Apart);
         QTest::newRow("bridged") << static_cast<int>(ContactRegion::Bridged);
     }
-    /// Central differences over 0.02 nm at the slider's ends: their error is of second order, (0.02/10)^2 of the stiffness, and rounding
-    /// of the film, 1e-12 of some 10 mN, counts 1e-14/(1e5 4e-11) = 2e-9.
+    /// Central differences over 0.02 nm at the slider's ends: their error is of second order, (0.02/10)^2 of the
+    /// stiffness, and rounding of the film, 1e-12 of some 10 mN, counts 1e-14/(1e5 4e-11) = 2e-9.
     void stiffnessIsTheForcesSlope()
     {
         QFETCH(int, region);
@@ -67,7 +72,8 @@ private slots:
         const Eigen::Matrix3d stiffness = balance->stiffness(law, always);
         const Eigen::Vector3d scale(1.0, 1.0 / c.slider.length, 1.0 / c.slider.width);
         const Eigen::Matrix3d scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
-        // A roll moves the place of the contact's force within a hundredth of a nanometre: without contact alone it is smooth so far.
+        // A roll moves the place of the contact's force within a hundredth of a nanometre: without contact alone it is
+        // smooth so far.
         for (int m = 0; m < (law == ContactRegion::Apart ? 3 : 2); ++m) {
             const auto column = static_cast<std::size_t>(m);
             const double step = 2e-11 * scale[m];
@@ -102,7 +108,8 @@ private slots:
         QVERIFY(balance->solve(balance->body().coordinates(rest.attitude), always));
         const Eigen::Matrix3d more = balance->stiffnessWithSprings(ContactRegion::Apart, always) -
                                      balance->stiffness(ContactRegion::Apart, always);
-        // Of a stiffness of some 1e5 N/m rounding leaves 1e-11 N/m; twice the springs would leave 15 N/m and 2e-5 N m/rad.
+        // Of a stiffness of some 1e5 N/m rounding leaves 1e-11 N/m; twice the springs would leave 15 N/m and 2e-5 N
+        // m/rad.
         QVERIFY2(std::abs(more(0, 0) - c.suspension.stiffness) < 1e-9, qPrintable(QString::number(more(0, 0))));
         for (int i = 1; i < 3; ++i) QVERIFY2(std::abs(more(i, i)) < 1e-12, qPrintable(QString::number(more(i, i))));
     }

@@ -39,9 +39,10 @@ void setWave(Case& c, double amplitude)
 
 } // namespace
 
-// Displacements of 1 pm over a gap of 40 nm: what is nonlinear is 1/40,000 of them. What the film forgets at rates of its own, the air
-// in the cavity within some 40 us, is left out: a displaced slider comes back by a tenth so slowly. Of the velocity that is a tenth
-// times (1/40 us)/(2 pi 85 kHz), 0.5 %, after the first periods, in which the faster rates of the film fade.
+// Displacements of 1 pm over a gap of 40 nm: what is nonlinear is 1/40,000 of them. What the film forgets at rates of
+// its own, the air in the cavity within some 40 us, is left out: a displaced slider comes back by a tenth so slowly. Of
+// the velocity that is a tenth times (1/40 us)/(2 pi 85 kHz), 0.5 %, after the first periods, in which the faster rates
+// of the film fade.
 void TestLinearMotion::followsTheFilmWhereMotionsAreSmall_data()
 {
     QTest::addColumn<int>("degreesOfFreedom");
@@ -89,7 +90,8 @@ void TestLinearMotion::twiceTheWaveTwiceTheAnswer()
     const LinearMotion two = linearMotion(c);
     QCOMPARE(one.waves.size(), 1u);
     for (Eigen::Index k = 0; k < 2; ++k)
-        QVERIFY(std::abs(two.waves[0].amplitude[k] - 2.0 * one.waves[0].amplitude[k]) < 1e-9 * std::abs(two.waves[0].amplitude[k]));
+        QVERIFY(std::abs(two.waves[0].amplitude[k] - 2.0 * one.waves[0].amplitude[k]) <
+                1e-9 * std::abs(two.waves[0].amplitude[k]));
     QCOMPARE(std::abs(one.waves[0].amplitude[2]), 0.0);
 }
 

@@ -31,8 +31,8 @@ constexpr double twoPi = 2.0 * std::numbers::pi;
 
 using Complex = std::complex<double>;
 
-/// What is left of (s^2 M + s C + K + Z(s)) q at a mode, as a share of its parts' magnitudes, the greatest of its three rows.
-/// For a film whose shear has no torques.
+/// What is left of (s^2 M + s C + K + Z(s)) q at a mode, as a share of its parts' magnitudes, the greatest of its three
+/// rows. For a film whose shear has no torques.
 double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& mode)
 {
     const Recess recess(c.surface, c.slider.length, c.slider.width);
@@ -82,15 +82,16 @@ double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& 
 
 void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
 {
-    // So heavy that it oscillates far below the film's own rates: a single mass on the static stiffness. Pitch and roll are
-    // kept away by huge inertias: K_zz about the centre is that of the height alone.
+    // So heavy that it oscillates far below the film's own rates: a single mass on the static stiffness. Pitch and roll
+    // are kept away by huge inertias: K_zz about the centre is that of the height alone.
     Case c = test::smallSlider(49);
     c.slider.mass = 100.0;
     c.slider.pitchInertia = c.slider.rollInertia = 1e3;
     const ModesResult r = modes(c);
     QCOMPARE(r.status, SteadyStatus::Converged);
     const double expected = std::sqrt(((*r.steady.stiffness)[0][0] + c.suspension.stiffness) / c.slider.mass) / twoPi;
-    const auto vertical = std::find_if(r.modes.begin(), r.modes.end(), [](const auto& m) { return m.kind == "vertical"; });
+    const auto vertical =
+        std::find_if(r.modes.begin(), r.modes.end(), [](const auto& m) { return m.kind == "vertical"; });
     QVERIFY(vertical != r.modes.end());
     QVERIFY2(std::abs(vertical->frequency - expected) < 1e-4 * expected,
              qPrintable(QString("%1 Hz, expected %2 Hz").arg(vertical->frequency).arg(expected)));
@@ -98,8 +99,8 @@ void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
 
 void TestModes::threeModesAreFound()
 {
-    // Fine enough for the waves that the disk drags along at the highest mode, 31 um at 300 kHz: on a coarse grid their phases
-    // under the rear pad are wrong, and the sign of its damping with them.
+    // Fine enough for the waves that the disk drags along at the highest mode, 31 um at 300 kHz: on a coarse grid their
+    // phases under the rear pad are wrong, and the sign of its damping with them.
     const ModesResult r = modes(test::smallSlider(129));
     QCOMPARE(r.status, SteadyStatus::Converged);
     QCOMPARE(r.modes.size(), std::size_t(3));
@@ -151,8 +152,8 @@ void TestModes::noModeIsFoundTwiceOrLost()
 
 void TestModes::aHeldRollHasNoMode()
 {
-    // Held at the roll that it would find, it moves as with a huge moment of inertia about that axis; to what the grids differ
-    // by, which are adapted to coarser films of another roll.
+    // Held at the roll that it would find, it moves as with a huge moment of inertia about that axis; to what the grids
+    // differ by, which are adapted to coarser films of another roll.
     Case c = test::smallSlider(49);
     c.slider.rollInertia = 1e3;
     const ModesResult heavy = modes(c);
@@ -172,7 +173,8 @@ void TestModes::aHeldRollHasNoMode()
 
 void TestModes::saysWhereTheGridIsTooCoarse()
 {
-    // Half of 754 rad/s times 25 mm carries ten of 48 cells of 1 mm in 22.1 us: 45.2 kHz. A slider that is heavy enough stays below.
+    // Half of 754 rad/s times 25 mm carries ten of 48 cells of 1 mm in 22.1 us: 45.2 kHz. A slider that is heavy enough
+    // stays below.
     Case c = test::smallSlider(49);
     QVERIFY(modes(c).message.starts_with("above 45 kHz"));
     c.slider.mass *= 100.0;
@@ -186,8 +188,8 @@ void TestModes::saysWhereTheGridIsTooCoarse()
 
 void TestModes::stiffAndSoftLimitsOfTheFilm()
 {
-    // Squeezed fast, the air cannot leave: p h is kept, the pressure rises by p dh/h, and the film is stiffer than at rest in
-    // the limit by K = sum of p A/h. At 1 MHz the rear pad is there; the deep recess adds little.
+    // Squeezed fast, the air cannot leave: p h is kept, the pressure rises by p dh/h, and the film is stiffer than at
+    // rest in the limit by K = sum of p A/h. At 1 MHz the rear pad is there; the deep recess adds little.
     const ModesResult r = modes(test::smallSlider(65));
     double trapped = 0.0;
     const SteadyResult& s = r.steady;

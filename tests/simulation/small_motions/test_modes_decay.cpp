@@ -9,8 +9,8 @@
 #include <complex>
 #include <numbers>
 
-#include "core/physics/film/film_step.h"
 #include "core/case_files/case_file.h"
+#include "core/physics/film/film_step.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/matrix_pencil.h"
@@ -30,9 +30,15 @@ class MovingSlider {
 public:
     /// The film's stiffness is about the mass centre.
     MovingSlider(const Case& c, const SteadyResult& rest, const Eigen::Matrix3d& stiffness, double dt)
-        : case_(c), rest_(rest.attitude), dt_(dt), recess_(c.surface, c.slider.length, c.slider.width),
-          spacing_(c.surface, recess_), level_(c, recess_, spacing_, rest.grid),
-          stepper_(level_.film, {.method = FilmTimeMethod::Bdf2, .tolerance = 1e-10, .share = 0.02, .maximumIterations = 40}), stiffness_(stiffness)
+        : case_(c),
+          rest_(rest.attitude),
+          dt_(dt),
+          recess_(c.surface, c.slider.length, c.slider.width),
+          spacing_(c.surface, recess_),
+          level_(c, recess_, spacing_, rest.grid),
+          stepper_(level_.film,
+                   {.method = FilmTimeMethod::Bdf2, .tolerance = 1e-10, .share = 0.02, .maximumIterations = 40}),
+          stiffness_(stiffness)
     {
         level_.gaps.pad.pad<double>(rest.pressure, level_.pressure);
         level_.film.setAttitude(rest_);
@@ -51,20 +57,21 @@ public:
         return converged;
     }
 
-    /// One step of BDF2 for film and slider together: (3 y - 4 y1 + y2)/(2 dt) = y'. The film's stiffness leads to the motion at
-    /// which the forces balance.
+    /// One step of BDF2 for film and slider together: (3 y - 4 y1 + y2)/(2 dt) = y'. The film's stiffness leads to the
+    /// motion at which the forces balance.
     bool fly()
     {
         const double h = 2.0 / 3.0 * dt_;
         const Eigen::Vector3d before = (4.0 * motion_[0] - motion_[1]) / 3.0;
         const Eigen::Vector3d velocityBefore = (4.0 * velocity_[0] - velocity_[1]) / 3.0;
-        const Eigen::Matrix3d slopes = (inertia_ / (h * h) + damper_ / h + spring_).asDiagonal().toDenseMatrix() + stiffness_;
+        const Eigen::Matrix3d slopes =
+            (inertia_ / (h * h) + damper_ / h + spring_).asDiagonal().toDenseMatrix() + stiffness_;
         Eigen::Vector3d motion = 3.0 * motion_[0] - 3.0 * motion_[1] + motion_[2];
         for (int pass = 0; pass < 12; ++pass) {
             if (!stepFilm(motion)) return false;
             const Eigen::Vector3d velocity = (motion - before) / h, acceleration = (velocity - velocityBefore) / h;
-            const Eigen::Vector3d imbalance = forces() - held_ - spring_.cwiseProduct(motion) - damper_.cwiseProduct(velocity) -
-                                              inertia_.cwiseProduct(acceleration);
+            const Eigen::Vector3d imbalance = forces() - held_ - spring_.cwiseProduct(motion) -
+                                              damper_.cwiseProduct(velocity) - inertia_.cwiseProduct(acceleration);
             const Eigen::Vector3d change = slopes.partialPivLu().solve(imbalance);
             if (scaled(change).norm() < 1e-7 * scaled(motion).norm()) {
                 accept(motion, velocity);
@@ -92,8 +99,9 @@ private:
     }
     bool stepFilm(const Eigen::Vector3d& motion)
     {
-        return stepper_.step(dt_, {rest_.height + motion[0] - 0.5 * case_.slider.length * motion[1], rest_.pitch + motion[1],
-                                   rest_.roll + motion[2]})
+        return stepper_
+            .step(dt_, {rest_.height + motion[0] - 0.5 * case_.slider.length * motion[1], rest_.pitch + motion[1],
+                        rest_.roll + motion[2]})
             .converged;
     }
     void accept(const Eigen::Vector3d& motion, const Eigen::Vector3d& velocity)
@@ -172,8 +180,8 @@ private slots:
         QTest::newRow("pico") << "film_pico" << 2e-3;
     }
 
-    /// Both know the same cells, so they agree however coarse these are: here the waves that the disk drags along at the highest
-    /// mode, 25 um long, are lost, and its damping comes out negative.
+    /// Both know the same cells, so they agree however coarse these are: here the waves that the disk drags along at
+    /// the highest mode, 25 um long, are lost, and its damping comes out negative.
     void freeDecay()
     {
         QFETCH(QString, slider);
@@ -186,8 +194,11 @@ private slots:
             const Complex s = ::freeDecay(c, r, mode, amplitude * r.steady.minimumSpacing);
             const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
             const QString found = QString("%1 mode: %2 Hz with damping ratio %3, in time %4 Hz with %5")
-                                      .arg(mode.kind.c_str()).arg(mode.frequency).arg(mode.dampingRatio)
-                                      .arg(frequency).arg(damping);
+                                      .arg(mode.kind.c_str())
+                                      .arg(mode.frequency)
+                                      .arg(mode.dampingRatio)
+                                      .arg(frequency)
+                                      .arg(damping);
             QVERIFY2(std::abs(frequency / mode.frequency - 1.0) < 1e-5, qPrintable(found));
             QVERIFY2(std::abs(damping / mode.dampingRatio - 1.0) < 1e-3, qPrintable(found));
         }

@@ -36,8 +36,8 @@ class TestSpringBooks : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The fall until the pad first touches: what a method makes of energy shrinks as its order says, Simpson's rule being of fourth
-    /// order too.
+    /// The fall until the pad first touches: what a method makes of energy shrinks as its order says, Simpson's rule
+    /// being of fourth order too.
     void closesWithTheOrder_data()
     {
         QTest::addColumn<IntegratorKind>("integrator");
@@ -56,7 +56,8 @@ private slots:
         const double coarse = imbalance(c);
         c.run.step = 0.5 * step;
         const double fine = imbalance(c);
-        QVERIFY2(std::abs(std::log2(coarse / fine) - order) < 0.15, qPrintable(QString("%1, %2").arg(coarse).arg(fine)));
+        QVERIFY2(std::abs(std::log2(coarse / fine) - order) < 0.15,
+                 qPrintable(QString("%1, %2").arg(coarse).arg(fine)));
         QVERIFY2(fine < 1e-3, qPrintable(QString::number(fine)));
     }
     /// The whole drop, with 28 switches.
@@ -66,16 +67,19 @@ private slots:
         c.run.tolerance = 1e-10;
         QVERIFY2(imbalance(c) < 1e-6, qPrintable(QString::number(imbalance(c))));
     }
-    /// Switches that are looked for between steps come late by up to a step: in 10 ns the pad goes some 0.2 nm at 20 mm/s, under a
-    /// wrong force of f_m + f_c0 = 15 mN at most, 3e-12 J of some 1e-10 J a drop; ten times less with a tenth of the step.
+    /// Switches that are looked for between steps come late by up to a step: in 10 ns the pad goes some 0.2 nm at 20
+    /// mm/s, under a wrong force of f_m + f_c0 = 15 mN at most, 3e-12 J of some 1e-10 J a drop; ten times less with a
+    /// tenth of the step.
     void showsSwitchesThatAreMissed()
     {
-        const double naive = imbalance(drop(IntegratorKind::Rk4, 10e-9)), located = imbalance(drop(IntegratorKind::Rk4Events, 10e-9));
+        const double naive = imbalance(drop(IntegratorKind::Rk4, 10e-9)),
+                     located = imbalance(drop(IntegratorKind::Rk4Events, 10e-9));
         QVERIFY2(naive > 30.0 * located, qPrintable(QString("%1, %2").arg(naive).arg(located)));
         const double finer = imbalance(drop(IntegratorKind::Rk4, 1e-9));
         QVERIFY2(finer < naive && naive < 0.2, qPrintable(QString("%1, %2").arg(naive).arg(finer)));
     }
-    /// gamma < 1/2 feeds energy to each oscillation: (1/2 - gamma) omega dt a radian, more than is lost at xi = 0.01 here.
+    /// gamma < 1/2 feeds energy to each oscillation: (1/2 - gamma) omega dt a radian, more than is lost at xi = 0.01
+    /// here.
     void showsEnergyThatAMethodMakes()
     {
         Case c = drop(IntegratorKind::Newmark, 50e-9);

@@ -16,7 +16,8 @@ using Mode = SpringModel::Mode;
 
 namespace {
 
-/// Equations (1)-(4) with the signs of the pad and friction moments, written down a second time without any rearrangement.
+/// Equations (1)-(4) with the signs of the pad and friction moments, written down a second time without any
+/// rearrangement.
 State secondOpinion(const Case& c, const State& y, bool front, bool rear, double contact, double adhesion)
 {
     const double z0 = c.springs.flyingHeight + c.onoYamane.padDistance * c.springs.pitch;
@@ -29,12 +30,16 @@ State secondOpinion(const Case& c, const State& y, bool front, bool rear, double
     const double cf = 2 * c.springs.frontDampingRatio * std::sqrt(c.slider.mass * c.springs.frontStiffness);
     const double cr = 2 * c.springs.rearDampingRatio * std::sqrt(c.slider.mass * c.springs.rearStiffness);
     const double cz = 2 * c.suspension.dampingRatio * std::sqrt(c.slider.mass * c.suspension.stiffness);
-    const double ct = 2 * c.suspension.pitchDampingRatio * std::sqrt(c.slider.pitchInertia * c.suspension.pitchStiffness);
-    const double ff = spring(c.springs.frontStiffness, z0 + df * c.springs.pitch, y[0] + df * y[1], front) - cf * (y[2] + df * y[3]);
-    const double fr = spring(c.springs.rearStiffness, z0 - dr * c.springs.pitch, y[0] - dr * y[1], rear) - cr * (y[2] - dr * y[3]);
+    const double ct =
+        2 * c.suspension.pitchDampingRatio * std::sqrt(c.slider.pitchInertia * c.suspension.pitchStiffness);
+    const double ff =
+        spring(c.springs.frontStiffness, z0 + df * c.springs.pitch, y[0] + df * y[1], front) - cf * (y[2] + df * y[3]);
+    const double fr =
+        spring(c.springs.rearStiffness, z0 - dr * c.springs.pitch, y[0] - dr * y[1], rear) - cr * (y[2] - dr * y[3]);
     const double force = ff + fr + contact + adhesion - c.suspension.stiffness * (y[0] - z0) - cz * y[2];
-    const double moment = df * ff - dr * fr - dh * (contact + adhesion) - 0.5 * c.slider.thickness * c.onoYamane.friction * contact
-                          - c.suspension.pitchStiffness * (y[1] - c.springs.pitch) - ct * y[3];
+    const double moment = df * ff - dr * fr - dh * (contact + adhesion) -
+                          0.5 * c.slider.thickness * c.onoYamane.friction * contact -
+                          c.suspension.pitchStiffness * (y[1] - c.springs.pitch) - ct * y[3];
     return {y[2], y[3], force / c.slider.mass, moment / c.slider.pitchInertia};
 }
 
@@ -62,7 +67,8 @@ struct Ledger {
     bool step(double t, const State& y, Mode mode, At&& at)
     {
         const State before = begin == t ? y : at(begin);
-        work += (t - begin) / 6.0 * (model.power(before, mode) + 4.0 * model.power(at(0.5 * (begin + t)), mode) + model.power(y, mode));
+        work += (t - begin) / 6.0 *
+                (model.power(before, mode) + 4.0 * model.power(at(0.5 * (begin + t)), mode) + model.power(y, mode));
         begin = t;
         last = y;
         return true;
@@ -71,7 +77,8 @@ struct Ledger {
     int events = 0;
 };
 
-constexpr std::array<ContactRegion, 4> allRegions{ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged};
+constexpr std::array<ContactRegion, 4> allRegions{ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting,
+                                                  ContactRegion::Bridged};
 
 } // namespace
 
@@ -92,7 +99,8 @@ private slots:
             for (const ContactRegion region : allRegions) {
                 const Mode mode{i % 2 == 0, i % 3 != 0, region};
                 const double d = y[0] - c.onoYamane.padDistance * y[1];
-                const State expected = secondOpinion(c, y, mode.frontSpring, mode.rearSpring, law.contactForce(region, d), law.adhesionForce(region, d));
+                const State expected = secondOpinion(c, y, mode.frontSpring, mode.rearSpring,
+                                                     law.contactForce(region, d), law.adhesionForce(region, d));
                 const State got = model.derivative(y, mode);
                 QVERIFY(agree(got, expected));
             }
@@ -123,9 +131,12 @@ private slots:
             for (int k = 0; k < 4; ++k) {
                 State step = State::Zero();
                 step[k] = 1e-5 * model.scale()[k];
-                const Eigen::Vector2d difference = (model.derivative(y + step, mode) - model.derivative(y - step, mode)).tail<2>() / (2.0 * step[k]);
+                const Eigen::Vector2d difference =
+                    (model.derivative(y + step, mode) - model.derivative(y - step, mode)).tail<2>() / (2.0 * step[k]);
                 for (int row = 0; row < 2; ++row) {
-                    const double size = jacobian.row(row).cwiseAbs().cwiseProduct(model.scale().transpose()).maxCoeff() / model.scale()[k];
+                    const double size =
+                        jacobian.row(row).cwiseAbs().cwiseProduct(model.scale().transpose()).maxCoeff() /
+                        model.scale()[k];
                     QVERIFY(std::abs(jacobian(row, k) - difference[row]) < 1e-6 * size);
                 }
             }
@@ -147,20 +158,22 @@ private slots:
             const double step = 1e-12;
             const double change = (model.energy(y + step * rate) - model.energy(y - step * rate)) / (2.0 * step);
             const double power = model.power(y, mode);
-            QVERIFY2(std::abs(change - power) < 1e-6 * (std::abs(power) + std::abs(rate[2] * y[2]) * c.slider.mass + 1e-6),
+            QVERIFY2(std::abs(change - power) <
+                         1e-6 * (std::abs(power) + std::abs(rate[2] * y[2]) * c.slider.mass + 1e-6),
                      qPrintable(QStringLiteral("%1 %2").arg(change).arg(power)));
         }
     }
 
-    /// Over a whole bouncing run: E(end) - E(0) = work of dashpots, contact and friction, by Simpson's rule along the dense output.
+    /// Over a whole bouncing run: E(end) - E(0) = work of dashpots, contact and friction, by Simpson's rule along the
+    /// dense output.
     void energyBalanceOverARun()
     {
         Case c;
         c.onoYamane.takeOff = 8e-9; // ends in contact, after more than a hundred switches
         const SpringModel model(c);
         Ledger ledger{.model = model, .work = 0.0, .begin = 0.0, .last = model.initialState(), .events = 0};
-        const auto result = integrateAdaptive(model, Start<SpringModel>{model.initialState(), model.initialMode()}, 0.5e-3,
-                                              {.tolerance = 1e-10, .firstStep = 1e-9}, ledger);
+        const auto result = integrateAdaptive(model, Start<SpringModel>{model.initialState(), model.initialMode()},
+                                              0.5e-3, {.tolerance = 1e-10, .firstStep = 1e-9}, ledger);
         QCOMPARE(result.end, IntegrationEnd::Reached);
         QVERIFY(ledger.events > 20);
         const double start = model.energy(model.initialState());
@@ -177,9 +190,12 @@ private slots:
         QCOMPARE(model.beyond(free, SpringModel::Rear, false), (Mode{true, false, ContactRegion::Apart}));
         QCOMPARE(model.interval(SpringModel::Rear, free).lower, 0.3e-9);
         QCOMPARE(model.interval(SpringModel::Rear, Mode{true, false, ContactRegion::Apart}).upper, 0.3e-9);
-        QCOMPARE(model.eventName(SpringModel::Pad, free, Mode{true, true, ContactRegion::Pressed}), std::string("touch-down"));
-        QCOMPARE(model.eventName(SpringModel::Rear, free, Mode{true, false, ContactRegion::Apart}), std::string("rear spring lost"));
-        QCOMPARE(model.eventName(SpringModel::Pad, Mode{true, true, ContactRegion::Bridged}, free), std::string("take-off"));
+        QCOMPARE(model.eventName(SpringModel::Pad, free, Mode{true, true, ContactRegion::Pressed}),
+                 std::string("touch-down"));
+        QCOMPARE(model.eventName(SpringModel::Rear, free, Mode{true, false, ContactRegion::Apart}),
+                 std::string("rear spring lost"));
+        QCOMPARE(model.eventName(SpringModel::Pad, Mode{true, true, ContactRegion::Bridged}, free),
+                 std::string("take-off"));
     }
 
     /// Several guards may go in one step of the naive method: each has its own name.
@@ -218,8 +234,11 @@ private slots:
         QVERIFY(std::abs(model.shortestPeriod() / atRest - 1.0) < 1e-12);
         const State near{1e-9, c.springs.pitch, 0.0, 0.0};
         const double stiffness = k * 100e-9 * 100e-9 * 199e-9 / 1e-27;
-        QVERIFY(std::abs(model.period(near, model.initialMode()) / (2.0 * std::numbers::pi * std::sqrt(1.6e-6 / stiffness)) - 1.0) < 1e-12);
-        QVERIFY(std::abs(model.period(State{1e-6, c.springs.pitch, 0.0, 0.0}, model.initialMode()) / atRest - 1.0) < 1e-12);
+        QVERIFY(std::abs(model.period(near, model.initialMode()) /
+                             (2.0 * std::numbers::pi * std::sqrt(1.6e-6 / stiffness)) -
+                         1.0) < 1e-12);
+        QVERIFY(std::abs(model.period(State{1e-6, c.springs.pitch, 0.0, 0.0}, model.initialMode()) / atRest - 1.0) <
+                1e-12);
     }
 
     void initialBranchIsTheUsersChoice()
@@ -248,7 +267,8 @@ private slots:
         QCOMPARE(model.naiveMode(y, Mode{}), (Mode{true, true, ContactRegion::Pressed}));
         y[0] += 1.5e-9; // d = 3.5 nm
         QCOMPARE(model.naiveMode(y, Mode{}), Mode{});
-        QCOMPARE(model.naiveMode(y, Mode{true, true, ContactRegion::Pressed}), (Mode{true, true, ContactRegion::Lifting}));
+        QCOMPARE(model.naiveMode(y, Mode{true, true, ContactRegion::Pressed}),
+                 (Mode{true, true, ContactRegion::Lifting}));
         y[0] -= 10e-9; // z_r = -4.25 nm
         QVERIFY(!model.naiveMode(y, Mode{}).rearSpring);
     }
@@ -287,7 +307,8 @@ private slots:
         QCOMPARE(at("energy"), at("kinetic_energy") + at("air_spring_energy") + at("suspension_energy"));
         QVERIFY(std::abs(at("energy") / model.energy(y) - 1.0) < 1e-14);
         // M z'' = air bearing + net contact - suspension
-        const double force = at("air_bearing_force") + at("net_contact_force") + 6.0 * 5e-9 - 2 * 0.01 * std::sqrt(1.6e-6 * 6.0) * 0.02;
+        const double force =
+            at("air_bearing_force") + at("net_contact_force") + 6.0 * 5e-9 - 2 * 0.01 * std::sqrt(1.6e-6 * 6.0) * 0.02;
         QVERIFY(std::abs(force / (1.6e-6 * model.derivative(y, mode)[2]) - 1.0) < 1e-12);
     }
 };

@@ -8,8 +8,8 @@
 
 #include <QTest>
 
-#include "core/numerics/cvode.h"
 #include "core/case_files/case_file.h"
+#include "core/numerics/cvode.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ using namespace touchdown;
 
 namespace {
 
-double tailOf(const Summary& summary, double Statistics::* member = &Statistics::mean)
+double tailOf(const Summary& summary, double Statistics::*member = &Statistics::mean)
 {
     for (const auto& [name, statistics] : summary.tail)
         if (name == "flying_height") return statistics.*member;
@@ -25,7 +25,8 @@ double tailOf(const Summary& summary, double Statistics::* member = &Statistics:
 }
 bool warns(const Summary& summary, const char* of)
 {
-    return std::ranges::any_of(summary.warnings, [&](const std::string& each) { return each.find(of) != std::string::npos; });
+    return std::ranges::any_of(summary.warnings,
+                               [&](const std::string& each) { return each.find(of) != std::string::npos; });
 }
 Summary runWith(Case c, IntegratorKind integrator, double step = 0.0)
 {
@@ -66,9 +67,9 @@ class TestSpringRun : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The faster mode has omega = 1.737e6 rad/s and 2 % of damping, of which rk4 bears sqrt(8)/omega = 1.63 us and a little more. At 1.6 us it
-    /// decays; at 1.7 us it swings for ever about the right height, which looks like a bearing that excites itself, until the same with half
-    /// of the step tells. The trapezoidal rule bears both.
+    /// The faster mode has omega = 1.737e6 rad/s and 2 % of damping, of which rk4 bears sqrt(8)/omega = 1.63 us and a
+    /// little more. At 1.6 us it decays; at 1.7 us it swings for ever about the right height, which looks like a
+    /// bearing that excites itself, until the same with half of the step tells. The trapezoidal rule bears both.
     void stepsBeyondTheLimit()
     {
         const Summary within = runWith(smallSwing(), IntegratorKind::Rk4Events, 1.6e-6);
@@ -89,7 +90,8 @@ private slots:
             QVERIFY(implicit.warnings.empty() && std::abs(tailOf(implicit) - 7e-9) < 1e-12);
         }
     }
-    /// An implicit step of 0.5 us on a drop finds no solution where the stiffness turns over; the adaptive method goes through.
+    /// An implicit step of 0.5 us on a drop finds no solution where the stiffness turns over; the adaptive method goes
+    /// through.
     void anImplicitStepWithoutASolution()
     {
         Case c;
@@ -99,8 +101,8 @@ private slots:
         QCOMPARE(implicit.failure, RunFailure::NotConverged);
         QVERIFY_STATUS(runWith(c, IntegratorKind::Dopri5), RunStatus::Completed);
     }
-    /// However loose its tolerance, dopri5 jumps no wall; at 1e-2 its energy is off by tenths, which the run says itself. At the default 1e-8
-    /// there is nothing to say.
+    /// However loose its tolerance, dopri5 jumps no wall; at 1e-2 its energy is off by tenths, which the run says
+    /// itself. At the default 1e-8 there is nothing to say.
     void looseTolerances()
     {
         Case c = openCase("table3_4nm_from_100nm").value;
@@ -119,12 +121,13 @@ private slots:
         QVERIFY_STATUS(tight, RunStatus::Completed);
         QVERIFY(tight.warnings.empty());
     }
-    /// With d_e = d_s nothing keeps the pad from switching without end. Located switches see that and say so; those that are looked for
-    /// between steps make a swing of the step's size of it, and complete. A take-off height above d_s is the remedy, of the law: then located
-    /// methods agree.
+    /// With d_e = d_s nothing keeps the pad from switching without end. Located switches see that and say so; those
+    /// that are looked for between steps make a swing of the step's size of it, and complete. A take-off height above
+    /// d_s is the remedy, of the law: then located methods agree.
     void chatter()
     {
-        for (const IntegratorKind kind : {IntegratorKind::Dopri5, IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Cvode}) {
+        for (const IntegratorKind kind :
+             {IntegratorKind::Dopri5, IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Cvode}) {
             if (kind == IntegratorKind::Cvode && !haveCvode) continue;
             const Summary summary = runWith(pushedOntoTheBoundary(3e-9), kind, 10e-9);
             QVERIFY_STATUS(summary, RunStatus::Failed);
@@ -134,14 +137,15 @@ private slots:
         const Summary naive = runWith(pushedOntoTheBoundary(3e-9), IntegratorKind::Rk4, 10e-9);
         QVERIFY_STATUS(naive, RunStatus::Completed);
         QVERIFY(naive.events.size() > 1000);
-        const Summary adaptive = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Dopri5), fixed = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Rk4Events, 10e-9);
+        const Summary adaptive = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Dopri5),
+                      fixed = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Rk4Events, 10e-9);
         QVERIFY_STATUS(adaptive, RunStatus::Completed);
         QVERIFY_STATUS(fixed, RunStatus::Completed);
         QCOMPARE(adaptive.events.size(), fixed.events.size());
         QVERIFY(std::abs(tailOf(adaptive) - tailOf(fixed)) < 1e-12);
     }
-    /// d_1 = d_s from 50 nm: steps of 10 ns that look for switches in between end in the wrong state, and the run says that half of the
-    /// step ends elsewhere; any method that locates them ends in the right one.
+    /// d_1 = d_s from 50 nm: steps of 10 ns that look for switches in between end in the wrong state, and the run says
+    /// that half of the step ends elsewhere; any method that locates them ends in the right one.
     void theWrongState()
     {
         Case c = openCase("fig10b_naive_switching").value;
@@ -155,8 +159,8 @@ private slots:
             QVERIFY(located.warnings.empty() && std::abs(tailOf(located) - 7e-9) < 0.1e-9);
         }
     }
-    /// 50 mN pull the pad so deep that the rear spring, lost below d_1 = d_s, never carries again: outside the model, whatever the method.
-    /// With d_1 = 0.3 nm it is never lost.
+    /// 50 mN pull the pad so deep that the rear spring, lost below d_1 = d_s, never carries again: outside the model,
+    /// whatever the method. With d_1 = 0.3 nm it is never lost.
     void aSpringLostForGood()
     {
         for (const IntegratorKind kind : {IntegratorKind::Dopri5, IntegratorKind::Rk4Events}) {
@@ -170,8 +174,9 @@ private slots:
             QVERIFY_STATUS(runWith(c, kind, 10e-9), RunStatus::Completed);
         }
     }
-    /// Equation (5) as the paper prints it goes on below d_1, to logarithms of negative numbers: the energy becomes negative, and the run ends
-    /// there. Held below d_1, as the force is zero there, it stays what it is, and the run tells what truly goes wrong.
+    /// Equation (5) as the paper prints it goes on below d_1, to logarithms of negative numbers: the energy becomes
+    /// negative, and the run ends there. Held below d_1, as the force is zero there, it stays what it is, and the run
+    /// tells what truly goes wrong.
     void theEnergyAsPrinted()
     {
         Case c = openCase("fig12b").value;
@@ -182,7 +187,8 @@ private slots:
         bool negative = false;
         const int energy = findQuantity(recordedQuantities(c), "energy");
         const Summary held = run(c, [&](const RunUpdate& update) {
-            for (const double value : update.samples.columns[static_cast<std::size_t>(energy)]) negative = negative || value < 0.0;
+            for (const double value : update.samples.columns[static_cast<std::size_t>(energy)])
+                negative = negative || value < 0.0;
             return true;
         });
         QVERIFY(!negative);

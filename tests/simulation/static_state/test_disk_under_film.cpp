@@ -72,7 +72,8 @@ private slots:
             for (int i = -2; i < 8; ++i) {
                 const auto cell = static_cast<std::size_t>(std::clamp(i, 0, 5));
                 const double expected = mean(cells.x[cell], cells.x[cell + 1], speed * time);
-                QVERIFY2(std::abs(height[pad.at(i, j)] - expected) < 1e-18, qPrintable(QString("cell %1, %2").arg(i).arg(j)));
+                QVERIFY2(std::abs(height[pad.at(i, j)] - expected) < 1e-18,
+                         qPrintable(QString("cell %1, %2").arg(i).arg(j)));
             }
     }
     void stillIsTheSameAtAnyTime()

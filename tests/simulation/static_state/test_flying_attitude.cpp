@@ -27,13 +27,14 @@ namespace {
 /// A case solved on one graded grid.
 struct Solved {
     explicit Solved(const Case& c, Attitude start = {20e-9, 120e-6, 0.0})
-        : value(c), recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess),
+        : value(c),
+          recess(c.surface, c.slider.length, c.slider.width),
+          spacing(c.surface, recess),
           level(value, recess, spacing,
                 gradedGrid(c.surface, c.slider.length, c.slider.width, c.film.nodes[0] - 1, c.film.nodes[1] - 1)),
           attitude(start),
           solution(level.flying.approach(level.pressure, attitude, {.filmTolerance = 1e-10, .loadTolerance = 1e-9}))
-    {
-    }
+    {}
     Case value;
     Recess recess;
     MinimumSpacing spacing;
@@ -99,7 +100,8 @@ void TestFlyingAttitude::stiffnessAgreesWithDifferences()
         std::array<Vector3, 2> loads{};
         for (int side = 0; side < 2; ++side) {
             const double d = side == 0 ? -step : step;
-            const Attitude moved{at.height + (m == 0 ? d : 0.0), at.pitch + (m == 1 ? d : 0.0), at.roll + (m == 2 ? d : 0.0)};
+            const Attitude moved{at.height + (m == 0 ? d : 0.0), at.pitch + (m == 1 ? d : 0.0),
+                                 at.roll + (m == 2 ? d : 0.0)};
             std::vector<double> p = solved.level.pressure;
             solved.level.film.setAttitude(moved);
             QVERIFY(solved.level.flying.solveFilm(p, {.tolerance = 1e-13, .maximumIterations = 30}).residual < 1e-11);
@@ -136,15 +138,15 @@ void TestFlyingAttitude::tellsWhenItIsCancelled()
     FilmLevel level(c, recess, spacing, uniformGrid(c.slider.length, c.slider.width, 48, 48));
     Attitude attitude{20e-9, 120e-6, 0.0};
     int calls = 0;
-    const AttitudeSolution s =
-        level.flying.approach(level.pressure, attitude, {}, [&](int, double, double, const Attitude&) { return ++calls < 3; });
+    const AttitudeSolution s = level.flying.approach(level.pressure, attitude, {},
+                                                     [&](int, double, double, const Attitude&) { return ++calls < 3; });
     QVERIFY(s.cancelled);
     QVERIFY(!s.converged);
     QCOMPARE(calls, 3);
 }
 
-/// Whatever it works on: between two calls there is one linear iteration at most beside a linearisation. Whenever it says no, it is not
-/// asked again.
+/// Whatever it works on: between two calls there is one linear iteration at most beside a linearisation. Whenever it
+/// says no, it is not asked again.
 void TestFlyingAttitude::isAskedAtEachLinearIteration_data()
 {
     QTest::addColumn<bool>("near");
@@ -167,10 +169,11 @@ void TestFlyingAttitude::isAskedAtEachLinearIteration()
     int calls = 0;
     const AttitudeSolution whole = solve([&](int, double, double, const Attitude&) { return ++calls > 0; });
     QVERIFY(whole.converged);
-    // A linear solution that its tolerance ends does not ask after its last iteration: of the at most four of each attitude that is so,
-    // and what is solved for the film alone asks once more for each.
+    // A linear solution that its tolerance ends does not ask after its last iteration: of the at most four of each
+    // attitude that is so, and what is solved for the film alone asks once more for each.
     const int solutions = 4 * (whole.iterations + 1);
-    QVERIFY2(calls >= whole.solves - solutions, qPrintable(QString("%1 calls, %2 solves").arg(calls).arg(whole.solves)));
+    QVERIFY2(calls >= whole.solves - solutions,
+             qPrintable(QString("%1 calls, %2 solves").arg(calls).arg(whole.solves)));
     for (int last = 1; last <= calls; last += 7) {
         int asked = 0;
         const AttitudeSolution stopped = solve([&](int, double, double, const Attitude&) { return ++asked < last; });

@@ -19,7 +19,12 @@ constexpr Attitude rest{12e-9, 150e-6, -3e-6};
 Case unlike()
 {
     Case c = defaultsOf(ModelKind::Film);
-    c.slider = {.mass = 1.6e-6, .pitchInertia = 2.2e-13, .rollInertia = 1.45e-13, .length = length, .width = width, .thickness = 0.3e-3};
+    c.slider = {.mass = 1.6e-6,
+                .pitchInertia = 2.2e-13,
+                .rollInertia = 1.45e-13,
+                .length = length,
+                .width = width,
+                .thickness = 0.3e-3};
     c.suspension.stiffness = 18.0;
     c.suspension.pitchStiffness = 2e-5;
     c.suspension.rollStiffness = 3e-5;
@@ -42,7 +47,8 @@ class TestSliderBody : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The mass centre lies over the middle, half the length before the trailing edge: 12 nm + 150 urad 0.625 mm = 105.75 nm.
+    /// The mass centre lies over the middle, half the length before the trailing edge: 12 nm + 150 urad 0.625 mm =
+    /// 105.75 nm.
     void theMassCentreLiesOverTheMiddle()
     {
         const SliderBody body(unlike(), rest);
@@ -61,7 +67,8 @@ private slots:
             QCOMPARE(back.roll, a.roll);
         }
     }
-    /// The corners lie (L/2, W/2) from the middle: |z| + L/2 |pitch| + W/2 |roll| = 1 + 0.625 + 0.5 nm, whatever their signs.
+    /// The corners lie (L/2, W/2) from the middle: |z| + L/2 |pitch| + W/2 |roll| = 1 + 0.625 + 0.5 nm, whatever their
+    /// signs.
     void cornersMove()
     {
         const SliderBody body(unlike(), rest);
@@ -78,8 +85,8 @@ private slots:
         QVERIFY(near(f[1], 8e-7));
         QVERIFY(near(f[2], -5e-8));
     }
-    /// The spring of 18 N/m, 2 nm above rest: 36 nN more; of 2e-5 N m/rad, 10 urad: 0.2 nN m; the dampers with v = 1 mm/s and 1 rad/s:
-    /// 1 uN and 0.2 nN m.
+    /// The spring of 18 N/m, 2 nm above rest: 36 nN more; of 2e-5 N m/rad, 10 urad: 0.2 nN m; the dampers with v = 1
+    /// mm/s and 1 rad/s: 1 uN and 0.2 nN m.
     void springsAndDampersResist()
     {
         const SliderBody body(unlike(), rest);
@@ -93,8 +100,8 @@ private slots:
         QVERIFY(std::abs(f[1] - atRest[1] - (-2e-10 - 2e-10)) < 1e-20);
         QVERIFY(std::abs(f[2] - atRest[2] - (3e-11 + 2e-10)) < 1e-20);
     }
-    /// A suspension that holds the attitude turns the slider towards its static one wherever it rests, and knows no static torques:
-    /// -2e-5 N m/rad (pitch - 100 urad), so 15 mN 20 um - 1 nN m at rest.
+    /// A suspension that holds the attitude turns the slider towards its static one wherever it rests, and knows no
+    /// static torques: -2e-5 N m/rad (pitch - 100 urad), so 15 mN 20 um - 1 nN m at rest.
     void holdsAnAttitude()
     {
         Case c = unlike();
@@ -107,14 +114,13 @@ private slots:
         // The torque at an attitude does not depend on the place of rest.
         const Vector3 q = body.coordinates({15e-9, 90e-6, 8e-6});
         for (const std::size_t k : {std::size_t(1), std::size_t(2)})
-            QVERIFY(std::abs(body.suspension(q, {})[k] - other.suspension(q, {})[k]) < 1e-12 * std::abs(body.load()[k]));
+            QVERIFY(std::abs(body.suspension(q, {})[k] - other.suspension(q, {})[k]) <
+                    1e-12 * std::abs(body.load()[k]));
     }
     /// 1/2 (1.6e-6 (1 mm/s)^2 + 2.2e-13 (2 rad/s)^2 + 1.45e-13 (3 rad/s)^2) = 8e-13 + 4.4e-13 + 6.525e-13 J.
-    void kineticEnergy()
-    {
-        QVERIFY(near(SliderBody(unlike(), rest).kineticEnergy({1e-3, 2.0, -3.0}), 1.8925e-12));
-    }
-    /// The force is what the energy falls by along the way; quadratic, so central differences are exact but for rounding.
+    void kineticEnergy() { QVERIFY(near(SliderBody(unlike(), rest).kineticEnergy({1e-3, 2.0, -3.0}), 1.8925e-12)); }
+    /// The force is what the energy falls by along the way; quadratic, so central differences are exact but for
+    /// rounding.
     void forceIsTheSlopeOfTheEnergy()
     {
         for (const bool holds : {false, true}) {

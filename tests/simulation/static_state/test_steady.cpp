@@ -35,7 +35,8 @@ void TestSteady::forcesBalanceTheLoad()
     QCOMPARE(r.status, SteadyStatus::Converged);
     const double preload = c.suspension.preload, length = c.slider.length;
     QVERIFY(std::abs(r.forces.net - preload) < 1e-8 * preload);
-    QVERIFY(std::abs(r.forces.pitchTorque + preload * c.suspension.offsetX + r.shearPitchTorque) < 1e-8 * preload * length);
+    QVERIFY(std::abs(r.forces.pitchTorque + preload * c.suspension.offsetX + r.shearPitchTorque) <
+            1e-8 * preload * length);
     QVERIFY(std::abs(r.forces.rollTorque + r.shearRollTorque) < 1e-8 * preload * length);
     QVERIFY(std::abs(r.forces.positive + r.forces.negative - r.forces.net) < 1e-12 * preload);
     QVERIFY(r.forces.shearX > 0.0); // the disk drags the slider along
@@ -97,8 +98,10 @@ void TestSteady::theErrorEstimateCoversTheFinerGrid()
     const SteadyResult coarse = steady(test::smallSlider(97)), fine = steady(test::smallSlider(193));
     QCOMPARE(fine.status, SteadyStatus::Converged);
     const double change = std::abs(fine.minimumSpacing - coarse.minimumSpacing);
-    QVERIFY2(change < 3.0 * coarse.discretisationError.minimumSpacing + 1e-12,
-             qPrintable(QString("%1 nm, estimate %2 nm").arg(change * 1e9).arg(coarse.discretisationError.minimumSpacing * 1e9)));
+    QVERIFY2(
+        change < 3.0 * coarse.discretisationError.minimumSpacing + 1e-12,
+        qPrintable(
+            QString("%1 nm, estimate %2 nm").arg(change * 1e9).arg(coarse.discretisationError.minimumSpacing * 1e9)));
     QVERIFY(change > 0.03 * coarse.discretisationError.minimumSpacing);
 }
 
@@ -178,9 +181,12 @@ void TestSteady::sensitivitiesAgreeWithDifferences()
     // Against the size of the answer in heights over the slider.
     const double length = test::smallSlider().slider.length;
     const double size = std::abs(height) + length * (std::abs(pitch) + std::abs(roll));
-    QVERIFY2(std::abs(found->height - height) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->height).arg(height)));
-    QVERIFY2(length * std::abs(found->pitch - pitch) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->pitch).arg(pitch)));
-    QVERIFY2(length * std::abs(found->roll - roll) < 1e-5 * size, qPrintable(QString("%1 %2").arg(found->roll).arg(roll)));
+    QVERIFY2(std::abs(found->height - height) < 1e-5 * size,
+             qPrintable(QString("%1 %2").arg(found->height).arg(height)));
+    QVERIFY2(length * std::abs(found->pitch - pitch) < 1e-5 * size,
+             qPrintable(QString("%1 %2").arg(found->pitch).arg(pitch)));
+    QVERIFY2(length * std::abs(found->roll - roll) < 1e-5 * size,
+             qPrintable(QString("%1 %2").arg(found->roll).arg(roll)));
     QVERIFY2(std::abs(found->minimumSpacing - nearest) < 1e-4 * (size + std::abs(nearest)),
              qPrintable(QString("%1 %2").arg(found->minimumSpacing).arg(nearest)));
 }
@@ -189,7 +195,7 @@ void TestSteady::mirroredSlidersRollTheOtherWay()
 {
     // The rails are symmetric; with a uniform disk velocity, the other skew mirrors the whole problem.
     Case c = test::smallSlider();
-    c.film.grid = GridKind::Uniform; // the others may sort lines a little differently from the other side
+    c.film.grid = GridKind::Uniform;   // the others may sort lines a little differently from the other side
     for (Rail& rail : c.surface.rails) // off the grid's lines: an edge on a line belongs to one side
         for (RailPoint& point : rail.points) point.y += point.y < 0.4e-3 ? 1.3e-6 : -1.3e-6;
     c.disk.field = VelocityField::Uniform;

@@ -18,14 +18,26 @@ private slots:
     /// The sample's numbers are all different, so that none can stand in another's place.
     void eachNumberHasItsName()
     {
-        const QMap<QString, double> expected{
-            {"nominal_trailing_edge_height", 12e-9}, {"pitch", 150e-6},           {"roll", -3e-6},
-            {"minimum_spacing", 9.5e-9},             {"net_force", 14.7e-3},      {"positive_force", 20e-3},
-            {"negative_force", -5.3e-3},             {"pitch_torque", 1e-7},      {"roll_torque", 2e-8},
-            {"shear_force_x", 3e-4},                 {"shear_force_y", -4e-5},    {"shear_pitch_torque", -5e-8},
-            {"shear_roll_torque", 6e-9},             {"maximum_pressure", 9e5},   {"minimum_pressure", 4e4},
-            {"mass_flow", 1.5e-9},                   {"minimum_spacing_error", 1e-11}, {"pitch_error", 1e-8},
-            {"roll_error", 2e-8},                    {"load_error", 1e-5}};
+        const QMap<QString, double> expected{{"nominal_trailing_edge_height", 12e-9},
+                                             {"pitch", 150e-6},
+                                             {"roll", -3e-6},
+                                             {"minimum_spacing", 9.5e-9},
+                                             {"net_force", 14.7e-3},
+                                             {"positive_force", 20e-3},
+                                             {"negative_force", -5.3e-3},
+                                             {"pitch_torque", 1e-7},
+                                             {"roll_torque", 2e-8},
+                                             {"shear_force_x", 3e-4},
+                                             {"shear_force_y", -4e-5},
+                                             {"shear_pitch_torque", -5e-8},
+                                             {"shear_roll_torque", 6e-9},
+                                             {"maximum_pressure", 9e5},
+                                             {"minimum_pressure", 4e4},
+                                             {"mass_flow", 1.5e-9},
+                                             {"minimum_spacing_error", 1e-11},
+                                             {"pitch_error", 1e-8},
+                                             {"roll_error", 2e-8},
+                                             {"load_error", 1e-5}};
         QMap<QString, double> told;
         for (const auto& [quantity, value] : steadyQuantities(test::sampleSteady()))
             told[QString::fromStdString(quantity.name)] = value;

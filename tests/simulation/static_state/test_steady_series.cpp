@@ -35,9 +35,10 @@ private slots:
         c.steady.altitudes = {0.0, 3000.0};
         QStringList rows;
         for (const SteadySeriesPoint& point : seriesOf(c))
-            rows << QString("%1 %2 %3 %4").arg(*point.altitude).arg(point.speed).arg(1e3 * point.radius).arg(point.skew);
-        QCOMPARE(rows, (QStringList{"0 500 20 -0.1", "0 500 30 0.2", "0 600 20 -0.1", "0 600 30 0.2", "3000 500 20 -0.1",
-                                    "3000 500 30 0.2", "3000 600 20 -0.1", "3000 600 30 0.2"}));
+            rows
+                << QString("%1 %2 %3 %4").arg(*point.altitude).arg(point.speed).arg(1e3 * point.radius).arg(point.skew);
+        QCOMPARE(rows, (QStringList{"0 500 20 -0.1", "0 500 30 0.2", "0 600 20 -0.1", "0 600 30 0.2",
+                                    "3000 500 20 -0.1", "3000 500 30 0.2", "3000 600 20 -0.1", "3000 600 30 0.2"}));
     }
     void oneSkewServesAllRadii()
     {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/simulation/static_state/steady.h"
 #include "core/formats/toml_document.h"
+#include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/advice/advisor_report.h"
 #include "tests/support/taper_flat.h"
@@ -128,12 +128,16 @@ void TestAdvisor::aQuietSceneNeedsItsStaticState()
     QVERIFY(report.findings.at(2).starts_with("Confirmed"));
     QCOMPARE(report.charts.at(0).panels.size(), 2u);
     QVERIFY(report.found);
-    QVERIFY(std::abs(steady(*report.found).minimumSpacing - ofModel(report, "full model", "mean")) <= 1e-11); // twice run.step_error
-    QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) { return text.find("touchdown steady FILE") != std::string::npos; }));
+    QVERIFY(std::abs(steady(*report.found).minimumSpacing - ofModel(report, "full model", "mean")) <=
+            1e-11); // twice run.step_error
+    QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) {
+        return text.find("touchdown steady FILE") != std::string::npos;
+    }));
 }
 
-// A wave of 2 nm passes: the static state has no spread at all, and the linear film answers as the full one. The spectrum of the second
-// half of 0.9 ms resolves 1.5/0.45 ms = 3.3 kHz, a peak's place a tenth of that. The run takes many times longer than the answer.
+// A wave of 2 nm passes: the static state has no spread at all, and the linear film answers as the full one. The
+// spectrum of the second half of 0.9 ms resolves 1.5/0.45 ms = 3.3 kHz, a peak's place a tenth of that. The run takes
+// many times longer than the answer.
 void TestAdvisor::overWavesTheStaticStateIsWrong()
 {
     Case c = overWaves();
@@ -171,8 +175,8 @@ void TestAdvisor::fewSamplesOfItsOwnDoNotMisleadIt()
     QVERIFY(!report.found || report.found->run.sampleInterval == c.run.sampleInterval);
 }
 
-// Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not oscillate, and
-// linear_motion.h has no such modes.
+// Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not
+// oscillate, and linear_motion.h has no such modes.
 void TestAdvisor::whereGrowthIsNotKnownItRunsTheWhole()
 {
     Case c = taperFlat();
@@ -207,7 +211,8 @@ void TestAdvisor::aModelThatTakesLongerCosts()
     result.rungs = {slow};
     StudyReport report;
     reportAdvice(task, result, report);
-    QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) { return text.ends_with("; costs 1.3 times as much."); }));
+    QVERIFY(std::ranges::any_of(report.findings,
+                                [](const std::string& text) { return text.ends_with("; costs 1.3 times as much."); }));
 }
 
 void TestAdvisor::stopsWhereItIsTold()
@@ -223,12 +228,18 @@ void TestAdvisor::saysWhatIsWrong_data()
     QTest::addColumn<bool>("film");
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("key");
-    QTest::newRow("springs") << false << "" << "case";
-    QTest::newRow("a tolerance of nothing") << true << "tolerance = 0" << "tolerance";
-    QTest::newRow("a pilot beyond the end") << true << "pilot = 1.5" << "pilot";
-    QTest::newRow("a budget of nothing") << true << "budget = 0" << "budget";
-    QTest::newRow("an unknown model") << true << "models = [\"static\", \"magic\"]" << "models";
-    QTest::newRow("an unknown key") << true << "tolerances = 0.1" << "tolerances";
+    QTest::newRow("springs") << false << ""
+                             << "case";
+    QTest::newRow("a tolerance of nothing") << true << "tolerance = 0"
+                                            << "tolerance";
+    QTest::newRow("a pilot beyond the end") << true << "pilot = 1.5"
+                                            << "pilot";
+    QTest::newRow("a budget of nothing") << true << "budget = 0"
+                                         << "budget";
+    QTest::newRow("an unknown model") << true << "models = [\"static\", \"magic\"]"
+                                      << "models";
+    QTest::newRow("an unknown key") << true << "tolerances = 0.1"
+                                    << "tolerances";
 }
 
 void TestAdvisor::saysWhatIsWrong()
@@ -259,16 +270,20 @@ void TestAdvisor::theLadderHasWhatTheSceneHas()
         for (const Rung& rung : ladderOf(task, 0.0)) list.push_back(rung.name);
         return list;
     };
-    const auto has = [](const std::vector<std::string>& list, const char* name) { return std::ranges::find(list, name) != list.end(); };
+    const auto has = [](const std::vector<std::string>& list, const char* name) {
+        return std::ranges::find(list, name) != list.end();
+    };
     std::vector<std::string> ladder = names();
-    QVERIFY(has(ladder, "answer to the waves") && has(ladder, "film, flat disk") && has(ladder, "film, 65 x 33 grid lines"));
+    QVERIFY(has(ladder, "answer to the waves") && has(ladder, "film, flat disk") &&
+            has(ladder, "film, 65 x 33 grid lines"));
     QVERIFY(!has(ladder, "film, no contact") && !has(ladder, "film, roll held") && !has(ladder, "rest in contact"));
     task.start.diskSurface = {};
     task.start.degreesOfFreedom = 3;
     task.start.contact = ContactKind::OnoYamane;
     ladder = names();
     QVERIFY(!has(ladder, "answer to the waves") && !has(ladder, "film, flat disk"));
-    QVERIFY(has(ladder, "film, no contact") && has(ladder, "film, no menisci") && has(ladder, "film, roll held") && has(ladder, "rest in contact"));
+    QVERIFY(has(ladder, "film, no contact") && has(ladder, "film, no menisci") && has(ladder, "film, roll held") &&
+            has(ladder, "rest in contact"));
 }
 
 void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
@@ -282,7 +297,8 @@ void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
     const LadderPart noMenisci{"no menisci", "menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"};
     const std::optional<Rung> sum = sumOf(task, {flat, grid, noContact, noMenisci});
     QVERIFY(sum && sum->parts.size() == 3); // without contact there are no menisci
-    QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == ContactKind::None && sum->c.film.nodes[0] == 17);
+    QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == ContactKind::None &&
+            sum->c.film.nodes[0] == 17);
     QVERIFY(!sumOf(task, {noContact, noMenisci}));
     QCOMPARE(sumOf(task, {grid, flat})->name, sumOf(task, {flat, grid})->name);
     task.models = {"parts"};
@@ -305,7 +321,9 @@ void TestAdvisor::aBoundIsNotWrittenAsAMeasurement()
 void TestAdvisor::saysThatTheStepErrorWidens()
 {
     const auto widens = [](const StudyReport& report) {
-        return std::ranges::any_of(report.findings, [](const std::string& text) { return text.find("one step may displace the slider by 0.5 nm") != std::string::npos; });
+        return std::ranges::any_of(report.findings, [](const std::string& text) {
+            return text.find("one step may displace the slider by 0.5 nm") != std::string::npos;
+        });
     };
     AdvisorTask task;
     task.start = taperFlat();
@@ -339,9 +357,12 @@ void TestAdvisor::saysWhatWasMissed()
     result.found = RungErrors{.mean = 0.3e-9};
     StudyReport report;
     reportAdvice(task, result, report);
-    QVERIFY2(report.findings.at(2).starts_with("NOT confirmed by the full model to its end: error of the mean spacing 0.3 nm (claimed 0.1 nm: missed)"),
-             report.findings.at(2).c_str());
-    QVERIFY(std::ranges::any_of(report.findings, [](const std::string& text) { return text.ends_with("; NOT as foretold."); }));
+    QVERIFY2(
+        report.findings.at(2).starts_with(
+            "NOT confirmed by the full model to its end: error of the mean spacing 0.3 nm (claimed 0.1 nm: missed)"),
+        report.findings.at(2).c_str());
+    QVERIFY(std::ranges::any_of(report.findings,
+                                [](const std::string& text) { return text.ends_with("; NOT as foretold."); }));
     QCOMPARE(report.warnings.size(), 2u);
 }
 
@@ -349,15 +370,18 @@ void TestAdvisor::saysWhatWasMissed()
 void TestAdvisor::whatIsKnownIsTold()
 {
     bool told = false;
-    const StudyReport report = perform(taperFlat(), "models = [\"static\", \"parts\"]", [&](const StudyProgress& progress) {
-        told = told || progress.soFar != nullptr;
-        return !told;
-    });
+    const StudyReport report =
+        perform(taperFlat(), "models = [\"static\", \"parts\"]", [&](const StudyProgress& progress) {
+            told = told || progress.soFar != nullptr;
+            return !told;
+        });
     QVERIFY(told);
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("advised"));
-    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.starts_with("it was stopped before these were tried: film, "); }));
+    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) {
+        return text.starts_with("it was stopped before these were tried: film, ");
+    }));
 }
 
 // Its static state was found before; the full model takes many times longer than it goes on before it is stopped.
@@ -365,7 +389,9 @@ void TestAdvisor::whatIsKnownWithoutTheFullModelIsTold()
 {
     Case c = taperFlat();
     c.run.duration = 10e-3;
-    const StudyReport report = perform(c, "pilot = 1.0\nmodels = [\"static\"]", [&](const StudyProgress& progress) { return progress.doing != "the full model"; });
+    const StudyReport report = perform(c, "pilot = 1.0\nmodels = [\"static\"]", [&](const StudyProgress& progress) {
+        return progress.doing != "the full model";
+    });
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY2(report.findings.at(0).starts_with("There is no advice: the full model "), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("not known"));
@@ -395,23 +421,29 @@ void TestAdvisor::whatTheBudgetLeftOutIsTold()
     StudyReport report;
     reportAdvice(task, result, report);
     QVERIFY2(report.findings.at(0).starts_with("So far there is no advice"), report.findings.at(0).c_str());
-    QVERIFY(std::ranges::count(report.warnings, "the budget of 2 s was spent before these were tried: film, flat disk, film, roll held") == 1);
+    QVERIFY(std::ranges::count(
+                report.warnings,
+                "the budget of 2 s was spent before these were tried: film, flat disk, film, roll held") == 1);
     QVERIFY(!report.found);
 }
 
-// A pilot of 5 % knows the end of what rests, the static state is it. It is stopped at a share of 0.15 + 0.45 * 0.3: 30 % of the run.
+// A pilot of 5 % knows the end of what rests, the static state is it. It is stopped at a share of 0.15 + 0.45 * 0.3: 30
+// % of the run.
 void TestAdvisor::aStopBeforeItIsConfirmedKeepsTheAdvice()
 {
     Case c = taperFlat();
     c.run.duration = 3e-3;
-    const StudyReport report = perform(c, "pilot = 0.05\nconfirm = true\nmodels = [\"static\", \"parts\"]", [](const StudyProgress& progress) {
-        return progress.doing != "the full model" || progress.share < 0.285;
-    });
+    const StudyReport report =
+        perform(c, "pilot = 0.05\nconfirm = true\nmodels = [\"static\", \"parts\"]", [](const StudyProgress& progress) {
+            return progress.doing != "the full model" || progress.share < 0.285;
+        });
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("advised"));
     QVERIFY(std::ranges::count(report.warnings, "it was stopped before the advice was confirmed") == 1);
-    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.starts_with("it was stopped before these were tried: film, "); }));
+    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) {
+        return text.starts_with("it was stopped before these were tried: film, ");
+    }));
 }
 
 // Where nothing was to be confirmed, a budget that is spent at the end has left out nothing.
@@ -426,7 +458,8 @@ void TestAdvisor::aBudgetEndsTheConfirmationAlone()
         task.confirm = confirm;
         StudyReport report;
         reportAdvice(task, result, report);
-        QCOMPARE(std::ranges::count(report.warnings, "the budget of 2 s was spent before the advice was confirmed"), confirm ? 1 : 0);
+        QCOMPARE(std::ranges::count(report.warnings, "the budget of 2 s was spent before the advice was confirmed"),
+                 confirm ? 1 : 0);
     }
 }
 
@@ -448,10 +481,14 @@ void TestAdvisor::theFullModelIsAdvisedAgainstWhatWasTried()
     result.rungs = {little, late};
     StudyReport tried;
     reportAdvice(task, result, tried);
-    QCOMPARE(tried.findings.at(0), std::string("Advice: the full model; none of the models that were tried is known to be within the tolerance and takes "
-                                               "at most 1/1.2 of the full model's time."));
+    QCOMPARE(
+        tried.findings.at(0),
+        std::string(
+            "Advice: the full model; none of the models that were tried is known to be within the tolerance and takes "
+            "at most 1/1.2 of the full model's time."));
     QVERIFY(tried.found);
-    QVERIFY(std::ranges::any_of(tried.findings, [](const std::string& text) { return text.starts_with("1 model in time was given up "); }));
+    QVERIFY(std::ranges::any_of(
+        tried.findings, [](const std::string& text) { return text.starts_with("1 model in time was given up "); }));
 }
 
 // Stopped after its parts began, or before: what is built from them is missing.
@@ -461,10 +498,13 @@ void TestAdvisor::sumsHaveTheirPartsTried()
     task.start = overWaves();
     task.models = {"sums"};
     const std::vector<Rung> ladder = ladderOf(task, 0.0);
-    QVERIFY(ladder.size() > 1 && std::ranges::all_of(ladder, [](const Rung& rung) { return rung.kind == RungKind::Part; }));
-    const StudyReport report = perform(overWaves(), "models = [\"sums\"]", [](const StudyProgress& progress) { return progress.soFar == nullptr; });
+    QVERIFY(ladder.size() > 1 &&
+            std::ranges::all_of(ladder, [](const Rung& rung) { return rung.kind == RungKind::Part; }));
+    const StudyReport report = perform(overWaves(), "models = [\"sums\"]",
+                                       [](const StudyProgress& progress) { return progress.soFar == nullptr; });
     QCOMPARE(report.status, StudyStatus::Cancelled);
-    QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) { return text.ends_with(", film without several parts"); }));
+    QVERIFY(std::ranges::any_of(
+        report.warnings, [](const std::string& text) { return text.ends_with(", film without several parts"); }));
 }
 
 void TestAdvisor::aPeakElsewhereIsNotConfirmed()
@@ -479,7 +519,8 @@ void TestAdvisor::aPeakElsewhereIsNotConfirmed()
         result.found = RungErrors{.samePeak = same};
         StudyReport report;
         reportAdvice(task, result, report);
-        QVERIFY2(report.findings.at(2).starts_with(same ? "Confirmed" : "NOT confirmed"), report.findings.at(2).c_str());
+        QVERIFY2(report.findings.at(2).starts_with(same ? "Confirmed" : "NOT confirmed"),
+                 report.findings.at(2).c_str());
         QCOMPARE(report.findings.at(2).find("its largest peak elsewhere: missed") == std::string::npos, same);
     }
 }

@@ -160,7 +160,8 @@ void TestAdvisorJudgement::aSwingThatStepsMayMakeHasNoPeak()
 {
     QFETCH(double, stepError);
     QFETCH(bool, same);
-    const TailEstimate full{.kind = EndKind::Flying, .mean = 10e-9, .spread = 0.5e-9, .peakFrequency = 300e3, .resolution = 10e3};
+    const TailEstimate full{
+        .kind = EndKind::Flying, .mean = 10e-9, .spread = 0.5e-9, .peakFrequency = 300e3, .resolution = 10e3};
     const TailEstimate still{.kind = EndKind::Flying, .mean = 10e-9};
     QCOMPARE(errorsOf(still, full, adaptive(stepError)).samePeak, same);
 }

@@ -49,10 +49,12 @@ void TestReducedModels::theCaseOfAStaticState()
     const RungOutcome outcome = solveReduced(rungOf(RungKind::Static, c), 0.0, {});
     QVERIFY(outcome.answers() && outcome.found);
     QCOMPARE(outcome.command, std::string("steady"));
-    QVERIFY(std::abs(steady(readBack(c, *outcome.found)).minimumSpacing - outcome.tail.mean) < 1e-14); // values are written with all digits
+    QVERIFY(std::abs(steady(readBack(c, *outcome.found)).minimumSpacing - outcome.tail.mean) <
+            1e-14); // values are written with all digits
 }
 
-// Pressed to the disk by a load and menisci that hold it: it begins where it rests, and moves by less than twice a step's error.
+// Pressed to the disk by a load and menisci that hold it: it begins where it rests, and moves by less than twice a
+// step's error.
 void TestReducedModels::theCaseOfARestInContact()
 {
     Case c = openCase("advise_snap").value;
@@ -63,7 +65,8 @@ void TestReducedModels::theCaseOfARestInContact()
     const PilotRun run = pilotRun(rest, {}, {});
     const TailEstimate end = estimateTail(run.samples, rest.run.duration);
     QCOMPARE(end.kind, EndKind::Contact);
-    QVERIFY2(std::abs(end.mean - outcome.tail.mean) < 2.0 * c.run.stepError, QByteArray::number(end.mean - outcome.tail.mean));
+    QVERIFY2(std::abs(end.mean - outcome.tail.mean) < 2.0 * c.run.stepError,
+             QByteArray::number(end.mean - outcome.tail.mean));
     QVERIFY(end.spread < 2.0 * c.run.stepError);
 }
 

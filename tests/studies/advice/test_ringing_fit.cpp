@@ -31,7 +31,8 @@ std::vector<double> ringing(std::size_t count, double constant, const std::vecto
 {
     std::vector<double> samples(count, constant);
     for (std::size_t k = 0; k < count; ++k)
-        for (const auto& [s, amplitude] : terms) samples[k] += (amplitude * std::exp(s * (interval * static_cast<double>(k)))).real();
+        for (const auto& [s, amplitude] : terms)
+            samples[k] += (amplitude * std::exp(s * (interval * static_cast<double>(k)))).real();
     return samples;
 }
 
@@ -41,7 +42,8 @@ std::vector<double> ringing(std::size_t count, double constant, const std::vecto
 void TestRingingFit::findsRatesThatAreKnownAbout()
 {
     const Complex first = rate(80e3, 1.2e4), second = rate(125e3, 8e3);
-    const std::vector<double> samples = ringing(1000, 40e-9, {{first, Complex(1e-9, 0.5e-9)}, {second, Complex(-0.4e-9, 0.2e-9)}});
+    const std::vector<double> samples =
+        ringing(1000, 40e-9, {{first, Complex(1e-9, 0.5e-9)}, {second, Complex(-0.4e-9, 0.2e-9)}});
     const auto fit = fitRinging(samples, interval, {{1.02 * first, false}, {rate(123e3, 6e3), false}});
     QVERIFY(fit);
     QVERIFY(std::abs(fit->rates[0] - first) < 1e-6 * std::abs(first));
@@ -55,18 +57,20 @@ void TestRingingFit::findsRatesThatAreKnownAbout()
 void TestRingingFit::keepsAFixedRate()
 {
     const Complex wave = rate(100e3, 0.0), mode = rate(85e3, 2e4);
-    const auto fit = fitRinging(ringing(1200, 10e-9, {{wave, 0.3e-9}, {mode, 1e-9}}), interval, {{wave, true}, {1.03 * mode, false}});
+    const auto fit = fitRinging(ringing(1200, 10e-9, {{wave, 0.3e-9}, {mode, 1e-9}}), interval,
+                                {{wave, true}, {1.03 * mode, false}});
     QVERIFY(fit);
     QCOMPARE(fit->rates[0], wave);
     QVERIFY(std::abs(fit->amplitudes[0] - 0.3e-9) < 1e-15);
 }
 
-// A second motion at 300 kHz with an amplitude of 0.1 nm is none of those fitted: its root mean square of 0.1/sqrt 2 nm is left, but for what the
-// fitted one can take of it, which over 80 periods is about 1/80.
+// A second motion at 300 kHz with an amplitude of 0.1 nm is none of those fitted: its root mean square of 0.1/sqrt 2 nm
+// is left, but for what the fitted one can take of it, which over 80 periods is about 1/80.
 void TestRingingFit::saysWhatItLeaves()
 {
     const Complex known = rate(100e3, 0.0);
-    const auto fit = fitRinging(ringing(8000, 10e-9, {{known, 1e-9}, {rate(300e3, 0.0), 0.1e-9}}), interval, {{known, true}});
+    const auto fit =
+        fitRinging(ringing(8000, 10e-9, {{known, 1e-9}, {rate(300e3, 0.0), 0.1e-9}}), interval, {{known, true}});
     QVERIFY(fit);
     QVERIFY(std::abs(fit->left / (0.1e-9 / std::numbers::sqrt2) - 1.0) < 0.02);
 }
@@ -75,7 +79,8 @@ void TestRingingFit::saysWhatItLeaves()
 void TestRingingFit::whatCreepsIsTold()
 {
     const Complex mode = rate(85e3, 2e4);
-    const auto fit = fitRinging(ringing(1300, 10e-9, {{mode, 1e-9}, {Complex(-2e4), 2e-9}}), interval, {{1.01 * mode, false}, {-1.2e4, false}});
+    const auto fit = fitRinging(ringing(1300, 10e-9, {{mode, 1e-9}, {Complex(-2e4), 2e-9}}), interval,
+                                {{1.01 * mode, false}, {-1.2e4, false}});
     QVERIFY(fit);
     QVERIFY(std::abs(fit->constant - 10e-9) < 1e-14);
     QVERIFY(std::abs(fit->rates[1] - Complex(-2e4)) < 1.0);

@@ -42,7 +42,8 @@ void TestSceneMotion::wavesDriveItAtTheirOwnRate()
     const SceneMotion scene = sceneMotion(c, {});
     QVERIFY(scene.foretells());
     QVERIFY(scene.rates.back().fixed);
-    QVERIFY(std::abs(std::abs(scene.rates.back().rate.imag()) / (2.0 * std::numbers::pi * 100e3) - 1.0) < 0.01); // the velocity varies along the slider
+    QVERIFY(std::abs(std::abs(scene.rates.back().rate.imag()) / (2.0 * std::numbers::pi * 100e3) - 1.0) <
+            0.01); // the velocity varies along the slider
 }
 
 void TestSceneMotion::aRoughDiskThatPassesByTellsNothing_data()
@@ -71,7 +72,8 @@ void TestSceneMotion::whatGrowsIsNotForetold()
     QVERIFY(!scene.foretells());
 }
 
-// Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not oscillate.
+// Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not
+// oscillate.
 void TestSceneMotion::withoutModesNothingIsForetold()
 {
     Case c = test::taperFlat();

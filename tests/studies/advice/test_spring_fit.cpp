@@ -3,8 +3,8 @@
 
 #include "core/case/fields.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/studies/runs/measured_run.h"
 #include "core/studies/advice/spring_fit.h"
+#include "core/studies/runs/measured_run.h"
 #include "tests/support/taper_flat.h"
 #include "tests/support/test_program.h"
 
@@ -32,9 +32,10 @@ Case taperFlat()
 
 } // namespace
 
-// The springs have the symmetric part of the film's matrix at a frequency between both modes: of two long rails it is symmetric but for
-// some thousandths, and changes as little with frequency; modes go as its root. For both damping ratios one dashpot would have to
-// push: with the other one alone two ratios are met by one number, each to the fifth by which they ask for different ones.
+// The springs have the symmetric part of the film's matrix at a frequency between both modes: of two long rails it is
+// symmetric but for some thousandths, and changes as little with frequency; modes go as its root. For both damping
+// ratios one dashpot would have to push: with the other one alone two ratios are met by one number, each to the fifth
+// by which they ask for different ones.
 void TestSpringFit::ringsAsTheFilmDoes()
 {
     const SpringFit fit = fitSprings(taperFlat());
@@ -61,7 +62,8 @@ void TestSpringFit::restsInTheStaticState()
     QCOMPARE(run.end.kind, EndKind::Flying);
 }
 
-// Moved from the static state as the film's slider is: the mass centre by 2 nm, the pitch by 3 urad, which sets the pad at d_h down.
+// Moved from the static state as the film's slider is: the mass centre by 2 nm, the pitch by 3 urad, which sets the pad
+// at d_h down.
 void TestSpringFit::beginsWhereTheFilmBegins()
 {
     Case c = taperFlat();
@@ -72,7 +74,8 @@ void TestSpringFit::beginsWhereTheFilmBegins()
     const SpringFit fit = fitSprings(c);
     QVERIFY2(fit.problem.empty(), fit.problem.c_str());
     const double arm = fit.springs.onoYamane.padDistance;
-    QVERIFY(std::abs(fit.springs.initial.flyingHeight - fit.springs.springs.flyingHeight - (2e-9 - 3e-6 * arm)) < 1e-15);
+    QVERIFY(std::abs(fit.springs.initial.flyingHeight - fit.springs.springs.flyingHeight - (2e-9 - 3e-6 * arm)) <
+            1e-15);
     QVERIFY(std::abs(fit.springs.initial.pitch - fit.springs.springs.pitch - 3e-6) < 1e-15);
     QCOMPARE(fit.springs.initial.verticalVelocity, 1e-4);
 }

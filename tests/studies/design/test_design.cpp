@@ -66,8 +66,9 @@ class TestDesign : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The plane slider at a pitch of 200 urad carries 8.2148 gf at a trailing gap of 100 nm: an independent solution by exponential
-    /// fitting, extrapolated. Its load goes down with the gap by 0.06 gf/nm, and a grid of 97 x 97 errs by less than 2e-3 gf.
+    /// The plane slider at a pitch of 200 urad carries 8.2148 gf at a trailing gap of 100 nm: an independent solution
+    /// by exponential fitting, extrapolated. Its load goes down with the gap by 0.06 gf/nm, and a grid of 97 x 97 errs
+    /// by less than 2e-3 gf.
     void gapOfThePlane()
     {
         Case c = plane();
@@ -100,7 +101,8 @@ private slots:
         QCOMPARE(study.steps.front().iteration, 0);
         QVERIFY(study.steps.size() <= 4);
     }
-    /// What the slider does with the load 30 um farther back and 10 % more of it is found again by its height and pitch.
+    /// What the slider does with the load 30 um farther back and 10 % more of it is found again by its height and
+    /// pitch.
     void loadFromAttitude()
     {
         const Case c = slider();
@@ -155,7 +157,8 @@ private slots:
         QCOMPARE(study.message, std::string("the targets are not reached in 1 iteration"));
         QCOMPARE(study.steps.size(), std::size_t{2});
     }
-    /// A small pad that stands out from the surface: `touchdown steady` fails there, and the attitude is known all the same.
+    /// A small pad that stands out from the surface: `touchdown steady` fails there, and the attitude is known all the
+    /// same.
     void belowTheDisk()
     {
         Case c = slider();

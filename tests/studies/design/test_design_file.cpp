@@ -90,7 +90,8 @@ private slots:
         int count = 0;
         for (const SampleStudy& study : sampleStudies()) {
             if (study.kind != "design") continue;
-            QTest::newRow(study.name.c_str()) << QString(TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/%1.toml").arg(study.name.c_str());
+            QTest::newRow(study.name.c_str())
+                << QString(TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/%1.toml").arg(study.name.c_str());
             ++count;
         }
         QVERIFY(count >= 2);

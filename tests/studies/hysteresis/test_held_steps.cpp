@@ -59,7 +59,8 @@ private slots:
     {
         HeldEnd before;
         before.valid = true;
-        before.summary.final = {{"height", 60e-9}, {"pitch", 90e-6}, {"vertical_velocity", 1e-3}, {"pitch_velocity", -2.0}};
+        before.summary.final = {
+            {"height", 60e-9}, {"pitch", 90e-6}, {"vertical_velocity", 1e-3}, {"pitch_velocity", -2.0}};
         Case next;
         next.onoYamane.padDistance = 0.5e-3;
         carryOver(next, before);
@@ -111,16 +112,20 @@ private slots:
 
     void thereAndBack()
     {
-        // Down through d_s = 3 nm and up again: caught on the way back, since menisci reach to 5 nm. A step by 1 nm swings by as much.
+        // Down through d_s = 3 nm and up again: caught on the way back, since menisci reach to 5 nm. A step by 1 nm
+        // swings by as much.
         HeldSteps steps = heights({6e-9, 5e-9, 2e-9});
         steps.start.initial.flyingHeight = 8e-9;
         steps.start.initial.pitch = 90e-6;
         std::vector<HeldStep> seen;
         std::vector<std::string> warnings;
-        QVERIFY(holdAll(steps, {}, [&](std::size_t i, HeldStep&& step) {
-            QCOMPARE(i, seen.size());
-            seen.push_back(std::move(step));
-        }, warnings));
+        QVERIFY(holdAll(
+            steps, {},
+            [&](std::size_t i, HeldStep&& step) {
+                QCOMPARE(i, seen.size());
+                seen.push_back(std::move(step));
+            },
+            warnings));
         QCOMPARE(seen.size(), std::size_t(6));
         const EndKind f = EndKind::Flying, c = EndKind::Contact;
         const std::vector<EndKind> expected{f, f, c, c, c, c};
@@ -150,7 +155,8 @@ private slots:
     void stops()
     {
         std::vector<std::string> warnings;
-        QVERIFY(!holdAll(heights({7e-9, 6e-9}), [] { return false; }, [](std::size_t, HeldStep&&) { QFAIL("held"); }, warnings));
+        QVERIFY(!holdAll(
+            heights({7e-9, 6e-9}), [] { return false; }, [](std::size_t, HeldStep&&) { QFAIL("held"); }, warnings));
     }
 };
 

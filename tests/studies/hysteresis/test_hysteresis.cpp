@@ -27,7 +27,8 @@ StudyReport performed(const Case& c, const std::string& text, int jobs = 2, cons
 
 bool says(const StudyReport& report, const std::string& part)
 {
-    return std::ranges::any_of(report.findings, [&](const std::string& each) { return each.find(part) != std::string::npos; });
+    return std::ranges::any_of(report.findings,
+                               [&](const std::string& each) { return each.find(part) != std::string::npos; });
 }
 
 const StudyTable& table(const StudyReport& report, const std::string& name)
@@ -50,7 +51,8 @@ class TestHysteresis : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The default slider, set lower and lower: it falls where its static height is d_s = 3 nm, and is caught until the menisci break.
+    /// The default slider, set lower and lower: it falls where its static height is d_s = 3 nm, and is caught until the
+    /// menisci break.
     void defaultCaseHasALoop()
     {
         const StudyReport report = performed(Case{}, hysteresisTemplate(Case{}));
@@ -74,19 +76,23 @@ private slots:
     void sameWithOneThreadOrTwo_data()
     {
         QTest::addColumn<QString>("text");
-        QTest::newRow("there and back") << "parameter = \"ono_yamane.meniscus_force\"\nfrom = \"50 mN\"\nto = \"0 mN\"\nsteps = 6\nhold = \"0.2 ms\"\n";
-        QTest::newRow("each anew") << "parameter = \"initial.flying_height\"\nfrom = \"1 nm\"\nto = \"250 nm\"\nsteps = 6\nhold = \"0.2 ms\"\n";
+        QTest::newRow("there and back") << "parameter = \"ono_yamane.meniscus_force\"\nfrom = \"50 mN\"\nto = \"0 "
+                                           "mN\"\nsteps = 6\nhold = \"0.2 ms\"\n";
+        QTest::newRow("each anew") << "parameter = \"initial.flying_height\"\nfrom = \"1 nm\"\nto = \"250 nm\"\nsteps "
+                                      "= 6\nhold = \"0.2 ms\"\n";
     }
     void sameWithOneThreadOrTwo()
     {
         QFETCH(QString, text);
-        const StudyReport one = performed(Case{}, text.toStdString(), 1), two = performed(Case{}, text.toStdString(), 2);
+        const StudyReport one = performed(Case{}, text.toStdString(), 1),
+                          two = performed(Case{}, text.toStdString(), 2);
         QCOMPARE(one.findings, two.findings);
         QCOMPARE(one.warnings, two.warnings);
         for (std::size_t i = 0; i < one.tables.size(); ++i) QVERIFY(one.tables[i].rows == two.tables[i].rows);
     }
 
-    /// A pad ahead of the mass centre, pressed for good, flutters from some friction on: see the test of the equilibria.
+    /// A pad ahead of the mass centre, pressed for good, flutters from some friction on: see the test of the
+    /// equilibria.
     void tellsSelfExcitation()
     {
         Case c;
@@ -100,27 +106,36 @@ private slots:
         c.onoYamane.padDistance = -0.3e-3;
         c.onoYamane.meniscusForce = 0.0;
         c.initial.flyingHeight = 1e-9;
-        const StudyReport report = performed(c, "parameter = \"ono_yamane.friction\"\nfrom = 0.5\nto = 0.7\nsteps = 4\nhold = \"0.1 ms\"\n");
-        QVERIFY(report.findings.front().starts_with("Self-excited: an equilibrium is unstable by an oscillation that grows"));
+        const StudyReport report =
+            performed(c, "parameter = \"ono_yamane.friction\"\nfrom = 0.5\nto = 0.7\nsteps = 4\nhold = \"0.1 ms\"\n");
+        QVERIFY(report.findings.front().starts_with(
+            "Self-excited: an equilibrium is unstable by an oscillation that grows"));
         QVERIFY(hasSeries(report, "Hopf points"));
         QVERIFY(hasSeries(report, "unstable equilibria"));
     }
 
     void startsAreFresh()
     {
-        const StudyReport report = performed(Case{}, "parameter = \"initial.flying_height\"\nfrom = \"20 nm\"\nto = \"250 nm\"\nsteps = 4\nhold = \"0.5 ms\"\n");
+        const StudyReport report = performed(
+            Case{},
+            "parameter = \"initial.flying_height\"\nfrom = \"20 nm\"\nto = \"250 nm\"\nsteps = 4\nhold = \"0.5 ms\"\n");
         QCOMPARE(table(report, "steps").rows.size(), std::size_t(5));
         QVERIFY(hasSeries(report, "end states"));
         QVERIFY(says(report, "Begun anew at each value the slider ends flying in "));
         QVERIFY(says(report, "5 runs"));
     }
 
-    /// From its own start, 250 nm, the default slider flies at 7 nm: moved there and back through lower heights it would be caught on the way.
+    /// From its own start, 250 nm, the default slider flies at 7 nm: moved there and back through lower heights it
+    /// would be caught on the way.
     void anyValueMayBeginAnew()
     {
-        const char* range = "parameter = \"springs.flying_height\"\nfrom = \"2 nm\"\nto = \"7 nm\"\nsteps = 10\nhold = \"2 ms\"\nequilibria = false\n";
-        const auto last = [&](const StudyReport& report, std::size_t row) { return std::get<std::string>(table(report, "steps").rows[row][2]); };
-        const StudyReport anew = performed(Case{}, std::string(range) + "anew = true\n"), carried = performed(Case{}, range);
+        const char* range = "parameter = \"springs.flying_height\"\nfrom = \"2 nm\"\nto = \"7 nm\"\nsteps = 10\nhold = "
+                            "\"2 ms\"\nequilibria = false\n";
+        const auto last = [&](const StudyReport& report, std::size_t row) {
+            return std::get<std::string>(table(report, "steps").rows[row][2]);
+        };
+        const StudyReport anew = performed(Case{}, std::string(range) + "anew = true\n"),
+                          carried = performed(Case{}, range);
         QCOMPARE(table(anew, "steps").rows.size(), std::size_t(11));
         QCOMPARE(std::get<std::string>(table(anew, "steps").rows[0][0]), std::string("anew"));
         QCOMPARE(last(anew, 10), std::string("flying"));
@@ -135,17 +150,22 @@ private slots:
         Case c = test::smallSlider(33);
         c.contact = ContactKind::OnoYamane;
         for (const std::string key : {"slider.length", "slider.width"}) {
-            const std::string range = "parameter = \"" + key + "\"\nfrom = \"1 mm\"\nto = \"1.01 mm\"\nsteps = 1\nhold = \"1 us\"\n";
+            const std::string range =
+                "parameter = \"" + key + "\"\nfrom = \"1 mm\"\nto = \"1.01 mm\"\nsteps = 1\nhold = \"1 us\"\n";
             QVERIFY(planOf(c, range).valid());
             const StudyPlan asked = planOf(c, range + "equilibria = true\n");
             QVERIFY(!asked.valid());
-            QVERIFY(asked.problems.front().text().find("one grid over the slider, which " + key + " would change") != std::string::npos);
+            QVERIFY(asked.problems.front().text().find("one grid over the slider, which " + key + " would change") !=
+                    std::string::npos);
         }
         c.degreesOfFreedom = 2;
         c.initial.state = InitialState::Static;
-        const StudyReport report = performed(c, "parameter = \"slider.width\"\nfrom = \"0.8 mm\"\nto = \"0.81 mm\"\nsteps = 1\nhold = \"1 us\"\n");
+        const StudyReport report = performed(
+            c, "parameter = \"slider.width\"\nfrom = \"0.8 mm\"\nto = \"0.81 mm\"\nsteps = 1\nhold = \"1 us\"\n");
         QCOMPARE(report.status, StudyStatus::Completed);
-        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) { return each.starts_with("equilibria of a film are followed on one grid"); }));
+        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) {
+            return each.starts_with("equilibria of a film are followed on one grid");
+        }));
         QVERIFY(!hasSeries(report, "stable equilibria"));
     }
 
@@ -157,13 +177,18 @@ private slots:
         c.onoYamane.touchDown = 5e-9;
         c.onoYamane.takeOff = 8e-9;
         c.initial.state = InitialState::Static;
-        const StudyReport report = performed(c, "parameter = \"disk.speed\"\nfrom = \"7200 rpm\"\nto = \"7000 rpm\"\nsteps = 1\nhold = \"1 us\"\n");
+        const StudyReport report = performed(
+            c, "parameter = \"disk.speed\"\nfrom = \"7200 rpm\"\nto = \"7000 rpm\"\nsteps = 1\nhold = \"1 us\"\n");
         QCOMPARE(report.status, StudyStatus::Completed);
         QCOMPARE(table(report, "steps").rows.size(), std::size_t(4));
-        for (const auto& row : table(report, "steps").rows) QCOMPARE(std::get<std::string>(row[2]), std::string("flying"));
-        // At both values it flies at the static state; on so few cells its stability means little, and the study says so.
+        for (const auto& row : table(report, "steps").rows)
+            QCOMPARE(std::get<std::string>(row[2]), std::string("flying"));
+        // At both values it flies at the static state; on so few cells its stability means little, and the study says
+        // so.
         QVERIFY(table(report, "equilibria").rows.size() >= 2);
-        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) { return each.find("fewer than ten cells") != std::string::npos; }));
+        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) {
+            return each.find("fewer than ten cells") != std::string::npos;
+        }));
     }
 
     void stopsAtOnce()
@@ -182,16 +207,25 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("key");
-        QTest::newRow("unknown parameter") << "parameter = \"springs.flying_hight\"\nfrom = 1\nto = 2" << "parameter";
-        QTest::newRow("no number") << "parameter = \"springs.potential\"\nfrom = 1\nto = 2" << "parameter";
-        QTest::newRow("of the computation") << "parameter = \"run.step\"\nfrom = \"1 ns\"\nto = \"2 ns\"" << "parameter";
-        QTest::newRow("no end") << "parameter = \"ono_yamane.friction\"\nfrom = 0.1" << "to";
-        QTest::newRow("out of range") << "parameter = \"ono_yamane.friction\"\nfrom = -0.1\nto = 1" << "from";
-        QTest::newRow("no valid case there") << "from = \"7 nm\"\nto = \"-5 nm\"" << "to";
-        QTest::newRow("nothing to move") << "from = \"7 nm\"\nto = \"7 nm\"" << "to";
-        QTest::newRow("unknown key") << "stepz = 3" << "stepz";
+        QTest::newRow("unknown parameter") << "parameter = \"springs.flying_hight\"\nfrom = 1\nto = 2"
+                                           << "parameter";
+        QTest::newRow("no number") << "parameter = \"springs.potential\"\nfrom = 1\nto = 2"
+                                   << "parameter";
+        QTest::newRow("of the computation") << "parameter = \"run.step\"\nfrom = \"1 ns\"\nto = \"2 ns\""
+                                            << "parameter";
+        QTest::newRow("no end") << "parameter = \"ono_yamane.friction\"\nfrom = 0.1"
+                                << "to";
+        QTest::newRow("out of range") << "parameter = \"ono_yamane.friction\"\nfrom = -0.1\nto = 1"
+                                      << "from";
+        QTest::newRow("no valid case there") << "from = \"7 nm\"\nto = \"-5 nm\""
+                                             << "to";
+        QTest::newRow("nothing to move") << "from = \"7 nm\"\nto = \"7 nm\""
+                                         << "to";
+        QTest::newRow("unknown key") << "stepz = 3"
+                                     << "stepz";
         QTest::newRow("a start cannot be carried over")
-            << "parameter = \"initial.flying_height\"\nfrom = \"5 nm\"\nto = \"9 nm\"\nanew = false" << "anew";
+            << "parameter = \"initial.flying_height\"\nfrom = \"5 nm\"\nto = \"9 nm\"\nanew = false"
+            << "anew";
     }
     void saysWhatIsWrong()
     {
@@ -215,8 +249,8 @@ private slots:
         QVERIFY(plan.problems.front().message.find("steady.fixed_attitude") != std::string::npos);
     }
 
-    /// On 193 x 193 nodes 14 runs of at most 5 s per node and second of the run: 200 us take 5 14 200e-6 37249 s = 521 s, which is
-    /// 9 min; and at least a tenth of it.
+    /// On 193 x 193 nodes 14 runs of at most 5 s per node and second of the run: 200 us take 5 14 200e-6 37249 s = 521
+    /// s, which is 9 min; and at least a tenth of it.
     void aFilmsTemplateSaysWhatItCosts()
     {
         const std::string text = hysteresisTemplate(openCase("film_plane").value);
@@ -228,8 +262,8 @@ private slots:
     void templatesAreValid_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"fig10a", "table3_3nm_from_100nm", "textbook_oscillator", "textbook_bounce", "film_pico", "fig06_de_4nm",
-                                 "fig02_case_2_moving"})
+        for (const char* name : {"fig10a", "table3_3nm_from_100nm", "textbook_oscillator", "textbook_bounce",
+                                 "film_pico", "fig06_de_4nm", "fig02_case_2_moving"})
             QTest::newRow(name) << name;
     }
     void templatesAreValid()

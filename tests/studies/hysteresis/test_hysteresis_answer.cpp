@@ -18,7 +18,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Forced"));
         QVERIFY(says(findings, "fades by a factor of e within 100 us"));
@@ -29,7 +30,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+        result.lines = {
+            {"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
         result.marks = {{EquilibriumMark::Hopf, "Hopf point", at(1.5e-3, 3e-9, Stability::Neutral, 0.0), false}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Self-excited"));
@@ -42,7 +44,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         result.steps[2].end.kind = result.steps[4].end.kind = EndKind::Intermittent;
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(says(findings, "Self-excited: from 2 mN to 3 mN the slider ends in and out of contact"));
@@ -55,7 +58,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(says(findings, "From 2 mN to 3 mN no equilibrium was found"));
         QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
@@ -71,23 +75,27 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.resolved = 99e3; // the oscillation has 100 kHz
-        result.lines = {{"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+        result.lines = {
+            {"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Not known on this grid: at 3 mN"));
         QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
     }
 
-    /// Stable flying up to 1.5, in contact from 0.5 on, unstable between 1 and 1.2: more than one from 0.5 to 1 and from 1.2 to 1.5.
+    /// Stable flying up to 1.5, in contact from 0.5 on, unstable between 1 and 1.2: more than one from 0.5 to 1 and
+    /// from 1.2 to 1.5.
     void coexistenceBetweenHeldValues()
     {
         using enum Stability;
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stable, -1e4), at(1.5e-3, 7e-9, Stable, -1e4)}},
-                        {"in contact", false,
-                         {at(0.5e-3, 3e-9, Stable, -1e4), at(1.0e-3, 3e-9, Stable, -1e4), at(1.01e-3, 3e-9, Flutter, 1e4),
-                          at(1.19e-3, 3e-9, Flutter, 1e4), at(1.2e-3, 3e-9, Stable, -1e4), at(3e-3, 3e-9, Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stable, -1e4), at(1.5e-3, 7e-9, Stable, -1e4)}},
+            {"in contact",
+             false,
+             {at(0.5e-3, 3e-9, Stable, -1e4), at(1.0e-3, 3e-9, Stable, -1e4), at(1.01e-3, 3e-9, Flutter, 1e4),
+              at(1.19e-3, 3e-9, Flutter, 1e4), at(1.2e-3, 3e-9, Stable, -1e4), at(3e-3, 3e-9, Stable, -1e4)}}};
         // Between a stable and an unstable point the nearer one counts: to the middle of the span.
         QVERIFY(says(hysteresisFindings(task(), result), "More than one equilibrium is stable from 0.5 mN to 1"));
         QVERIFY(says(hysteresisFindings(task(), result), " mN to 1.5 mN: which one"));
@@ -100,10 +108,14 @@ private slots:
         result.steps = loop();
         result.traced = true;
         for (const std::size_t i : {2, 3, 4, 5}) result.steps[i].end.kind = EndKind::Intermittent;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}},
-                        {"in contact", false, {at(1.5e-3, 4e-9, Stability::Divergence, -1e4), at(3e-3, 4e-9, Stability::Divergence, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}},
+            {"in contact",
+             false,
+             {at(1.5e-3, 4e-9, Stability::Divergence, -1e4), at(3e-3, 4e-9, Stability::Divergence, -1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
-        QVERIFY(says(findings, "Self-excited: from 2 mN to 3 mN the slider ends in and out of contact, and no equilibrium was found that it could"));
+        QVERIFY(says(findings, "Self-excited: from 2 mN to 3 mN the slider ends in and out of contact, and no "
+                               "equilibrium was found that it could"));
         QVERIFY(!says(findings, "Forced"));
     }
 
@@ -113,9 +125,15 @@ private slots:
         HysteresisResult result;
         result.traced = true;
         result.steps = {step(2e-3, false, EndKind::Contact, 3e-9), step(2e-3, true, EndKind::Flying, 7e-9)};
-        result.lines = {{"in contact", false, {at(1e-3, 3.1e-9, Stability::Divergence, -1e4), at(3e-3, 3.1e-9, Stability::Divergence, -1e4)}},
-                        {"in contact", false, {at(1e-3, 2.5e-9, Stability::Stable, -1e4), at(3e-3, 2.5e-9, Stability::Stable, -1e4)}}};
-        QVERIFY(says(hysteresisFindings(task(), result), "Of 2 runs that came to rest, 1 did so within 0.5 nm of an equilibrium that is stable"));
+        result.lines = {
+            {"in contact",
+             false,
+             {at(1e-3, 3.1e-9, Stability::Divergence, -1e4), at(3e-3, 3.1e-9, Stability::Divergence, -1e4)}},
+            {"in contact",
+             false,
+             {at(1e-3, 2.5e-9, Stability::Stable, -1e4), at(3e-3, 2.5e-9, Stability::Stable, -1e4)}}};
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "Of 2 runs that came to rest, 1 did so within 0.5 nm of an equilibrium that is stable"));
     }
 };
 

@@ -52,7 +52,10 @@ private slots:
     void betweenThePointsOfALine()
     {
         const std::vector<EquilibriumLine> lines{
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.0, 5e-9, Stability::Stable, -1e4), at(2.0, 4e-9, Stability::Stable, -1e4)}},
+            {"flying",
+             false,
+             {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.0, 5e-9, Stability::Stable, -1e4),
+              at(2.0, 4e-9, Stability::Stable, -1e4)}},
             {"in contact", true, {at(1.5, 2e-9, Stability::Divergence, 1e4)}}};
         QCOMPARE(equilibriaAt(lines, 0.5).size(), std::size_t(1));
         QVERIFY(std::abs(equilibriaAt(lines, 0.5)[0].spacing - 6e-9) < 1e-22);
@@ -78,8 +81,13 @@ private slots:
     void whatWasNotFollowedIsNotCalledStable()
     {
         FilmBranches found;
-        FilmEquilibrium one{.attitude = {}, .spacing = 7e-9, .touching = false, .netContactForce = 0.0, .eigenvalues = {},
-                            .stability = Stability::Stable, .lost = 2};
+        FilmEquilibrium one{.attitude = {},
+                            .spacing = 7e-9,
+                            .touching = false,
+                            .netContactForce = 0.0,
+                            .eigenvalues = {},
+                            .stability = Stability::Stable,
+                            .lost = 2};
         found.branches = {{ContactRegion::Apart, {{0.0, one}, {3e-3, one}}}};
         found.branches[0].points[1].at.eigenvalues = {{-1e4, 6.283185307179586e5}};
         found.branches[0].points[1].at.lost = 1;
@@ -100,7 +108,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.traced = true;
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
         for (HeldStep& each : result.steps) {
             each.end.kind = EndKind::Failed;
             each.problem = "the slider left the film";
@@ -118,7 +127,8 @@ private slots:
         result.steps = loop();
         result.steps[6].drift = 1e-9; // 1 mN, back
         QVERIFY(says(hysteresisFindings(task(), result), "Hysteresis or a lag at 1 mN"));
-        QVERIFY(says(hysteresisFindings(task(), result), "at none of these values have both come to rest: a longer hold tells"));
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "at none of these values have both come to rest: a longer hold tells"));
     }
 
     /// Between 1 and 2 mN it falls from 7 to 3 nm: a fold at 6 nm is where it was, one at 2 nm where it came to.
@@ -135,8 +145,13 @@ private slots:
     /// A crossing at 596 kHz on a grid that knows signs up to 200 kHz is none.
     void aHopfPointThatTheGridDoesNotKnowIsNotMarked()
     {
-        const FilmEquilibrium one{.attitude = {}, .spacing = 3e-9, .touching = true, .netContactForce = 0.0,
-                                  .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}}, .stability = Stability::Flutter, .lost = 0};
+        const FilmEquilibrium one{.attitude = {},
+                                  .spacing = 3e-9,
+                                  .touching = true,
+                                  .netContactForce = 0.0,
+                                  .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}},
+                                  .stability = Stability::Flutter,
+                                  .lost = 0};
         FilmBranches found;
         found.branches = {{ContactRegion::Bridged, {{0.0, one}, {1.0, one}}}};
         MarkedFilmEquilibrium mark;
@@ -160,8 +175,13 @@ private slots:
     void aSaddleHasOneOscillationLess()
     {
         FilmBranches found;
-        const FilmEquilibrium saddle{.attitude = {}, .spacing = 4e-9, .touching = true, .netContactForce = 0.0,
-                                     .eigenvalues = {{-1e4, 6.283185307179586e5}}, .stability = Stability::Divergence, .lost = 1};
+        const FilmEquilibrium saddle{.attitude = {},
+                                     .spacing = 4e-9,
+                                     .touching = true,
+                                     .netContactForce = 0.0,
+                                     .eigenvalues = {{-1e4, 6.283185307179586e5}},
+                                     .stability = Stability::Divergence,
+                                     .lost = 1};
         found.branches = {{ContactRegion::Bridged, {{0.0, saddle}, {3e-3, saddle}}}};
         HysteresisResult result;
         result.steps = loop();
@@ -191,11 +211,14 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         for (HeldStep& each : result.steps) each.end = {EndKind::Contact, 3e-9, 0.0};
-        QVERIFY(says(hysteresisFindings(task(), result), "in contact at every value from 0 mN to 3 mN and back, which it came to from its start"));
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "in contact at every value from 0 mN to 3 mN and back, which it came to from its start"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Intermittent, 3e-9, 0.5e-9};
-        QVERIFY(says(hysteresisFindings(task(), result), "goes in and out of contact at every value from 0 mN to 3 mN and back"));
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "goes in and out of contact at every value from 0 mN to 3 mN and back"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Flying, 7e-9, 0.0};
-        QVERIFY(says(hysteresisFindings(task(), result), "flies at every value from 0 mN to 3 mN and back: no touch-down was seen"));
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "flies at every value from 0 mN to 3 mN and back: no touch-down was seen"));
     }
 
     /// It touches down while 3 mN is held again, and takes off on the way back.
@@ -222,7 +245,8 @@ private slots:
     {
         HysteresisResult result;
         result.steps = loop();
-        result.lines = {{"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+        result.lines = {
+            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         result.marks = {{EquilibriumMark::Switch, "touch-down", at(2.5e-3, 7e-9, Stability::Stable, -1e4), false}};
         QVERIFY(says(hysteresisFindings(task(), result), "ends only at 2.5 mN: the step set the slider swinging"));
         HeldSteps wavy = task();
@@ -237,7 +261,9 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.steps.back().end = {EndKind::Contact, 4e-9, 0.0};
-        QVERIFY(says(hysteresisFindings(task(), result), "From there on the slider stays in contact: on the way back, to 0 mN, it does not take off again"));
+        QVERIFY(
+            says(hysteresisFindings(task(), result),
+                 "From there on the slider stays in contact: on the way back, to 0 mN, it does not take off again"));
     }
 };
 

@@ -50,7 +50,9 @@ private slots:
         using enum Stability;
         for (const Stability rounded : {Stable, Flutter}) {
             const std::vector<EquilibriumLine> lines{
-                {"flying", false, {at(0.0, Stable), at(1.0, rounded, true), at(2.0, Flutter), at(3.0, Flutter), at(4.0, Stable)}}};
+                {"flying",
+                 false,
+                 {at(0.0, Stable), at(1.0, rounded, true), at(2.0, Flutter), at(3.0, Flutter), at(4.0, Stable)}}};
             QVERIFY(same(rangesAlong(lines, flutters), {{1.0, 3.0}}));
         }
         const std::vector<EquilibriumLine> outside{{"front spring lost", true, {at(0.0, Flutter)}}};
@@ -61,8 +63,9 @@ private slots:
     void coexistenceEndsAtAHopfPoint()
     {
         using enum Stability;
-        const std::vector<EquilibriumLine> lines{{"flying", false, {at(0.0, Stable), at(2.0, Stable, true), at(4.0, Flutter)}},
-                                                 {"in contact", false, {at(1.0, Stable), at(4.0, Stable)}}};
+        const std::vector<EquilibriumLine> lines{
+            {"flying", false, {at(0.0, Stable), at(2.0, Stable, true), at(4.0, Flutter)}},
+            {"in contact", false, {at(1.0, Stable), at(4.0, Stable)}}};
         QVERIFY(same(coexistence(lines), {{1.0, 2.0}}));
     }
 
@@ -70,8 +73,10 @@ private slots:
     {
         QCOMPARE(text({{3e-9, 3e-9}}, nanometres), std::string("at 3 nm"));
         QCOMPARE(text({{3e-9, 5e-9}, {8e-9, 8e-9}}, nanometres), std::string("from 3 nm to 5 nm and at 8 nm"));
-        QCOMPARE(text({{1e-9, 2e-9}, {3e-9, 3e-9}, {5e-9, 6e-9}}, nanometres), std::string("from 1 nm to 2 nm, at 3 nm and from 5 nm to 6 nm"));
-        QCOMPARE(text({{1e-9, 1e-9}, {3e-9, 3e-9}, {5e-9, 5e-9}, {7e-9, 7e-9}}, nanometres), std::string("in 4 places from 1 nm to 7 nm"));
+        QCOMPARE(text({{1e-9, 2e-9}, {3e-9, 3e-9}, {5e-9, 6e-9}}, nanometres),
+                 std::string("from 1 nm to 2 nm, at 3 nm and from 5 nm to 6 nm"));
+        QCOMPARE(text({{1e-9, 1e-9}, {3e-9, 3e-9}, {5e-9, 5e-9}, {7e-9, 7e-9}}, nanometres),
+                 std::string("in 4 places from 1 nm to 7 nm"));
         QVERIFY(text({}, nanometres).empty());
     }
 };

@@ -34,8 +34,8 @@ private slots:
         for (std::size_t i = 0; i < starts.size(); ++i) QVERIFY(std::abs(starts[i] - expected[i]) < 1e-21);
     }
 
-    /// Wilson 1927 at z = 1.96. Of 10 out of 10: lower = 1/(1 + z^2/10) = 0.72246; of 0 it is the mirror image. Of 150 out of 300:
-    /// middle 1/2, half = z/(1 + z^2/300) sqrt(1/1200 + z^2/360000) = 0.0562215.
+    /// Wilson 1927 at z = 1.96. Of 10 out of 10: lower = 1/(1 + z^2/10) = 0.72246; of 0 it is the mirror image. Of 150
+    /// out of 300: middle 1/2, half = z/(1 + z^2/300) sqrt(1/1200 + z^2/360000) = 0.0562215.
     void wilsonIntervals()
     {
         QVERIFY(std::abs(shareOf(10, 10).lower - 0.72246) < 1e-5);
@@ -45,8 +45,9 @@ private slots:
         QVERIFY(std::abs(shareOf(150, 300).upper - 0.5562215) < 1e-6);
     }
 
-    /// 100 starts; the first way ends 30 of them in class 1 where the second does not (b), and c the other way. b - c over 100, with the
-    /// error sqrt(b + c)/100. 30 against 0 is certain: 29 > 2 sqrt(30) = 10.95; 30 against 28 is not: 1 < 2 sqrt(58).
+    /// 100 starts; the first way ends 30 of them in class 1 where the second does not (b), and c the other way. b - c
+    /// over 100, with the error sqrt(b + c)/100. 30 against 0 is certain: 29 > 2 sqrt(30) = 10.95; 30 against 28 is
+    /// not: 1 < 2 sqrt(58).
     void sharesAreComparedStartByStart()
     {
         std::vector<std::size_t> first(100, 0), second(100, 0);
@@ -76,7 +77,8 @@ private slots:
     {
         std::vector<Ensemble> all(2);
         all[0].ends = {flying(7e-9), flying(7.05e-9), flying(3e-9), failed(RunFailure::Chattering)};
-        all[1].ends = {flying(7.1e-9), flying(7e-9), {.state = {EndKind::Contact, 3e-9, 0.0}}, failed(RunFailure::Diverged)};
+        all[1].ends = {
+            flying(7.1e-9), flying(7e-9), {.state = {EndKind::Contact, 3e-9, 0.0}}, failed(RunFailure::Diverged)};
         const EndClasses ends = classifyEnds(all);
         QCOMPARE(ends.classes.size(), std::size_t{5});
         QCOMPARE(ends.classes[0].name, std::string("flying at 7.04 nm"));
@@ -93,7 +95,8 @@ private slots:
         c.run.duration = 0.1e-3;
         const auto run = [&](int jobs) {
             std::vector<Ensemble> all{{"dopri5", "", c, {}}};
-            if (!runEnsembles(all, {.key = "initial.flying_height", .starts = 12, .spread = 0.5e-9}, jobs, always)) qFatal("stopped");
+            if (!runEnsembles(all, {.key = "initial.flying_height", .starts = 12, .spread = 0.5e-9}, jobs, always))
+                qFatal("stopped");
             return all.front().ends;
         };
         const std::vector<EnsembleEnd> one = run(1), three = run(3);
@@ -105,7 +108,8 @@ private slots:
         }
     }
 
-    /// Energy is lost at every bounce, so that a slider that starts close to its static state ends there, wherever exactly it starts.
+    /// Energy is lost at every bounce, so that a slider that starts close to its static state ends there, wherever
+    /// exactly it starts.
     void allOfAQuietEnsembleEndAlike()
     {
         Case c = sample("fig10a");
@@ -121,7 +125,8 @@ private slots:
     void stops()
     {
         std::vector<Ensemble> all{{"dopri5", "", sample("fig10a"), {}}};
-        QVERIFY(!runEnsembles(all, {.key = "initial.flying_height", .starts = 1000, .spread = 0.5e-9}, 2, [](std::size_t) { return false; }));
+        QVERIFY(!runEnsembles(all, {.key = "initial.flying_height", .starts = 1000, .spread = 0.5e-9}, 2,
+                              [](std::size_t) { return false; }));
     }
 };
 

@@ -40,20 +40,24 @@ std::size_t columnOf(const StudyTable& table, const std::string& name)
     qFatal("no column %s", name.c_str());
 }
 
-const StudyValue& valueOf(const StudyReport& report, const std::string& method, const std::string& setting, const std::string& column)
+const StudyValue& valueOf(const StudyReport& report, const std::string& method, const std::string& setting,
+                          const std::string& column)
 {
     const StudyTable& table = tableOf(report, "runs");
     for (const auto& row : table.rows)
-        if (std::get<std::string>(row[0]) == method && std::get<std::string>(row[1]) == setting) return row[columnOf(table, column)];
+        if (std::get<std::string>(row[0]) == method && std::get<std::string>(row[1]) == setting)
+            return row[columnOf(table, column)];
     qFatal("no run %s, %s", method.c_str(), setting.c_str());
 }
 
-double numberOf(const StudyReport& report, const std::string& method, const std::string& setting, const std::string& column)
+double numberOf(const StudyReport& report, const std::string& method, const std::string& setting,
+                const std::string& column)
 {
     return std::get<double>(valueOf(report, method, setting, column));
 }
 
-std::string textOf(const StudyReport& report, const std::string& method, const std::string& setting, const std::string& column)
+std::string textOf(const StudyReport& report, const std::string& method, const std::string& setting,
+                   const std::string& column)
 {
     return std::get<std::string>(valueOf(report, method, setting, column));
 }
@@ -68,14 +72,16 @@ bool tells(const std::vector<std::string>& sentences, const std::string& part)
 /// A method of one integrator over steps.
 std::string stepMethod(const std::string& integrator, const std::string& values)
 {
-    return "[[method]]\nname = \"" + integrator + "\"\nset = { \"run.integrator\" = \"" + integrator + "\" }\nkey = \"run.step\"\nvalues = " + values + "\n";
+    return "[[method]]\nname = \"" + integrator + "\"\nset = { \"run.integrator\" = \"" + integrator +
+           "\" }\nkey = \"run.step\"\nvalues = " + values + "\n";
 }
 
 /// So that a test takes no longer than it must.
 const std::string quick = "repeats = 1\ntime_limit = \"1 ms\"\n";
 /// Two families that prove each other in milliseconds.
-const std::string references = "[[reference]]\nname = \"dopri5\"\nset = { \"run.integrator\" = \"dopri5\", \"run.tolerance\" = 1e-13 }\n"
-                               "[[reference]]\nname = \"rk4-events\"\nset = { \"run.integrator\" = \"rk4-events\", \"run.step\" = \"5 ns\" }\n";
+const std::string references =
+    "[[reference]]\nname = \"dopri5\"\nset = { \"run.integrator\" = \"dopri5\", \"run.tolerance\" = 1e-13 }\n"
+    "[[reference]]\nname = \"rk4-events\"\nset = { \"run.integrator\" = \"rk4-events\", \"run.step\" = \"5 ns\" }\n";
 
 } // namespace
 
@@ -91,39 +97,45 @@ private slots:
         QTest::newRow("rk4-events") << "rk4-events" << 4.0;
         QTest::newRow("newmark") << "newmark" << 2.0;
     }
-    /// Halving the step of a method of order p divides its error by 2^p. w dt is 0.063 at 1 us, where the errors of order p + 1 and more are
-    /// smaller by that factor.
+    /// Halving the step of a method of order p divides its error by 2^p. w dt is 0.063 at 1 us, where the errors of
+    /// order p + 1 and more are smaller by that factor.
     void orderOfTheMethod()
     {
         QFETCH(QString, integrator);
         QFETCH(double, order);
         const std::string method = integrator.toStdString();
-        const StudyReport report =
-            performed("case = \"textbook_oscillator\"\n" + quick + stepMethod(method, "[\"1 us\", \"500 ns\"]") + references);
+        const StudyReport report = performed("case = \"textbook_oscillator\"\n" + quick +
+                                             stepMethod(method, "[\"1 us\", \"500 ns\"]") + references);
         QCOMPARE(report.status, StudyStatus::Completed);
         for (const char* error : {"error_worst", "error_l2"}) {
-            const double observed = std::log2(numberOf(report, method, "1 us", error) / numberOf(report, method, "500 ns", error));
+            const double observed =
+                std::log2(numberOf(report, method, "1 us", error) / numberOf(report, method, "500 ns", error));
             QVERIFY2(std::abs(observed - order) < 0.05, qPrintable(QString::number(observed)));
         }
     }
 
-    /// The leading error of Newmark's average acceleration is that of its phase: w is changed by -w (w dt)^2/12, its damping by terms of
-    /// xi (w dt)^2. The largest error of A exp(-xi w t) cos(w t) is then A (w dt)^2/12 max(w t exp(-xi w t) |sin w t|), and the
-    /// largest w t exp(-xi w t) is 1/(xi e): with A = 100 nm, w = 63245.55 rad/s, dt = 500 ns, xi = 0.02 it is
-    /// 100 nm * 1e-3/12 * 50/e = 0.15328 nm. |sin| comes close to 1 near the top, which is flat; w dt is small beside 1.
+    /// The leading error of Newmark's average acceleration is that of its phase: w is changed by -w (w dt)^2/12, its
+    /// damping by terms of xi (w dt)^2. The largest error of A exp(-xi w t) cos(w t) is then A (w dt)^2/12 max(w t
+    /// exp(-xi w t) |sin w t|), and the largest w t exp(-xi w t) is 1/(xi e): with A = 100 nm, w = 63245.55 rad/s, dt =
+    /// 500 ns, xi = 0.02 it is 100 nm * 1e-3/12 * 50/e = 0.15328 nm. |sin| comes close to 1 near the top, which is
+    /// flat; w dt is small beside 1.
     void errorAgreesWithTheExactSolution()
     {
-        const StudyReport report = performed("case = \"textbook_oscillator\"\n" + quick + stepMethod("newmark", "[\"500 ns\"]") + references);
+        const StudyReport report =
+            performed("case = \"textbook_oscillator\"\n" + quick + stepMethod("newmark", "[\"500 ns\"]") + references);
         const double worst = numberOf(report, "newmark", "500 ns", "error_worst");
         QVERIFY2(std::abs(worst / 0.15328e-9 - 1.0) < 0.02, qPrintable(QString::number(worst)));
     }
 
-    /// A bilinear oscillator: where it touches down the jerk jumps by 15 w_1^2 v with v = A w_1. A switch that is seen up to a step late
-    /// changes v by up to half of that times dt^2, and the motion by 7.5 A (w_1 dt)^2 = 0.03 nm at 100 ns: second order, whatever the method.
-    /// With located switches rk4 keeps its fourth, A (w_2 dt)^4 = 4e-5 nm. No more than that at each of 40 switches.
+    /// A bilinear oscillator: where it touches down the jerk jumps by 15 w_1^2 v with v = A w_1. A switch that is seen
+    /// up to a step late changes v by up to half of that times dt^2, and the motion by 7.5 A (w_1 dt)^2 = 0.03 nm at
+    /// 100 ns: second order, whatever the method. With located switches rk4 keeps its fourth, A (w_2 dt)^4 = 4e-5 nm.
+    /// No more than that at each of 40 switches.
     void switchesAreWhatCosts()
     {
-        const StudyReport report = performed("case = \"textbook_bounce\"\n" + quick + stepMethod("rk4", "[\"100 ns\"]") + stepMethod("rk4-events", "[\"100 ns\"]") + references);
+        const StudyReport report =
+            performed("case = \"textbook_bounce\"\n" + quick + stepMethod("rk4", "[\"100 ns\"]") +
+                      stepMethod("rk4-events", "[\"100 ns\"]") + references);
         const double naive = numberOf(report, "rk4", "100 ns", "error_worst");
         const double located = numberOf(report, "rk4-events", "100 ns", "error_worst");
         QVERIFY2(naive > 1e-12 && naive < 40 * 0.03e-9, qPrintable(QString::number(naive)));
@@ -132,8 +144,9 @@ private slots:
 
     void ownSettingIsAddedAndMarked()
     {
-        const StudyReport report = performed("case = \"textbook_oscillator\"\n" + quick +
-                                             "[[method]]\nname = \"dopri5\"\nkey = \"run.tolerance\"\nvalues = [1e-4, 1e-6, 1e-10]\n" + references);
+        const StudyReport report = performed(
+            "case = \"textbook_oscillator\"\n" + quick +
+            "[[method]]\nname = \"dopri5\"\nkey = \"run.tolerance\"\nvalues = [1e-4, 1e-6, 1e-10]\n" + references);
         const StudyTable& runs = tableOf(report, "runs");
         QCOMPARE(runs.rows.size(), std::size_t{4});
         QCOMPARE(std::get<std::string>(runs.rows[2][1]), std::string("1e-8"));
@@ -149,7 +162,9 @@ private slots:
     {
         const StudyReport report = performed("case = \"fig10a\"\nset = { \"run.duration\" = \"0.2 ms\" }\n" + quick +
                                              stepMethod("rk4", "[\"2 us\", \"100 ns\", \"10 ns\"]") +
-                                             "[[method]]\nname = \"dopri5\"\nset = { \"run.integrator\" = \"dopri5\" }\nkey = \"run.tolerance\"\nvalues = [1e-6, 1e-8]\n" + references);
+                                             "[[method]]\nname = \"dopri5\"\nset = { \"run.integrator\" = \"dopri5\" "
+                                             "}\nkey = \"run.tolerance\"\nvalues = [1e-6, 1e-8]\n" +
+                                             references);
         const StudyChart& chart = report.charts.front();
         QCOMPARE(chart.panels.size(), std::size_t{2});
         for (const ChartPanel& panel : chart.panels) {
@@ -171,18 +186,23 @@ private slots:
         QVERIFY(tells(report.findings, "The paper's method, rk4 (10 ns), takes "));
     }
 
-    /// Fig. 14 (b) with a quarter of its damping bounces for so long that even dopri5 at 1e-14 and rk4-events in steps of 1 ns part, at 548 us. A
-    /// tolerance of 1e-13 and steps of 5 ns part no later.
+    /// Fig. 14 (b) with a quarter of its damping bounces for so long that even dopri5 at 1e-14 and rk4-events in steps
+    /// of 1 ns part, at 548 us. A tolerance of 1e-13 and steps of 5 ns part no later.
     void trajectoryIsNotDetermined()
     {
-        const StudyReport report = performed("case = \"fig14b\"\nset = { \"springs.front_damping_ratio\" = 0.0005, \"springs.rear_damping_ratio\" = 0.0005, "
-                                             "\"run.duration\" = \"0.8 ms\" }\n" + quick + stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 4\n");
+        const StudyReport report =
+            performed("case = \"fig14b\"\nset = { \"springs.front_damping_ratio\" = 0.0005, "
+                      "\"springs.rear_damping_ratio\" = 0.0005, "
+                      "\"run.duration\" = \"0.8 ms\" }\n" +
+                      quick + stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 4\n");
         QCOMPARE(report.status, StudyStatus::Completed);
         QVERIFY(tells(report.findings, "The trajectory is not determined: dopri5 and rk4-events part by 0.1 nm at "));
         QVERIFY(report.charts.front().caption.find("is not determined") != std::string::npos);
         QCOMPARE(report.charts.size(), std::size_t{2});
-        QCOMPARE(tableOf(report, "ensembles").rows.size(), std::size_t{3}); // the reference, rk4-events, the case as it is
-        // Statistics of the whole run are not compared, and before the horizon nothing is further off than what decides it.
+        QCOMPARE(tableOf(report, "ensembles").rows.size(),
+                 std::size_t{3}); // the reference, rk4-events, the case as it is
+        // Statistics of the whole run are not compared, and before the horizon nothing is further off than what decides
+        // it.
         QVERIFY(std::holds_alternative<std::monostate>(valueOf(report, "rk4-events", "10 ns", "error_mean")));
         QCOMPARE(textOf(report, "rk4-events", "10 ns", "verdict"), std::string("not determined"));
     }
@@ -190,40 +210,50 @@ private slots:
     /// The same where the agreement that is asked for is more than any two runs can give.
     void agreementIsRefused()
     {
-        const StudyReport report = performed("case = \"fig10b\"\nset = { \"run.duration\" = \"0.2 ms\" }\nagreement = \"1e-12 nm\"\n" + quick +
-                                             stepMethod("rk4-events", "[\"20 ns\"]") + references + "[ensemble]\nstarts = 2\n");
+        const StudyReport report =
+            performed("case = \"fig10b\"\nset = { \"run.duration\" = \"0.2 ms\" }\nagreement = \"1e-12 nm\"\n" + quick +
+                      stepMethod("rk4-events", "[\"20 ns\"]") + references + "[ensemble]\nstarts = 2\n");
         QVERIFY(tells(report.findings, "part by 1e-12 nm at "));
     }
 
     /// Fig. 12 (b): the spring is lost, whoever integrates. That is the answer, and those who find it agree.
     void failureThatIsTheAnswer()
     {
-        const StudyReport report = performed("case = \"fig12b\"\nset = { \"run.duration\" = \"0.2 ms\" }\n" + quick + stepMethod("rk4-events", "[\"10 ns\"]") + references);
+        const StudyReport report = performed("case = \"fig12b\"\nset = { \"run.duration\" = \"0.2 ms\" }\n" + quick +
+                                             stepMethod("rk4-events", "[\"10 ns\"]") + references);
         QCOMPARE(textOf(report, "rk4-events", "10 ns", "verdict"), std::string("same end"));
         QVERIFY(tells(report.findings, "The case itself has no valid end"));
     }
 
     void staticState()
     {
-        const StudyReport report = performed("case = \"film_plane\"\nof = \"static\"\nquantity = \"net_force\"\n" + quick +
-                                             "[[method]]\nname = \"power law\"\nset = { \"film.scheme\" = \"power-law\" }\nkey = \"film.nodes\"\nvalues = [17, 33]\n"
-                                             "[[method]]\nname = \"complete flux\"\nset = { \"film.scheme\" = \"complete-flux\" }\nkey = \"film.nodes\"\nvalues = [17, 33]\n"
-                                             "[[reference]]\nname = \"97\"\nset = { \"film.nodes\" = [97, 97] }\n"
-                                             "[[reference]]\nname = \"129\"\nset = { \"film.nodes\" = [129, 129] }\n");
+        const StudyReport report =
+            performed("case = \"film_plane\"\nof = \"static\"\nquantity = \"net_force\"\n" + quick +
+                      "[[method]]\nname = \"power law\"\nset = { \"film.scheme\" = \"power-law\" }\nkey = "
+                      "\"film.nodes\"\nvalues = [17, 33]\n"
+                      "[[method]]\nname = \"complete flux\"\nset = { \"film.scheme\" = \"complete-flux\" }\nkey = "
+                      "\"film.nodes\"\nvalues = [17, 33]\n"
+                      "[[reference]]\nname = \"97\"\nset = { \"film.nodes\" = [97, 97] }\n"
+                      "[[reference]]\nname = \"129\"\nset = { \"film.nodes\" = [129, 129] }\n");
         QCOMPARE(report.status, StudyStatus::Completed);
         for (const char* method : {"power law", "complete flux"})
             QVERIFY(numberOf(report, method, "33", "error_final") < numberOf(report, method, "17", "error_final"));
-        QVERIFY(numberOf(report, "complete flux", "33", "error_final") < numberOf(report, "power law", "33", "error_final"));
+        QVERIFY(numberOf(report, "complete flux", "33", "error_final") <
+                numberOf(report, "power law", "33", "error_final"));
         QVERIFY(numberOf(report, "power law", "33", "work") > 0.0);
     }
 
-    /// d_1 = d_s from 50 nm: steps of 10 ns end in contact where the reference flies. No two runs stay together as long as is asked here, so that
-    /// the trajectory counts as not determined; its end is. The wrong one is drawn hollow, beside the errors where it has none.
+    /// d_1 = d_s from 50 nm: steps of 10 ns end in contact where the reference flies. No two runs stay together as long
+    /// as is asked here, so that the trajectory counts as not determined; its end is. The wrong one is drawn hollow,
+    /// beside the errors where it has none.
     void wrongEndWhereTheTrajectoryIsNotDetermined()
     {
         for (const std::string error : {"worst", "mean"}) {
-            const StudyReport report = performed("case = \"fig10b_naive_switching\"\nset = { \"run.duration\" = \"0.5 ms\" }\nagreement = \"1e-12 nm\"\nerror = \"" + error + "\"\n" + quick +
-                                                 stepMethod("rk4", "[\"10 ns\"]") + stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 2\n");
+            const StudyReport report =
+                performed("case = \"fig10b_naive_switching\"\nset = { \"run.duration\" = \"0.5 ms\" }\nagreement = "
+                          "\"1e-12 nm\"\nerror = \"" +
+                          error + "\"\n" + quick + stepMethod("rk4", "[\"10 ns\"]") +
+                          stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 2\n");
             QVERIFY(tells(report.findings, "The end is determined: it flies at 7 nm"));
             QCOMPARE(textOf(report, "rk4", "10 ns", "verdict"), std::string("other end"));
             QCOMPARE(textOf(report, "rk4-events", "10 ns", "verdict"), std::string("same end"));
@@ -235,15 +265,19 @@ private slots:
     /// References of a second within a share of 6 ms.
     void budgetIsTheReferencesToo()
     {
-        const StudyReport report = performed("case = \"fig10a\"\nbudget = \"0.01 s\"\n" + stepMethod("rk4", "[\"10 ns\", \"1 ns\"]"));
+        const StudyReport report =
+            performed("case = \"fig10a\"\nbudget = \"0.01 s\"\n" + stepMethod("rk4", "[\"10 ns\", \"1 ns\"]"));
         QCOMPARE(report.status, StudyStatus::Failed);
-        QCOMPARE(report.message, std::string("there is no reference: fewer than two of the runs that may prove it ended within 6 ms, their share of the budget of 10 ms; give it more"));
+        QCOMPARE(report.message, std::string("there is no reference: fewer than two of the runs that may prove it "
+                                             "ended within 6 ms, their share of the budget of 10 ms; give it more"));
     }
 
     /// What is not run for lack of time is said; the rest is an answer.
     void spentBudgetIsSaid()
     {
-        const StudyReport report = performed("case = \"fig10a\"\nset = { \"run.duration\" = \"0.2 ms\" }\nbudget = \"1 s\"\n" + stepMethod("rk4", "[\"10 ns\", \"0.001 ns\"]") + references);
+        const StudyReport report =
+            performed("case = \"fig10a\"\nset = { \"run.duration\" = \"0.2 ms\" }\nbudget = \"1 s\"\n" +
+                      stepMethod("rk4", "[\"10 ns\", \"0.001 ns\"]") + references);
         QCOMPARE(report.status, StudyStatus::Completed);
         QVERIFY(tells(report.warnings, "The budget of 1 s was spent before these were run: rk4 (0.001 ns)"));
         QCOMPARE(textOf(report, "rk4", "0.001 ns", "verdict"), std::string("not run"));
@@ -266,19 +300,32 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("problem");
-        QTest::newRow("unknown key of a method") << "[[method]]\nname = \"a\"\nkey = \"run.stepp\"\nvalues = [1]\n" << "run.stepp: unknown key";
-        QTest::newRow("value out of range") << "[[method]]\nname = \"a\"\nkey = \"run.tolerance\"\nvalues = [1]\n" << "is out of range";
-        QTest::newRow("setting without effect") << "[[method]]\nname = \"a\"\nkey = \"run.step\"\nvalues = [\"1 ns\"]\n" << "run.step: has no effect";
-        QTest::newRow("no values") << "[[method]]\nname = \"a\"\nkey = \"run.tolerance\"\n" << "has no values";
-        QTest::newRow("no name") << "[[method]]\nkey = \"run.tolerance\"\nvalues = [1e-4]\n" << "has no name";
-        QTest::newRow("name twice") << "[[method]]\nname = \"a\"\n[[method]]\nname = \"a\"\n" << "is the name of another method";
-        QTest::newRow("duration swept") << "[[method]]\nname = \"a\"\nkey = \"run.duration\"\nvalues = [\"1 ms\"]\n" << "must be the same for all methods";
-        QTest::newRow("unknown quantity") << "quantity = \"flying_heigth\"\n" << "flying_height";
-        QTest::newRow("unknown error") << "error = \"wrost\"\n" << "worst";
-        QTest::newRow("static springs") << "of = \"static\"\n" << "is for cases of model \"film\"";
-        QTest::newRow("one reference") << "[[reference]]\nname = \"a\"\nset = { \"run.tolerance\" = 1e-12 }\n" << "two or more are needed";
-        QTest::newRow("ensemble of no number") << "[ensemble]\nkey = \"run.integrator\"\n" << "is no key of a number";
-        QTest::newRow("unknown key") << "repeat = 3\n" << "unknown key";
+        QTest::newRow("unknown key of a method") << "[[method]]\nname = \"a\"\nkey = \"run.stepp\"\nvalues = [1]\n"
+                                                 << "run.stepp: unknown key";
+        QTest::newRow("value out of range") << "[[method]]\nname = \"a\"\nkey = \"run.tolerance\"\nvalues = [1]\n"
+                                            << "is out of range";
+        QTest::newRow("setting without effect") << "[[method]]\nname = \"a\"\nkey = \"run.step\"\nvalues = [\"1 ns\"]\n"
+                                                << "run.step: has no effect";
+        QTest::newRow("no values") << "[[method]]\nname = \"a\"\nkey = \"run.tolerance\"\n"
+                                   << "has no values";
+        QTest::newRow("no name") << "[[method]]\nkey = \"run.tolerance\"\nvalues = [1e-4]\n"
+                                 << "has no name";
+        QTest::newRow("name twice") << "[[method]]\nname = \"a\"\n[[method]]\nname = \"a\"\n"
+                                    << "is the name of another method";
+        QTest::newRow("duration swept") << "[[method]]\nname = \"a\"\nkey = \"run.duration\"\nvalues = [\"1 ms\"]\n"
+                                        << "must be the same for all methods";
+        QTest::newRow("unknown quantity") << "quantity = \"flying_heigth\"\n"
+                                          << "flying_height";
+        QTest::newRow("unknown error") << "error = \"wrost\"\n"
+                                       << "worst";
+        QTest::newRow("static springs") << "of = \"static\"\n"
+                                        << "is for cases of model \"film\"";
+        QTest::newRow("one reference") << "[[reference]]\nname = \"a\"\nset = { \"run.tolerance\" = 1e-12 }\n"
+                                       << "two or more are needed";
+        QTest::newRow("ensemble of no number") << "[ensemble]\nkey = \"run.integrator\"\n"
+                                               << "is no key of a number";
+        QTest::newRow("unknown key") << "repeat = 3\n"
+                                     << "unknown key";
     }
     void problems()
     {
@@ -306,7 +353,8 @@ private slots:
     {
         QFETCH(QString, name);
         const CaseDocument document = openCase(name.toStdString());
-        const StudyPlan plan = planOf("case = \"" + name.toStdString() + "\"\n" + workPrecisionTemplate(document.value));
+        const StudyPlan plan =
+            planOf("case = \"" + name.toStdString() + "\"\n" + workPrecisionTemplate(document.value));
         for (const InputProblem& problem : plan.problems) qWarning("%s", problem.text().c_str());
         QVERIFY(plan.valid());
     }

@@ -15,8 +15,8 @@ class TestMeasuredRun : public QObject {
     Q_OBJECT
 
 private slots:
-    /// textbook_bounce: x = FH - d_s, A = 100 nm; above the disk half a period of w_1 with mean 2 A/pi and mean square A^2/2, below it
-    /// half a period of w_2 = 4 w_1 with -(A/4) 2/pi and (A/4)^2/2. Weights 1 and 1/4 over 5/4:
+    /// textbook_bounce: x = FH - d_s, A = 100 nm; above the disk half a period of w_1 with mean 2 A/pi and mean square
+    /// A^2/2, below it half a period of w_2 = 4 w_1 with -(A/4) 2/pi and (A/4)^2/2. Weights 1 and 1/4 over 5/4:
     ///   mean = (2 A/pi)(1 - 1/16)/(5/4) = (3/2) A/pi,   mean square = (A^2/2)(1 + 1/64)/(5/4) = (13/32) A^2
     /// 20 periods of 5 pi/(4 w_1) end with two whole ones in the tail.
     void bounceHasItsExactTail()
@@ -55,7 +55,8 @@ private slots:
 
     void stops()
     {
-        const MeasuredRun run = measureRun(sample("fig10a"), {"flying_height", "no such quantity"}, [] { return false; });
+        const MeasuredRun run =
+            measureRun(sample("fig10a"), {"flying_height", "no such quantity"}, [] { return false; });
         QCOMPARE(run.summary.status, RunStatus::Cancelled);
         QCOMPARE(run.end.kind, EndKind::Failed);
         QVERIFY(run.columns[1].empty());
@@ -63,7 +64,8 @@ private slots:
 
     void sameEnds()
     {
-        const EndState flying{EndKind::Flying, 7e-9, 0.0}, ringing{EndKind::Flying, 7.3e-9, 0.4e-9}, contact{EndKind::Contact, 7e-9, 0.0};
+        const EndState flying{EndKind::Flying, 7e-9, 0.0}, ringing{EndKind::Flying, 7.3e-9, 0.4e-9},
+            contact{EndKind::Contact, 7e-9, 0.0};
         QVERIFY(sameEnd(flying, {EndKind::Flying, 7.05e-9, 0.0}));
         QVERIFY(!sameEnd(flying, {EndKind::Flying, 7.2e-9, 0.0}));
         QVERIFY(sameEnd(ringing, {EndKind::Flying, 6.9e-9, 0.25e-9}));
@@ -82,7 +84,8 @@ private slots:
             run.summary.message = message;
             return run;
         };
-        const MeasuredRun rear = failed(RunFailure::RearSpringLost, "since 2 us"), later = failed(RunFailure::RearSpringLost, "since 3 us");
+        const MeasuredRun rear = failed(RunFailure::RearSpringLost, "since 2 us"),
+                          later = failed(RunFailure::RearSpringLost, "since 3 us");
         MeasuredRun flying;
         flying.end = {EndKind::Flying, 7e-9, 0.0};
         QVERIFY(sameOutcome(rear, later));
@@ -100,7 +103,8 @@ private slots:
         QVERIFY(std::abs(c.run.step - 2e-9) < 1e-20);
 
         const Case before = c;
-        for (const CaseSetting& wrong : {CaseSetting{"run.stepp", "1 ns"}, {"run.step", "1 kg"}, {"run.step", "-1 ns"}}) {
+        for (const CaseSetting& wrong :
+             {CaseSetting{"run.stepp", "1 ns"}, {"run.step", "1 kg"}, {"run.step", "-1 ns"}}) {
             const std::string problem = applySettings(c, {{"run.integrator", "dopri5"}, wrong});
             QVERIFY2(problem.starts_with(wrong.key + ": "), problem.c_str());
             QCOMPARE(c.run.integrator, before.run.integrator);

@@ -35,7 +35,8 @@ private slots:
         std::size_t told = 0;
         const auto task = [&](std::size_t i, const GoOn& goOn) {
             const int now = ++atOnce;
-            for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {}
+            for (int before = most; before < now && !most.compare_exchange_weak(before, now);) {
+            }
             if (goOn()) ++calls[i];
             --atOnce;
         };
@@ -52,7 +53,8 @@ private slots:
     void oneThreadKeepsTheOrder()
     {
         std::vector<std::size_t> order;
-        QVERIFY(runParallel(5, 1, [&](std::size_t i, const GoOn&) { order.push_back(i); }, [](std::size_t) { return true; }));
+        QVERIFY(runParallel(
+            5, 1, [&](std::size_t i, const GoOn&) { order.push_back(i); }, [](std::size_t) { return true; }));
         std::vector<std::size_t> rising(5);
         std::iota(rising.begin(), rising.end(), std::size_t{0});
         QCOMPARE(order, rising);
@@ -64,7 +66,8 @@ private slots:
         std::atomic<int> begun = 0;
         const auto waitForStop = [&](std::size_t, const GoOn& goOn) {
             ++begun;
-            while (goOn()) {}
+            while (goOn()) {
+            }
         };
         QVERIFY(!runParallel(10, 2, waitForStop, [&](std::size_t done) { return done > 0 || begun < 2; }));
         QCOMPARE(begun.load(), 2);

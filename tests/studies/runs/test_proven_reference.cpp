@@ -31,7 +31,9 @@ private slots:
     /// b and c lie 0.01 nm apart, a 0.04 nm from either.
     void takesTheClosestPair()
     {
-        const ProvenReference reference = proveReference(cases, {through({7e-9, 7e-9, 7e-9}), through({7e-9, 7.04e-9, 7e-9}), through({7e-9, 7.05e-9, 7e-9})}, 0.1e-9);
+        const ProvenReference reference = proveReference(
+            cases, {through({7e-9, 7e-9, 7e-9}), through({7e-9, 7.04e-9, 7e-9}), through({7e-9, 7.05e-9, 7e-9})},
+            0.1e-9);
         QCOMPARE(reference.label, std::string("b"));
         QCOMPARE(reference.other, std::string("c"));
         QVERIFY(std::abs(reference.apart - 0.01e-9) < 1e-24);
@@ -43,21 +45,26 @@ private slots:
     {
         MeasuredRun stopped = through({7e-9, 7e-9, 7e-9});
         stopped.summary.status = RunStatus::Cancelled;
-        const ProvenReference reference = proveReference(cases, {stopped, through({7e-9, 7e-9, 7e-9}), through({7e-9, 7.05e-9, 7e-9})}, 0.1e-9);
+        const ProvenReference reference =
+            proveReference(cases, {stopped, through({7e-9, 7e-9, 7e-9}), through({7e-9, 7.05e-9, 7e-9})}, 0.1e-9);
         QCOMPARE(reference.label, std::string("b"));
     }
     /// No two end alike: a and c stay together for two samples, others for one.
     void takesThoseThatStayTogether()
     {
         const ProvenReference reference = proveReference(
-            cases, {through({7e-9, 7e-9, 7e-9}), through({7e-9, 8e-9, 5e-9}), through({7e-9, 7e-9, 3e-9}, EndKind::Contact)}, 0.1e-9);
+            cases,
+            {through({7e-9, 7e-9, 7e-9}), through({7e-9, 8e-9, 5e-9}), through({7e-9, 7e-9, 3e-9}, EndKind::Contact)},
+            0.1e-9);
         QCOMPARE(reference.other, std::string("c"));
         QCOMPARE(reference.samples, std::size_t{2});
         QVERIFY(reference.horizon && *reference.horizon == 2e-6 && !reference.endKnown);
     }
     void nothingIsShared()
     {
-        const ProvenReference reference = proveReference({{"a", {}}, {"b", {}}}, {through({7e-9, 7e-9, 7e-9}), through({3e-9, 3e-9, 3e-9}, EndKind::Contact)}, 0.1e-9);
+        const ProvenReference reference =
+            proveReference({{"a", {}}, {"b", {}}},
+                           {through({7e-9, 7e-9, 7e-9}), through({3e-9, 3e-9, 3e-9}, EndKind::Contact)}, 0.1e-9);
         QVERIFY(!reference.problem.empty() && !reference.endKnown);
         QVERIFY(knowledgeOf(reference).starts_with("not determined"));
     }

@@ -54,7 +54,10 @@ MeasuredRun failed(RunFailure failure, const std::string& message)
     return run;
 }
 /// Of two runs that were not made.
-ProvenReference proven(const MeasuredRun& run, const MeasuredRun& check) { return proveReference({{"a", {}}, {"b", {}}}, {run, check}, rule.agreement); }
+ProvenReference proven(const MeasuredRun& run, const MeasuredRun& check)
+{
+    return proveReference({{"a", {}}, {"b", {}}}, {run, check}, rule.agreement);
+}
 ProvenReference known(const MeasuredRun& run) { return proven(run, run); }
 
 } // namespace
@@ -79,20 +82,29 @@ private slots:
         detour.summary.figures.push_back({{"energy_balance", "1", "1", ""}, 0.02});
         QCOMPARE(kindOf(detour), RunClass::DriftingEnergy);
         QCOMPARE(kindOf(failed(RunFailure::Chattering, "chattering at 2 us: ...")), RunClass::Chatter);
-        QCOMPARE(kindOf(failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 2 us")), RunClass::LostSpring);
+        QCOMPARE(kindOf(failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 2 us")),
+                 RunClass::LostSpring);
         QCOMPARE(kindOf(failed(RunFailure::Diverged, "the motion diverged at 2 us")), RunClass::Diverged);
         QCOMPARE(kindOf(failed(RunFailure::Tunnelled, "a step tunnelled at 2 us")), RunClass::Stopped);
     }
     /// A failure that the reference has, too, is the truth; a run that completes instead is wrong.
     void whatFailsAsTheReference()
     {
-        const ProvenReference reference = known(failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 2 us"));
+        const ProvenReference reference =
+            known(failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 2 us"));
         QVERIFY(reference.endKnown);
-        QCOMPARE(classify({}, failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 3 us"), reference, rule).kind, RunClass::AsReference);
-        QCOMPARE(classify({}, failed(RunFailure::FrontSpringLost, "the front air spring is lost for good since 3 us"), reference, rule).kind, RunClass::LostSpring);
+        QCOMPARE(classify({}, failed(RunFailure::RearSpringLost, "the rear air spring is lost for good since 3 us"),
+                          reference, rule)
+                     .kind,
+                 RunClass::AsReference);
+        QCOMPARE(classify({}, failed(RunFailure::FrontSpringLost, "the front air spring is lost for good since 3 us"),
+                          reference, rule)
+                     .kind,
+                 RunClass::LostSpring);
         QCOMPARE(classify({}, flat(7e-9), reference, rule).kind, RunClass::WrongEnd);
     }
-    /// Two methods that part, with the same end: the end alone counts. Starts that hardly differ and end otherwise: nothing does.
+    /// Two methods that part, with the same end: the end alone counts. Starts that hardly differ and end otherwise:
+    /// nothing does.
     void whatIsNotDetermined()
     {
         MeasuredRun detour = flat(7e-9);
@@ -128,8 +140,8 @@ private slots:
         QVERIFY(!names.contains(""));
     }
 
-    /// The paper's trouble: d_1 = d_s, from 50 nm. Two methods prove that it flies; steps of 10 ns that look for switches between steps end in
-    /// contact, those that locate them agree.
+    /// The paper's trouble: d_1 = d_s, from 50 nm. Two methods prove that it flies; steps of 10 ns that look for
+    /// switches between steps end in contact, those that locate them agree.
     void naiveSwitchingEndsInTheWrongState()
     {
         Case c = openCase("fig10b_naive_switching").value;
@@ -141,16 +153,18 @@ private slots:
         const RunVerdict located = classify(c, measured(with(c, IntegratorKind::Rk4Events, 10e-9)), reference, rule);
         QVERIFY2(located.kind == RunClass::Agrees, located.sentence.c_str());
     }
-    /// 50 mN and d_1 = d_s: the rear spring is lost for good by every method that is accurate, which is what there is to know.
+    /// 50 mN and d_1 = d_s: the rear spring is lost for good by every method that is accurate, which is what there is
+    /// to know.
     void aSpringLostForGood()
     {
         const Case c = openCase("fig12b").value;
         const ProvenReference reference = referenceOf(c);
         QVERIFY(reference.endKnown && reference.run.summary.failure == RunFailure::RearSpringLost);
-        QCOMPARE(classify(c, measured(with(c, IntegratorKind::Rk4Events, 10e-9)), reference, rule).kind, RunClass::AsReference);
+        QCOMPARE(classify(c, measured(with(c, IntegratorKind::Rk4Events, 10e-9)), reference, rule).kind,
+                 RunClass::AsReference);
     }
-    /// A toss: from 11 nm it flies in the end, from 12 nm it stays in contact. Starts around the height at which that changes, found by
-    /// halving, are not determined.
+    /// A toss: from 11 nm it flies in the end, from 12 nm it stays in contact. Starts around the height at which that
+    /// changes, found by halving, are not determined.
     void aToss()
     {
         Case c = openCase("fig10a").value;

@@ -29,11 +29,21 @@ private slots:
         QTest::addColumn<QString>("key");
         QTest::addColumn<QStringList>("values");
         QTest::addColumn<QStringList>("order");
-        QTest::newRow("steps, in several units") << "fig10b_naive_switching" << "run.step" << QStringList{"1 ns", "1 us", "20 ns"} << QStringList{"1 us", "20 ns", "1 ns"};
-        QTest::newRow("tolerances") << "fig10a" << "run.tolerance" << QStringList{"1e-9", "1e-4", "1e-12"} << QStringList{"1e-4", "1e-9", "1e-12"};
-        QTest::newRow("nodes") << "film_plane" << "film.nodes" << QStringList{"97", "33", "65, 33"} << QStringList{"33", "65, 33", "97"};
-        QTest::newRow("schemes have no order") << "film_plane" << "film.scheme" << QStringList{"upwind", "complete-flux", "hybrid"} << QStringList{"upwind", "complete-flux", "hybrid"};
-        QTest::newRow("nor has what is not the solution's") << "fig10a" << "springs.cutoff" << QStringList{"2 nm", "1 nm", "3 nm"} << QStringList{"2 nm", "1 nm", "3 nm"};
+        QTest::newRow("steps, in several units")
+            << "fig10b_naive_switching"
+            << "run.step" << QStringList{"1 ns", "1 us", "20 ns"} << QStringList{"1 us", "20 ns", "1 ns"};
+        QTest::newRow("tolerances") << "fig10a"
+                                    << "run.tolerance" << QStringList{"1e-9", "1e-4", "1e-12"}
+                                    << QStringList{"1e-4", "1e-9", "1e-12"};
+        QTest::newRow("nodes") << "film_plane"
+                               << "film.nodes" << QStringList{"97", "33", "65, 33"}
+                               << QStringList{"33", "65, 33", "97"};
+        QTest::newRow("schemes have no order") << "film_plane"
+                                               << "film.scheme" << QStringList{"upwind", "complete-flux", "hybrid"}
+                                               << QStringList{"upwind", "complete-flux", "hybrid"};
+        QTest::newRow("nor has what is not the solution's")
+            << "fig10a"
+            << "springs.cutoff" << QStringList{"2 nm", "1 nm", "3 nm"} << QStringList{"2 nm", "1 nm", "3 nm"};
     }
     void goesFromCoarseToFine()
     {

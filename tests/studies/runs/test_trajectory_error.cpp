@@ -43,7 +43,8 @@ private slots:
         QVERIFY(!error.at(ErrorMeasure::PeakFrequency));
     }
 
-    /// The last tenth of 20 samples is two of them: +-1 about 5 against +-3 about 4. Means differ by 1, deviations by 2.
+    /// The last tenth of 20 samples is two of them: +-1 about 5 against +-3 about 4. Means differ by 1, deviations
+    /// by 2.
     void tailStatistics()
     {
         const MeasuredRun reference = runOf(20, [](double t) { return 5.0 + (std::fmod(t, 2.0) < 1.0 ? 1.0 : -1.0); });
@@ -64,7 +65,8 @@ private slots:
         QCOMPARE(*error.at(ErrorMeasure::PeakAmplitude), 2e-9);
     }
 
-    /// Two lines that part by 0.1 a sample: at sample 5 by 0.5. Before it, errors are 0 .. 0.4; the statistics of whole runs are not told.
+    /// Two lines that part by 0.1 a sample: at sample 5 by 0.5. Before it, errors are 0 .. 0.4; the statistics of whole
+    /// runs are not told.
     void beforeTheHorizon()
     {
         const MeasuredRun a = runOf(11, [](double t) { return t; });

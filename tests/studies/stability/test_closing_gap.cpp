@@ -23,7 +23,8 @@ LinearPicture pictureOf(SlipModel model, double blendWidth = 0.0)
 }
 bool says(const std::vector<std::string>& sentences, const std::string& what)
 {
-    return std::ranges::any_of(sentences, [&](const std::string& each) { return each.find(what) != std::string::npos; });
+    return std::ranges::any_of(sentences,
+                               [&](const std::string& each) { return each.find(what) != std::string::npos; });
 }
 
 } // namespace
@@ -32,7 +33,8 @@ class TestClosingGap : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Models without a second-order term grow by more than half a decade, those with one by less, at the speed and in the air of a case.
+    /// Models without a second-order term grow by more than half a decade, those with one by less, at the speed and in
+    /// the air of a case.
     void eachModel()
     {
         const LinearPicture picture = pictureOf(SlipModel::FukuiKaneko);
@@ -42,8 +44,10 @@ private slots:
         for (const auto& row : table.rows) {
             const std::string slip = std::get<std::string>(row[0]);
             const double growth = std::get<double>(row[4]);
-            const bool second = slip.find("second") != std::string::npos || slip.find("1.5") != std::string::npos || slip == "combination";
-            QVERIFY2(growth >= 1.0 && (growth < 1.5) == second, qPrintable(QString("%1: %2").arg(slip.c_str()).arg(growth)));
+            const bool second = slip.find("second") != std::string::npos || slip.find("1.5") != std::string::npos ||
+                                slip == "combination";
+            QVERIFY2(growth >= 1.0 && (growth < 1.5) == second,
+                     qPrintable(QString("%1: %2").arg(slip.c_str()).arg(growth)));
         }
         for (const ChartSeries& series : picture.charts[0].panels[0].series)
             for (const ChartPoint& point : series.points) QVERIFY(point.x > 0.0 && point.y > 0.0);
@@ -53,8 +57,8 @@ private slots:
         QVERIFY(says(pictureOf(SlipModel::FukuiKaneko).findings, "fukui-kaneko, lets the pressure grow without end"));
         QVERIFY(says(pictureOf(SlipModel::NewSecondOrder).findings, "keeps the pressure bounded"));
     }
-    /// Q of Fukui-Kaneko over that of the new second order at 0.3 nm: 6 Q_P(D)/D with D = sqrt(pi)/2/Kn, by 1 + 4 Kn + 3 Kn^2. At ten times
-    /// ambient Kn = 63.5/3 = 21: D = 0.042, Q_P = 2.38, Q = 341 by 1430.
+    /// Q of Fukui-Kaneko over that of the new second order at 0.3 nm: 6 Q_P(D)/D with D = sqrt(pi)/2/Kn, by 1 + 4 Kn +
+    /// 3 Kn^2. At ten times ambient Kn = 63.5/3 = 21: D = 0.042, Q_P = 2.38, Q = 341 by 1430.
     void theHardSwitch()
     {
         const LinearPicture hard = pictureOf(SlipModel::Combination);

@@ -21,7 +21,8 @@ struct Read {
     std::vector<InputProblem> problems;
     bool says(const std::string& what) const
     {
-        return std::ranges::any_of(problems, [&](const InputProblem& each) { return each.text().find(what) != std::string::npos; });
+        return std::ranges::any_of(
+            problems, [&](const InputProblem& each) { return each.text().find(what) != std::string::npos; });
     }
 };
 
@@ -54,14 +55,17 @@ std::string cellOf(const StudyTable& table, std::size_t row, const std::string& 
 std::size_t rowOf(const StudyTable& table, const std::map<std::string, std::string>& wanted)
 {
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-        if (std::ranges::all_of(wanted, [&](const auto& each) { return cellOf(table, row, each.first) == each.second; })) return row;
+        if (std::ranges::all_of(wanted,
+                                [&](const auto& each) { return cellOf(table, row, each.first) == each.second; }))
+            return row;
     qFatal("no such row");
     return 0;
 }
 
 bool says(const std::vector<std::string>& sentences, const std::string& part)
 {
-    return std::ranges::any_of(sentences, [&](const std::string& each) { return each.find(part) != std::string::npos; });
+    return std::ranges::any_of(sentences,
+                               [&](const std::string& each) { return each.find(part) != std::string::npos; });
 }
 
 const std::string twoMethods = R"(
@@ -93,11 +97,14 @@ class TestStability : public QObject {
     Q_OBJECT
 
 private slots:
-    /// d_1 = d_s from 50 nm: of rk4, 10 ns ends in the wrong state, 100 ns and 1 ns do not. The paper's criterion objects to 10 ns, which is
-    /// right, and to 100 ns against 10 ns, a false alarm; steps that locate the switches agree with the reference at 10 ns. From 100 nm both do.
+    /// d_1 = d_s from 50 nm: of rk4, 10 ns ends in the wrong state, 100 ns and 1 ns do not. The paper's criterion
+    /// objects to 10 ns, which is right, and to 100 ns against 10 ns, a false alarm; steps that locate the switches
+    /// agree with the reference at 10 ns. From 100 nm both do.
     void thePapersTrouble()
     {
-        const StudyReport report = performed("parameter = \"initial.flying_height\"\nvalues = [\"50 nm\", \"100 nm\"]\npicture = false\n" + twoMethods, naive());
+        const StudyReport report = performed(
+            "parameter = \"initial.flying_height\"\nvalues = [\"50 nm\", \"100 nm\"]\npicture = false\n" + twoMethods,
+            naive());
         QCOMPARE(report.status, StudyStatus::Completed);
         const StudyTable& runs = report.tables.front();
         QCOMPARE(runs.name, std::string("runs"));
@@ -117,26 +124,35 @@ private slots:
             QCOMPARE(cellOf(runs, located, "class"), std::string("agrees with the reference"));
             QCOMPARE(cellOf(runs, located, "criterion"), std::string("right"));
         }
-        QVERIFY(says(report.findings, "raised a false alarm at 1 (the end changes, though at the longer step it was the reference's, as with rk4 (100 ns) at 50 nm"));
+        QVERIFY(says(report.findings, "raised a false alarm at 1 (the end changes, though at the longer step it was "
+                                      "the reference's, as with rk4 (100 ns) at 50 nm"));
         QVERIFY(says(report.findings, "rk4-events, 4 runs: 4 agree with the reference. They all agree from 10 ns on."));
     }
-    /// Where all starts nearby end alike whatever the method, but by chance: an agreement of two steps of one method means nothing.
+    /// Where all starts nearby end alike whatever the method, but by chance: an agreement of two steps of one method
+    /// means nothing.
     void fooled()
     {
-        // From 25 nm at 50 mN naive steps of 100 ns and of 10 ns agree that it stays in contact with its springs; they are lost for good.
-        const StudyReport report = performed("parameter = \"initial.flying_height\"\nvalues = [\"25 nm\"]\npicture = false\n[[method]]\nname = \"rk4\"\n"
-                                             "set = { \"run.integrator\" = \"rk4\" }\nkey = \"run.step\"\nvalues = [\"100 ns\", \"10 ns\"]\n",
-                                             brief("fig12b", 0.5e-3));
+        // From 25 nm at 50 mN naive steps of 100 ns and of 10 ns agree that it stays in contact with its springs; they
+        // are lost for good.
+        const StudyReport report = performed(
+            "parameter = \"initial.flying_height\"\nvalues = [\"25 nm\"]\npicture = false\n[[method]]\nname = \"rk4\"\n"
+            "set = { \"run.integrator\" = \"rk4\" }\nkey = \"run.step\"\nvalues = [\"100 ns\", \"10 ns\"]\n",
+            brief("fig12b", 0.5e-3));
         const StudyTable& runs = report.tables.front();
         const std::size_t row = rowOf(runs, {{"setting", "100 ns"}});
         QCOMPARE(cellOf(runs, row, "class"), std::string("wrong end state"));
         QCOMPARE(cellOf(runs, row, "criterion"), std::string("fooled"));
-        QVERIFY(says(report.findings, "fooled by 1 (the end stays, and is not the reference's, as with rk4 (100 ns) at 25 nm against 10 ns)"));
+        QVERIFY(says(
+            report.findings,
+            "fooled by 1 (the end stays, and is not the reference's, as with rk4 (100 ns) at 25 nm against 10 ns)"));
     }
     /// A map has a cell, a class and a sentence for each run, with both axes rising whatever the order of the values.
     void theMapIsComplete()
     {
-        const StudyReport report = performed("parameter = \"ono_yamane.contact_stiffness\"\nvalues = [\"1e7 N/m\", \"1e6 N/m\"]\npicture = false\n" + twoMethods, shortDrop());
+        const StudyReport report = performed(
+            "parameter = \"ono_yamane.contact_stiffness\"\nvalues = [\"1e7 N/m\", \"1e6 N/m\"]\npicture = false\n" +
+                twoMethods,
+            shortDrop());
         QCOMPARE(report.charts.size(), std::size_t{1});
         QCOMPARE(report.charts[0].panels.size(), std::size_t{2});
         for (const ChartPanel& panel : report.charts[0].panels) {
@@ -155,7 +171,10 @@ private slots:
     /// A parameter that is a choice counts its values.
     void aParameterThatIsNoNumber()
     {
-        const StudyReport report = performed("parameter = \"ono_yamane.take_off_shape\"\nvalues = [\"constant\", \"linear\"]\npicture = false\n" + twoMethods, shortDrop());
+        const StudyReport report = performed(
+            "parameter = \"ono_yamane.take_off_shape\"\nvalues = [\"constant\", \"linear\"]\npicture = false\n" +
+                twoMethods,
+            shortDrop());
         const ChartPanel& panel = report.charts[0].panels.front();
         QCOMPARE(panel.map->y, (std::vector<double>{1.0, 2.0}));
         QVERIFY(report.charts[0].caption.find("2: linear") != std::string::npos);
@@ -163,7 +182,8 @@ private slots:
     }
     void threadsDoNotMatter()
     {
-        const std::string text = "parameter = \"initial.flying_height\"\nvalues = [\"50 nm\", \"60 nm\"]\npicture = false\n" + twoMethods;
+        const std::string text =
+            "parameter = \"initial.flying_height\"\nvalues = [\"50 nm\", \"60 nm\"]\npicture = false\n" + twoMethods;
         const StudyReport one = performed(text, shortDrop(), 1), three = performed(text, shortDrop(), 3);
         QVERIFY(one.findings == three.findings && one.warnings == three.warnings);
         QVERIFY(one.tables.front().rows == three.tables.front().rows);
@@ -189,7 +209,8 @@ private slots:
     void templatesAreValid_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"fig10a", "textbook_oscillator", "film_pico", "fig06_de_4nm"}) QTest::newRow(name) << name;
+        for (const char* name : {"fig10a", "textbook_oscillator", "film_pico", "fig06_de_4nm"})
+            QTest::newRow(name) << name;
     }
     void templatesAreValid()
     {
@@ -210,23 +231,34 @@ private slots:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("said");
-        QTest::newRow("unknown key") << "steps = 3" << "unknown";
-        QTest::newRow("unknown parameter") << "parameter = \"ono_yamane.contact_stifness\"\nvalues = [1]" << "did you mean ono_yamane.contact_stiffness";
-        QTest::newRow("values of nothing") << "values = [1, 2]" << "are of no parameter";
-        QTest::newRow("no values") << "parameter = \"initial.flying_height\"" << "has no values";
-        QTest::newRow("a value that is none") << "parameter = \"initial.flying_height\"\nvalues = [\"7 kg\"]" << "initial.flying_height";
-        QTest::newRow("a parameter without effect") << "parameter = \"film.nodes\"\nvalues = [\"33, 33\"]" << "has no effect";
-        QTest::newRow("a method without a name") << "[[method]]\nkey = \"run.step\"\nvalues = [\"1 ns\"]" << "has no name";
-        QTest::newRow("a method's wrong value") << "[[method]]\nname = \"x\"\nkey = \"run.step\"\nvalues = [\"-1 ns\"]" << "run.step";
-        QTest::newRow("nothing to do") << "map = false\npicture = false" << "nothing is left to do";
-        QTest::newRow("agreement below zero") << "agreement = \"-1 nm\"" << "agreement";
+        QTest::newRow("unknown key") << "steps = 3"
+                                     << "unknown";
+        QTest::newRow("unknown parameter") << "parameter = \"ono_yamane.contact_stifness\"\nvalues = [1]"
+                                           << "did you mean ono_yamane.contact_stiffness";
+        QTest::newRow("values of nothing") << "values = [1, 2]"
+                                           << "are of no parameter";
+        QTest::newRow("no values") << "parameter = \"initial.flying_height\""
+                                   << "has no values";
+        QTest::newRow("a value that is none") << "parameter = \"initial.flying_height\"\nvalues = [\"7 kg\"]"
+                                              << "initial.flying_height";
+        QTest::newRow("a parameter without effect") << "parameter = \"film.nodes\"\nvalues = [\"33, 33\"]"
+                                                    << "has no effect";
+        QTest::newRow("a method without a name") << "[[method]]\nkey = \"run.step\"\nvalues = [\"1 ns\"]"
+                                                 << "has no name";
+        QTest::newRow("a method's wrong value") << "[[method]]\nname = \"x\"\nkey = \"run.step\"\nvalues = [\"-1 ns\"]"
+                                                << "run.step";
+        QTest::newRow("nothing to do") << "map = false\npicture = false"
+                                       << "nothing is left to do";
+        QTest::newRow("agreement below zero") << "agreement = \"-1 nm\""
+                                              << "agreement";
     }
     void problems()
     {
         QFETCH(QString, text);
         QFETCH(QString, said);
         const Read plan = read(text.toStdString(), Case{});
-        QVERIFY2(plan.says(said.toStdString()), plan.problems.empty() ? "no problem" : plan.problems.front().text().c_str());
+        QVERIFY2(plan.says(said.toStdString()),
+                 plan.problems.empty() ? "no problem" : plan.problems.front().text().c_str());
     }
     void aPadThatIsMovedDoesNotMoveByItself()
     {

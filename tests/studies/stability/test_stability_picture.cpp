@@ -7,8 +7,8 @@
 
 #include <QTest>
 
-#include "core/numerics/stability_region.h"
 #include "core/case_files/case_file.h"
+#include "core/numerics/stability_region.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -16,7 +16,10 @@ using Complex = std::complex<double>;
 
 namespace {
 
-const StudyTable& tableOf(const LinearPicture& picture, const std::string& name) { return *std::ranges::find(picture.tables, name, &StudyTable::name); }
+const StudyTable& tableOf(const LinearPicture& picture, const std::string& name)
+{
+    return *std::ranges::find(picture.tables, name, &StudyTable::name);
+}
 
 /// The largest stable step of a method at a place; NaN where it has no limit.
 double limitOf(const LinearPicture& picture, const std::string& method, const std::string& where)
@@ -44,34 +47,39 @@ private slots:
     /// Of rk4 on the imaginary axis sqrt 8/omega; what grows of itself has no limit and sets none.
     void largestStep()
     {
-        const LocalMotion undamped{"", {{0.0, 2e6}, {0.0, 1e6}}}, growing{"", {{1e4, 2e6}}}, both{"", {{1e4, 2e6}, {0.0, 1e6}}};
+        const LocalMotion undamped{"", {{0.0, 2e6}, {0.0, 1e6}}}, growing{"", {{1e4, 2e6}}},
+            both{"", {{1e4, 2e6}, {0.0, 1e6}}};
         QVERIFY(std::abs(largestStableStep(rk4Growth, undamped) * 2e6 - std::sqrt(8.0)) < 1e-8);
         QVERIFY(std::isinf(largestStableStep(rk4Growth, growing)));
         QVERIFY(std::abs(largestStableStep(rk4Growth, both) * 1e6 - std::sqrt(8.0)) < 1e-8);
         QVERIFY(std::isinf(largestStableStep([](Complex z) { return newmarkGrowth(0.25, 0.5, z); }, undamped)));
     }
-    /// The textbook oscillator: one mass on one linear spring, so that the eigenvalues are its formula's and rk4's limit sqrt 8/omega, to the
-    /// order of the damping.
+    /// The textbook oscillator: one mass on one linear spring, so that the eigenvalues are its formula's and rk4's
+    /// limit sqrt 8/omega, to the order of the damping.
     void textbookOscillator()
     {
         const Case c = openCase("textbook_oscillator").value;
         const LinearPicture picture = pictureOf(c);
-        const double omega = std::sqrt(c.suspension.stiffness / c.slider.mass), turning = std::sqrt(c.suspension.pitchStiffness / c.slider.pitchInertia);
+        const double omega = std::sqrt(c.suspension.stiffness / c.slider.mass),
+                     turning = std::sqrt(c.suspension.pitchStiffness / c.slider.pitchInertia);
         std::vector<double> found;
         for (const auto& row : tableOf(picture, "eigenvalues").rows)
-            if (std::get<std::string>(row[0]) == "in the static state") found.push_back(std::hypot(std::get<double>(row[1]), std::get<double>(row[2])));
+            if (std::get<std::string>(row[0]) == "in the static state")
+                found.push_back(std::hypot(std::get<double>(row[1]), std::get<double>(row[2])));
         QCOMPARE(found.size(), std::size_t{2});
-        QVERIFY(std::abs(found[0] / std::min(omega, turning) - 1.0) < 1e-9 && std::abs(found[1] / std::max(omega, turning) - 1.0) < 1e-9);
+        QVERIFY(std::abs(found[0] / std::min(omega, turning) - 1.0) < 1e-9 &&
+                std::abs(found[1] / std::max(omega, turning) - 1.0) < 1e-9);
         QVERIFY(std::isnan(limitOf(picture, "newmark", "in the static state")));
     }
-    /// The default drop: stiffer near the disk than at rest, stiffest in contact, where omega^2 is nearly that of k_c and the air springs. A
-    /// run with a step beyond rk4's limit in contact is no longer right, one with half of it is.
+    /// The default drop: stiffer near the disk than at rest, stiffest in contact, where omega^2 is nearly that of k_c
+    /// and the air springs. A run with a step beyond rk4's limit in contact is no longer right, one with half of it is.
     void theDefaultDrop()
     {
         Case c;
         c.run.integrator = IntegratorKind::Rk4Events;
         const LinearPicture picture = pictureOf(c);
-        const double rest = limitOf(picture, "rk4", "in the static state"), near = limitOf(picture, "rk4", "closest to the disk"),
+        const double rest = limitOf(picture, "rk4", "in the static state"),
+                     near = limitOf(picture, "rk4", "closest to the disk"),
                      contact = limitOf(picture, "rk4", "in contact");
         QVERIFY2(rest > near && near > contact, qPrintable(QString("%1, %2, %3").arg(rest).arg(near).arg(contact)));
         QVERIFY(limitOf(picture, "dopri5", "in contact") < contact);
@@ -81,7 +89,8 @@ private slots:
         QVERIFY(regions.equalScales);
         for (const ChartSeries& series : regions.series)
             for (const ChartPoint& point : series.points) QVERIFY(std::isfinite(point.x) && point.y >= 0.0);
-        // The bounded regions whole: their lines end on the real axis, or where they begin, as that of dopri5's island does.
+        // The bounded regions whole: their lines end on the real axis, or where they begin, as that of dopri5's island
+        // does.
         int islands = 0;
         for (const ChartSeries& series : regions.series) {
             if (series.name != "rk4" && series.name != "dopri5") continue;
@@ -91,7 +100,9 @@ private slots:
             islands += closed;
         }
         QCOMPARE(islands, 1);
-        QVERIFY(std::ranges::any_of(picture.findings, [](const std::string& f) { return f.find("this case takes steps of 10 ns") != std::string::npos; }));
+        QVERIFY(std::ranges::any_of(picture.findings, [](const std::string& f) {
+            return f.find("this case takes steps of 10 ns") != std::string::npos;
+        }));
     }
     /// The steps of an adaptive method are those that its own run takes.
     void adaptiveSteps()
@@ -100,8 +111,8 @@ private slots:
         const double step = std::get<double>(tableOf(picture, "step_limits").rows.front()[3]);
         QVERIFY2(step > 20e-9 && step < 2e-6, qPrintable(QString::number(step)));
     }
-    /// On a coarse grid: each rule against the fastest mode, omega h = sqrt 6 for Fox and Goodwin's, about 2 for film and slider in turns, 2
-    /// zeta = s/omega for once in turns; the explicit step of the air is the shortest of all.
+    /// On a coarse grid: each rule against the fastest mode, omega h = sqrt 6 for Fox and Goodwin's, about 2 for film
+    /// and slider in turns, 2 zeta = s/omega for once in turns; the explicit step of the air is the shortest of all.
     void film()
     {
         Case c = openCase("film_pico").value;
@@ -113,7 +124,8 @@ private slots:
         const auto& fastest = eigenvalues.back();
         const std::string where = std::get<std::string>(fastest[0]);
         const double omega = std::hypot(std::get<double>(fastest[1]), std::get<double>(fastest[2]));
-        for (const char* rule : {"Euler", "BDF2", "BDF2OPT", "trapezoidal", "monolithic, trapezoidal"}) QVERIFY(std::isnan(limitOf(picture, rule, where)));
+        for (const char* rule : {"Euler", "BDF2", "BDF2OPT", "trapezoidal", "monolithic, trapezoidal"})
+            QVERIFY(std::isnan(limitOf(picture, rule, where)));
         const double fox = omega * limitOf(picture, "Fox & Goodwin", where);
         QVERIFY2(std::abs(fox - std::sqrt(6.0)) < 0.02, qPrintable(QString::number(fox)));
         const double iterated = omega * limitOf(picture, "staggered, iterated", where);

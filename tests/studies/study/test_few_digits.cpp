@@ -16,12 +16,18 @@ private slots:
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("unit");
         QTest::addColumn<QString>("text");
-        QTest::newRow("length") << 7.4223e-14 << "nm" << "7.4e-5 nm";
-        QTest::newRow("ratio") << 114321.0 << "" << "110000";
-        QTest::newRow("below one") << 0.0123 << "" << "0.012";
-        QTest::newRow("rounds up a place") << 9.96 << "" << "10";
-        QTest::newRow("nothing") << 0.0 << "nm" << "0 nm";
-        QTest::newRow("negative") << -2.345e-9 << "nm" << "-2.3 nm";
+        QTest::newRow("length") << 7.4223e-14 << "nm"
+                                << "7.4e-5 nm";
+        QTest::newRow("ratio") << 114321.0 << ""
+                               << "110000";
+        QTest::newRow("below one") << 0.0123 << ""
+                                   << "0.012";
+        QTest::newRow("rounds up a place") << 9.96 << ""
+                                           << "10";
+        QTest::newRow("nothing") << 0.0 << "nm"
+                                 << "0 nm";
+        QTest::newRow("negative") << -2.345e-9 << "nm"
+                                  << "-2.3 nm";
     }
     void texts()
     {

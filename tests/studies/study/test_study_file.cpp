@@ -140,8 +140,9 @@ private slots:
         QCOMPARE(writeStudyCsv(path("a.csv"), someReport()), std::string());
         QFile file(QString::fromStdString(path("a.csv").string()));
         QVERIFY(file.open(QIODevice::ReadOnly));
-        QCOMPARE(file.readAll(),
-                 QByteArray("method,error [m],steps,note\r\nrk4,1e-9,10,\"1,000 \"\"steps\"\"\nor so\"\r\ndopri5,,20,\r\n"));
+        QCOMPARE(
+            file.readAll(),
+            QByteArray("method,error [m],steps,note\r\nrk4,1e-9,10,\"1,000 \"\"steps\"\"\nor so\"\r\ndopri5,,20,\r\n"));
     }
     void nothingHalfWritten()
     {
@@ -158,9 +159,15 @@ private slots:
 
 private:
     fs::path path(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
-    std::string write(const StudyReport& report) const { return writeStudy(path("a.h5"), report, Case{}, "# the case", "# the study"); }
+    std::string write(const StudyReport& report) const
+    {
+        return writeStudy(path("a.h5"), report, Case{}, "# the case", "# the study");
+    }
     Hdf5Handle open() const { return Hdf5Handle(H5Fopen(path("a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose); }
-    static std::vector<double> numbers(hid_t at, const std::string& name) { return readSeries(openHdf5Dataset(at, name)); }
+    static std::vector<double> numbers(hid_t at, const std::string& name)
+    {
+        return readSeries(openHdf5Dataset(at, name));
+    }
     static std::vector<std::string> texts(hid_t at, const std::string& name)
     {
         const Hdf5Handle array = openHdf5Dataset(at, name);

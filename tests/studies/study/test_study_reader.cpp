@@ -91,8 +91,10 @@ private slots:
     void settings_data()
     {
         QTest::addColumn<QString>("written");
-        QTest::newRow("inline") << "set = {\"run.step\" = \"10 ns\", \"film.nodes\" = [97, 97], \"slider.roll_free\" = false}";
-        QTest::newRow("a table") << "[set]\n\"run.step\" = \"10 ns\"\n\"film.nodes\" = [97, 97]\n\"slider.roll_free\" = false";
+        QTest::newRow("inline")
+            << "set = {\"run.step\" = \"10 ns\", \"film.nodes\" = [97, 97], \"slider.roll_free\" = false}";
+        QTest::newRow("a table")
+            << "[set]\n\"run.step\" = \"10 ns\"\n\"film.nodes\" = [97, 97]\n\"slider.roll_free\" = false";
         QTest::newRow("dotted keys") << "[set]\nrun.step = \"10 ns\"\nfilm.nodes = [97, 97]\nslider.roll_free = false";
     }
     void settings()
@@ -109,7 +111,8 @@ private slots:
     }
     void tables()
     {
-        Read a("[[method]]\nname = \"a\"\nset = {\"run.step\" = 1e-9}\n[[method]]\nname = \"b\"\n[[methods]]\nname = \"c\"\n");
+        Read a("[[method]]\nname = \"a\"\nset = {\"run.step\" = 1e-9}\n[[method]]\nname = \"b\"\n[[methods]]\nname = "
+               "\"c\"\n");
         QCOMPARE(a.reader.tables("method"), (std::vector<std::string>{"method[1]", "method[2]"}));
         QCOMPARE(*a.reader.text("method[1].name"), std::string("a"));
         QCOMPARE(a.reader.settings("method[1].set").front().second, std::string("1e-9"));
@@ -128,37 +131,63 @@ private slots:
     {
         QTest::addColumn<QString>("written");
         QTest::addColumn<QString>("says");
-        QTest::newRow("below the range") << "length = \"0.5 nm\"" << "a.toml:1: length: must be from 1 nm to 9 nm\n";
-        QTest::newRow("without its unit") << "length = 5"
-                                          << "a.toml:1: length: must be from 1 nm to 9 nm; a number without its unit is in m\n";
-        QTest::newRow("another unit") << "length = \"1 s\"" << "a.toml:1: length: ";
-        QTest::newRow("no number") << "length = true" << "a.toml:1: length: has the wrong type; a number or \"1 nm\" is needed\n";
-        QTest::newRow("not finite") << "length = inf" << "a.toml:1: length: is not a finite number\n";
-        QTest::newRow("negative without end") << "\nabove = -1" << "a.toml:2: above: must be at least 0\n";
-        QTest::newRow("half a run") << "count = 1.5" << "a.toml:1: count: must be a whole number from 1 to 5\n";
-        QTest::newRow("too many runs") << "count = 6" << "a.toml:1: count: must be a whole number from 1 to 5\n";
-        QTest::newRow("neither true nor false") << "yes = 1" << "a.toml:1: yes: has the wrong type; true or false is needed\n";
-        QTest::newRow("no text") << "name = 1" << "a.toml:1: name: has the wrong type; text in quotation marks is needed\n";
-        QTest::newRow("no choice") << "way = \"upp\""
-                                   << "a.toml:1: way: \"upp\" is not known: allowed is one of up, down; did you mean up?\n";
-        QTest::newRow("an empty list") << "list = []" << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
-        QTest::newRow("a text for a list") << "list = \"a, b\"" << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
-        QTest::newRow("a list in a list") << "list = [[1]]"
-                                          << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
-        QTest::newRow("no numbers") << "numbers = []" << "a.toml:1: numbers: has the wrong type; a list such as [1, 1] is needed\n";
-        QTest::newRow("one number too small") << "numbers = [1, -1]" << "a.toml:1: numbers: must be from 0 to 2\n";
-        QTest::newRow("an unknown key") << "cuont = 3" << "a.toml:1: cuont: unknown key; did you mean count?\n";
-        QTest::newRow("a strange key") << "completely = 3" << "a.toml:1: completely: unknown key\n";
-        QTest::newRow("an unknown table") << "[other]\na = 1\nb = 1" << "a.toml:1: other: unknown table\n";
-        QTest::newRow("a list as a table") << "[method]\nname = \"a\"" << "a.toml:1: method: is one of a list; write [[method]]\n";
-        QTest::newRow("a list as a text") << "method = \"a\"" << "a.toml:1: method: is one of a list; write [[method]]\n";
-        QTest::newRow("an unknown key of a table")
-            << "[[method]]\n[[method]]\nnam = \"a\"" << "a.toml:3: method[2].nam: unknown key; did you mean name?\n";
-        QTest::newRow("a table for a number") << "count = {}" << "a.toml:1: count: is a table, not a value\n";
-        QTest::newRow("a table for a text") << "[name]\nx = 1" << "a.toml:1: name: is a table, not a value\n";
-        QTest::newRow("tables for a list") << "[[list]]\nx = 1" << "a.toml:1: list: is a table, not a value\n";
-        QTest::newRow("settings as a text") << "set = \"run.step=1\""
-                                            << "a.toml:1: set: must be a table such as { \"run.duration\" = \"1 ms\" }\n";
+        QTest::newRow("below the range") << "length = \"0.5 nm\""
+                                         << "a.toml:1: length: must be from 1 nm to 9 nm\n";
+        QTest::newRow("without its unit")
+            << "length = 5"
+            << "a.toml:1: length: must be from 1 nm to 9 nm; a number without its unit is in m\n";
+        QTest::newRow("another unit") << "length = \"1 s\""
+                                      << "a.toml:1: length: ";
+        QTest::newRow("no number") << "length = true"
+                                   << "a.toml:1: length: has the wrong type; a number or \"1 nm\" is needed\n";
+        QTest::newRow("not finite") << "length = inf"
+                                    << "a.toml:1: length: is not a finite number\n";
+        QTest::newRow("negative without end") << "\nabove = -1"
+                                              << "a.toml:2: above: must be at least 0\n";
+        QTest::newRow("half a run") << "count = 1.5"
+                                    << "a.toml:1: count: must be a whole number from 1 to 5\n";
+        QTest::newRow("too many runs") << "count = 6"
+                                       << "a.toml:1: count: must be a whole number from 1 to 5\n";
+        QTest::newRow("neither true nor false") << "yes = 1"
+                                                << "a.toml:1: yes: has the wrong type; true or false is needed\n";
+        QTest::newRow("no text") << "name = 1"
+                                 << "a.toml:1: name: has the wrong type; text in quotation marks is needed\n";
+        QTest::newRow("no choice")
+            << "way = \"upp\""
+            << "a.toml:1: way: \"upp\" is not known: allowed is one of up, down; did you mean up?\n";
+        QTest::newRow("an empty list") << "list = []"
+                                       << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
+        QTest::newRow("a text for a list")
+            << "list = \"a, b\""
+            << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
+        QTest::newRow("a list in a list")
+            << "list = [[1]]"
+            << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
+        QTest::newRow("no numbers") << "numbers = []"
+                                    << "a.toml:1: numbers: has the wrong type; a list such as [1, 1] is needed\n";
+        QTest::newRow("one number too small") << "numbers = [1, -1]"
+                                              << "a.toml:1: numbers: must be from 0 to 2\n";
+        QTest::newRow("an unknown key") << "cuont = 3"
+                                        << "a.toml:1: cuont: unknown key; did you mean count?\n";
+        QTest::newRow("a strange key") << "completely = 3"
+                                       << "a.toml:1: completely: unknown key\n";
+        QTest::newRow("an unknown table") << "[other]\na = 1\nb = 1"
+                                          << "a.toml:1: other: unknown table\n";
+        QTest::newRow("a list as a table") << "[method]\nname = \"a\""
+                                           << "a.toml:1: method: is one of a list; write [[method]]\n";
+        QTest::newRow("a list as a text") << "method = \"a\""
+                                          << "a.toml:1: method: is one of a list; write [[method]]\n";
+        QTest::newRow("an unknown key of a table") << "[[method]]\n[[method]]\nnam = \"a\""
+                                                   << "a.toml:3: method[2].nam: unknown key; did you mean name?\n";
+        QTest::newRow("a table for a number") << "count = {}"
+                                              << "a.toml:1: count: is a table, not a value\n";
+        QTest::newRow("a table for a text") << "[name]\nx = 1"
+                                            << "a.toml:1: name: is a table, not a value\n";
+        QTest::newRow("tables for a list") << "[[list]]\nx = 1"
+                                           << "a.toml:1: list: is a table, not a value\n";
+        QTest::newRow("settings as a text")
+            << "set = \"run.step=1\""
+            << "a.toml:1: set: must be a table such as { \"run.duration\" = \"1 ms\" }\n";
         QTest::newRow("a date in settings")
             << "set = {a = 1979-05-27}"
             << "a.toml:1: set.a: has the wrong type; a text, a number, true, false or a list of these is needed\n";
@@ -201,7 +230,9 @@ private slots:
     void givenBesideTheFile()
     {
         TomlDocument toml;
-        const auto give = [&](const char* key, const TomlValue& value) { toml.entries.push_back({key, value, optionLine, 0, 0}); };
+        const auto give = [&](const char* key, const TomlValue& value) {
+            toml.entries.push_back({key, value, optionLine, 0, 0});
+        };
         give("count", std::int64_t{9});
         give("steps", std::string("1 ns, 10 ns"));
         give("share", 0.5);

@@ -15,8 +15,8 @@
 #include <QtTest>
 
 #include "core/case_files/cml_case.h"
-#include "tests/ui/sample_slider.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
 
 using namespace touchdown;
 

@@ -7,9 +7,9 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
 #include "ui/case/case_panel.h"
 #include "ui/style/quantity_format.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -43,10 +43,7 @@ struct Fixture {
 };
 
 /// "3.2" as the user's locale writes it.
-QString localised(QString number)
-{
-    return number.replace(QLatin1Char('.'), QLocale().decimalPoint());
-}
+QString localised(QString number) { return number.replace(QLatin1Char('.'), QLocale().decimalPoint()); }
 
 } // namespace
 
@@ -115,12 +112,18 @@ void TestCasePanel::takesLists_data()
     QTest::addColumn<QString>("shown");
     const QLocale english(QLocale::English, QLocale::UnitedStates);
     const QLocale german(QLocale::German, QLocale::Germany);
-    QTest::newRow("bare numbers are in the unit beside the field") << english << "20.5, 30" << "20.5, 30";
-    QTest::newRow("with units") << english << "0.0205 m,3cm" << "20.5, 30";
-    QTest::newRow("semicolons") << english << "20.5; 30" << "20.5, 30";
-    QTest::newRow("decimal commas") << german << "20,5; 30" << "20,5; 30";
-    QTest::newRow("decimal commas parted by a comma and a blank") << german << "20,5, 30 mm" << "20,5; 30";
-    QTest::newRow("a decimal point where commas are usual") << german << "20.5; 30" << "20,5; 30";
+    QTest::newRow("bare numbers are in the unit beside the field") << english << "20.5, 30"
+                                                                   << "20.5, 30";
+    QTest::newRow("with units") << english << "0.0205 m,3cm"
+                                << "20.5, 30";
+    QTest::newRow("semicolons") << english << "20.5; 30"
+                                << "20.5, 30";
+    QTest::newRow("decimal commas") << german << "20,5; 30"
+                                    << "20,5; 30";
+    QTest::newRow("decimal commas parted by a comma and a blank") << german << "20,5, 30 mm"
+                                                                  << "20,5; 30";
+    QTest::newRow("a decimal point where commas are usual") << german << "20.5; 30"
+                                                            << "20,5; 30";
 }
 
 void TestCasePanel::takesLists()
@@ -182,11 +185,18 @@ void TestCasePanel::showsWhyAnEntryIsBad_data()
     QTest::addColumn<QString>("key");
     QTest::addColumn<QString>("typed");
     QTest::addColumn<QString>("part");
-    QTest::newRow("negative mass") << "slider.mass" << "-1" << "greater than";
-    QTest::newRow("a force where a length belongs") << flyingHeight << "7 mN" << "length";
-    QTest::newRow("no number") << flyingHeight << "high" << "high";
-    QTest::newRow("empty") << flyingHeight << "" << "empty";
-    QTest::newRow("too many degrees of freedom") << "degrees_of_freedom" << "7" << "2";
+    QTest::newRow("negative mass") << "slider.mass"
+                                   << "-1"
+                                   << "greater than";
+    QTest::newRow("a force where a length belongs") << flyingHeight << "7 mN"
+                                                    << "length";
+    QTest::newRow("no number") << flyingHeight << "high"
+                               << "high";
+    QTest::newRow("empty") << flyingHeight << ""
+                           << "empty";
+    QTest::newRow("too many degrees of freedom") << "degrees_of_freedom"
+                                                 << "7"
+                                                 << "2";
 }
 
 void TestCasePanel::showsWhyAnEntryIsBad()
@@ -413,8 +423,8 @@ void TestCasePanel::marksStandIns()
             if (label->text() == QStringLiteral("≈")) return label;
         return nullptr;
     };
-    QVERIFY(mark("slider.mass")->isVisible());              // Table II is lost
-    QVERIFY(!mark("ono_yamane.touch_down")->isVisible());   // stated in the paper
+    QVERIFY(mark("slider.mass")->isVisible());            // Table II is lost
+    QVERIFY(!mark("ono_yamane.touch_down")->isVisible()); // stated in the paper
     QVERIFY(mark("slider.mass")->toolTip().contains(QStringLiteral("Table II")));
     f.type("slider.mass", QStringLiteral("2"));
     QVERIFY(!mark("slider.mass")->isVisible());

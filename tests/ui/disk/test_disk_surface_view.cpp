@@ -10,10 +10,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "ui/disk/disk_statistics.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -132,13 +132,14 @@ void TestDiskSurfaceView::spectrumLiesInItsBand()
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (asked.value(i) < 1e-6 * asked.value(0)) continue; // where rounding is all there is
         const double q = asked.time(i);
-        const double low = *curves[1].data->valueAt(q), high = *curves[2].data->valueAt(q), found = *curves[3].data->valueAt(q);
+        const double low = *curves[1].data->valueAt(q), high = *curves[2].data->valueAt(q),
+                     found = *curves[3].data->valueAt(q);
         QVERIFY(low < asked.value(i) && asked.value(i) < high);
         inside += found > low && found < high;
         ++all;
     }
-    // 95 % of them are expected inside. Of 25 values fewer than 20 are, by the binomial law, once in 140 seeds; the seed is
-    // fixed.
+    // 95 % of them are expected inside. Of 25 values fewer than 20 are, by the binomial law, once in 140 seeds; the
+    // seed is fixed.
     QVERIFY2(all > 15 && inside >= all * 4 / 5, qPrintable(QStringLiteral("%1 of %2").arg(inside).arg(all)));
 }
 
@@ -198,7 +199,8 @@ void TestDiskSurfaceView::drawsAProfileAsAStrip()
     surface.trackWidth = surface.cell;
     const DiskTopography profile(surface);
     const DiskSurfacePiece piece = pieceOf(profile, profile.period().x0, pieceLength(profile));
-    QCOMPARE(piece.heights.size(), static_cast<std::size_t>(piece.grid.nx()) * static_cast<std::size_t>(piece.grid.ny()));
+    QCOMPARE(piece.heights.size(),
+             static_cast<std::size_t>(piece.grid.nx()) * static_cast<std::size_t>(piece.grid.ny()));
     const double width = piece.grid.y.back() - piece.grid.y.front();
     QVERIFY((piece.grid.x.back() - piece.grid.x.front()) / width < 5.0);
 }
@@ -299,7 +301,8 @@ void TestDiskSurfaceView::controlsHaveNames()
     for (const QWidget* widget : view_->findChildren<QWidget*>()) {
         if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy() || !widget->isVisible()) continue;
         if (widget->objectName().startsWith(QLatin1String("qt_")) || widget->inherits("QScrollBar")) continue;
-        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(), widget->metaObject()->className());
+        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(),
+                 widget->metaObject()->className());
     }
 }
 

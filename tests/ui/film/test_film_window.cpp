@@ -6,17 +6,17 @@
 #include <thread>
 
 #include <QClipboard>
-#include <QGuiApplication>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/plot/plot_export.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using Page = FilmView::Page;
@@ -82,7 +82,8 @@ void TestFilmWindow::init()
         [this](const Case& c, const SteadyCallback& callback) {
             fixed_ = c.steady.fixedAttitude;
             int iteration = 0;
-            while (callback({"grid 97 x 97", ++iteration, 2e-5, 1e-3, {9e-9, 95e-6, 0.0}}) && waiting_) std::this_thread::yield();
+            while (callback({"grid 97 x 97", ++iteration, 2e-5, 1e-3, {9e-9, 95e-6, 0.0}}) && waiting_)
+                std::this_thread::yield();
             if (waiting_) {
                 SteadyResult stopped;
                 stopped.status = SteadyStatus::Cancelled;
@@ -234,7 +235,8 @@ void TestFilmWindow::reportsProgress()
         return false;
     };
     QVERIFY(says(QStringLiteral("Solving…")));
-    QTRY_VERIFY2(film_->progress()->text().startsWith(QStringLiteral("grid 97 × 97 · iteration ")), qPrintable(film_->progress()->text()));
+    QTRY_VERIFY2(film_->progress()->text().startsWith(QStringLiteral("grid 97 × 97 · iteration ")),
+                 qPrintable(film_->progress()->text()));
     QVERIFY(film_->progress()->text().contains(QStringLiteral("residual 2.0e−05")));
     QVERIFY(film_->progress()->text().contains(QStringLiteral("height 9\u00a0nm")));
     film_->controller().stopAndWait();
@@ -244,8 +246,9 @@ void TestFilmWindow::reportsProgress()
 void TestFilmWindow::tabsChooseTheField()
 {
     solve();
-    for (const auto& [page, quantity] : {std::pair(Page::Pressure, MapsView::Quantity::Pressure), std::pair(Page::Gap, MapsView::Quantity::Gap),
-                                         std::pair(Page::Recess, MapsView::Quantity::Recess)}) {
+    for (const auto& [page, quantity] :
+         {std::pair(Page::Pressure, MapsView::Quantity::Pressure), std::pair(Page::Gap, MapsView::Quantity::Gap),
+          std::pair(Page::Recess, MapsView::Quantity::Recess)}) {
         film_->view()->setPage(page);
         QCOMPARE(film_->view()->maps()->quantity(), quantity);
         QVERIFY(film_->view()->maps()->controls()->isVisible());
@@ -271,7 +274,8 @@ void TestFilmWindow::copiesTheTables()
     solve();
     film_->attitude()->copy();
     const QString text = QGuiApplication::clipboard()->text();
-    QVERIFY2(text.startsWith(QStringLiteral("Attitude\nTrailing edge height\t10.00\u00a0nm\n")), qPrintable(text.left(80)));
+    QVERIFY2(text.startsWith(QStringLiteral("Attitude\nTrailing edge height\t10.00\u00a0nm\n")),
+             qPrintable(text.left(80)));
     QVERIFY(text.contains(QStringLiteral("Force [mN]\t2.500\t1.200\t0.003000")));
 }
 

@@ -45,16 +45,18 @@ SteadyResult endless(const Case&, const SteadyCallback& callback)
 struct Received {
     explicit Received(SteadyController& controller)
     {
-        QObject::connect(&controller, &SteadyController::progressed, &controller, [this](int number, const SteadyProgress& progress) {
-            ++deliveries;
-            numbers.push_back(number);
-            disordered += progress.iteration <= last.iteration && number == numbers.front();
-            last = progress;
-        });
-        QObject::connect(&controller, &SteadyController::finished, &controller, [this](int number, const SteadyResult& ended) {
-            finished.push_back(number);
-            result = ended;
-        });
+        QObject::connect(&controller, &SteadyController::progressed, &controller,
+                         [this](int number, const SteadyProgress& progress) {
+                             ++deliveries;
+                             numbers.push_back(number);
+                             disordered += progress.iteration <= last.iteration && number == numbers.front();
+                             last = progress;
+                         });
+        QObject::connect(&controller, &SteadyController::finished, &controller,
+                         [this](int number, const SteadyResult& ended) {
+                             finished.push_back(number);
+                             result = ended;
+                         });
     }
     int deliveries = 0, disordered = 0;
     std::vector<int> numbers, finished;
@@ -173,7 +175,8 @@ void TestSteadyController::startsAgainWhileSolving()
 
 void TestSteadyController::turnsAnExceptionIntoAFailure()
 {
-    SteadyController controller([](const Case&, const SteadyCallback&) -> SteadyResult { throw std::runtime_error("no memory"); });
+    SteadyController controller(
+        [](const Case&, const SteadyCallback&) -> SteadyResult { throw std::runtime_error("no memory"); });
     Received received(controller);
     controller.start(sampleCase());
     QTRY_COMPARE(controller.state(), State::Idle);

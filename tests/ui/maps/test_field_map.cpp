@@ -6,9 +6,9 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -29,7 +29,10 @@ private slots:
     void drawsWithoutAField();
 
 private:
-    QColor at(const SurfacePoint& point) const { return map_->grab().toImage().pixelColor(map_->toPixel(point).toPoint()); }
+    QColor at(const SurfacePoint& point) const
+    {
+        return map_->grab().toImage().pixelColor(map_->toPixel(point).toPoint());
+    }
 
     std::unique_ptr<FieldMap> map_;
     CellGrid grid_;
@@ -48,7 +51,8 @@ void TestFieldMap::init()
     map_ = std::make_unique<FieldMap>();
     map_->resize(800, 520);
     map_->setSlider(1.0e-3, 0.5e-3);
-    map_->setLook({QStringLiteral("Pressure"), QStringLiteral("kPa"), 1e3, ColourScale::linear(ColourMap::Viridis, 0.0, 5e3)});
+    map_->setLook(
+        {QStringLiteral("Pressure"), QStringLiteral("kPa"), 1e3, ColourScale::linear(ColourMap::Viridis, 0.0, 5e3)});
     map_->setField(grid_, {0.0, 1e3, 2e3, 3e3, 4e3, 5e3});
     map_->show();
     QVERIFY(QTest::qWaitForWindowExposed(map_.get()));

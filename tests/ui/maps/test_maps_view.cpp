@@ -7,9 +7,9 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 using Quantity = MapsView::Quantity;
@@ -72,7 +72,8 @@ void TestMapsView::showsGapAndRecess()
     QCOMPARE(view_->map()->value(100), result_.gap[100]);
     // Bright is near the disk.
     const ColourScale& scale = view_->map()->look().scale;
-    QVERIFY(QColor::fromRgb(scale.colour(scale.low())).lightness() > QColor::fromRgb(scale.colour(scale.high())).lightness());
+    QVERIFY(QColor::fromRgb(scale.colour(scale.low())).lightness() >
+            QColor::fromRgb(scale.colour(scale.high())).lightness());
     view_->setQuantity(Quantity::Recess);
     QCOMPARE(view_->map()->value(100), result_.recess[100]);
 }
@@ -85,8 +86,10 @@ void TestMapsView::sectionsAreTheCellsOfARowAndAColumn()
     const MinMaxPyramid& x = *view_->sections()->alongX()->curves().at(0).data;
     const MinMaxPyramid& y = *view_->sections()->alongY()->curves().at(0).data;
     // At the middle of each cell stands its own value.
-    for (int i = 0; i < 48; ++i) QCOMPARE(*x.valueAt(result_.grid.centreX(i)), result_.gap[static_cast<std::size_t>(10 * 48 + i)]);
-    for (int j = 0; j < 40; ++j) QCOMPARE(*y.valueAt(result_.grid.centreY(j)), result_.gap[static_cast<std::size_t>(j * 48 + 30)]);
+    for (int i = 0; i < 48; ++i)
+        QCOMPARE(*x.valueAt(result_.grid.centreX(i)), result_.gap[static_cast<std::size_t>(10 * 48 + i)]);
+    for (int j = 0; j < 40; ++j)
+        QCOMPARE(*y.valueAt(result_.grid.centreY(j)), result_.gap[static_cast<std::size_t>(j * 48 + 30)]);
     QVERIFY(view_->sections()->alongX()->title().contains(QStringLiteral("y = 0.183"))); // 10.5/40 of 0.7 mm
 }
 
@@ -215,7 +218,8 @@ void TestMapsView::controlsHaveNames()
 {
     for (const QWidget* widget : view_->findChildren<QWidget*>()) {
         if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
-        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(), widget->metaObject()->className());
+        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(),
+                 widget->metaObject()->className());
     }
 }
 

@@ -15,7 +15,8 @@ namespace {
 double lightness(const QColor& colour)
 {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    const double y = 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    const double y =
+        0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
     return y > 216.0 / 24389.0 ? 116.0 * std::cbrt(y) - 16.0 : 24389.0 / 27.0 * y;
 }
 
@@ -53,8 +54,11 @@ void TestColourScale::sequentialMapsRiseInLightness_data()
 void TestColourScale::sequentialMapsRiseInLightness()
 {
     QFETCH(const ColourMap, map);
-    for (int i = 0; i < 100; ++i) QVERIFY2(lightness(mapColour(map, (i + 1) / 100.0)) > lightness(mapColour(map, i / 100.0)), qPrintable(QString::number(i)));
-    for (int i = 0; i < 10; ++i) QVERIFY(lightness(mapColour(map, (i + 1) / 10.0)) - lightness(mapColour(map, i / 10.0)) > 3.0);
+    for (int i = 0; i < 100; ++i)
+        QVERIFY2(lightness(mapColour(map, (i + 1) / 100.0)) > lightness(mapColour(map, i / 100.0)),
+                 qPrintable(QString::number(i)));
+    for (int i = 0; i < 10; ++i)
+        QVERIFY(lightness(mapColour(map, (i + 1) / 10.0)) - lightness(mapColour(map, i / 10.0)) > 3.0);
 }
 
 void TestColourScale::divergingMapsAreEvenAboutTheirCentre_data()
@@ -76,7 +80,8 @@ void TestColourScale::divergingMapsAreEvenAboutTheirCentre()
         const QColor low = mapColour(map, 0.5 - i / 20.0);
         const QColor high = mapColour(map, 0.5 + i / 20.0);
         // Equal in Oklab's lightness; CIE's differs by a few for such colours.
-        QVERIFY2(std::abs(lightness(low) - lightness(high)) < 6.0, qPrintable(QString::number(lightness(low) - lightness(high))));
+        QVERIFY2(std::abs(lightness(low) - lightness(high)) < 6.0,
+                 qPrintable(QString::number(lightness(low) - lightness(high))));
         QVERIFY(darkCentre ? lightness(low) > before : lightness(low) < before);
         QVERIFY(low.blue() > low.red());
         QVERIFY(high.red() > high.blue());
@@ -143,7 +148,8 @@ void TestColourScale::beyondTheEndsTheEndsHold()
 void TestColourScale::coloursAreTheMapsAtThePosition_data()
 {
     QTest::addColumn<double>("value");
-    for (const double value : {-0.9, -0.2, 0.0, 0.3, 11.0, 19.5}) QTest::newRow(qPrintable(QString::number(value))) << value;
+    for (const double value : {-0.9, -0.2, 0.0, 0.3, 11.0, 19.5})
+        QTest::newRow(qPrintable(QString::number(value))) << value;
 }
 
 void TestColourScale::coloursAreTheMapsAtThePosition()
@@ -155,7 +161,8 @@ void TestColourScale::coloursAreTheMapsAtThePosition()
     QVERIFY(std::abs(scale.position(value) - expected) < 1e-12);
     const QColor colour = QColor::fromRgb(scale.colour(value));
     const QColor exact = mapColour(ColourMap::DivergingOnDark, expected);
-    QVERIFY(std::abs(colour.red() - exact.red()) <= 2 && std::abs(colour.green() - exact.green()) <= 2 && std::abs(colour.blue() - exact.blue()) <= 2);
+    QVERIFY(std::abs(colour.red() - exact.red()) <= 2 && std::abs(colour.green() - exact.green()) <= 2 &&
+            std::abs(colour.blue() - exact.blue()) <= 2);
 }
 
 void TestColourScale::reversedSwapsTheColours()
@@ -169,8 +176,9 @@ void TestColourScale::reversedSwapsTheColours()
 
 void TestColourScale::ticksLieOnTheScale()
 {
-    for (const auto& scale : {ColourScale::linear(ColourMap::Viridis, 0.0, 7e5), ColourScale::logarithmic(ColourMap::Viridis, 2e-9, 3e-6),
-                              ColourScale::aboutZero(ColourMap::DivergingOnLight, -9e4, 2e6)}) {
+    for (const auto& scale :
+         {ColourScale::linear(ColourMap::Viridis, 0.0, 7e5), ColourScale::logarithmic(ColourMap::Viridis, 2e-9, 3e-6),
+          ColourScale::aboutZero(ColourMap::DivergingOnLight, -9e4, 2e6)}) {
         const auto ticks = scale.ticks(scale.isLogarithmic() ? 1e-9 : 1e3, 8);
         QVERIFY(ticks.size() >= 3);
         for (const ScaleTick& tick : ticks) {
@@ -187,9 +195,11 @@ void TestColourScale::ticksLieOnTheScale()
 
 void TestColourScale::aFieldWithoutASpreadHasAScale()
 {
-    for (const auto& scale : {ColourScale::linear(ColourMap::Viridis, 5.0, 5.0), ColourScale::linear(ColourMap::Viridis, 0.0, 0.0),
-                              ColourScale::logarithmic(ColourMap::Viridis, 5.0, 5.0), ColourScale::aboutZero(ColourMap::DivergingOnLight, 0.0, 0.0),
-                              ColourScale::throughLevels(ColourMap::Mako, {0.0})}) {
+    for (const auto& scale :
+         {ColourScale::linear(ColourMap::Viridis, 5.0, 5.0), ColourScale::linear(ColourMap::Viridis, 0.0, 0.0),
+          ColourScale::logarithmic(ColourMap::Viridis, 5.0, 5.0),
+          ColourScale::aboutZero(ColourMap::DivergingOnLight, 0.0, 0.0),
+          ColourScale::throughLevels(ColourMap::Mako, {0.0})}) {
         QVERIFY(scale.high() > scale.low());
         QVERIFY(std::isfinite(scale.position(scale.low())));
     }

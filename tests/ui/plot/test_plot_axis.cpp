@@ -89,8 +89,8 @@ void TestPlotAxis::farZoomKeepsNumbersShort()
     QCOMPARE(axis.text(), QStringLiteral("Time %1 1.250000 [ms]").arg(minus));
 }
 
-// A range of 300 nm resolves 0.3 nm with one decimal; a rest of 3.837 nm on it is read with four digits, a rounding error
-// as zero.
+// A range of 300 nm resolves 0.3 nm with one decimal; a rest of 3.837 nm on it is read with four digits, a rounding
+// error as zero.
 void TestPlotAxis::readingKeepsFourDigits()
 {
     PlotAxis axis;

@@ -158,9 +158,10 @@ void TestPlotPath::arrowsPointTheWay()
 
 void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
 {
-    // There in one line, back with a detour of 0.23 at the far end: both ways share the piece beside the turning point and the
-    // one beside the ends.
-    const std::vector<QPointF> path{{0.9, 0.5}, {0.1, 0.5}, {0.6, 0.5}, {0.6, 0.27}, {0.8, 0.27}, {0.8, 0.5}, {0.9, 0.5}};
+    // There in one line, back with a detour of 0.23 at the far end: both ways share the piece beside the turning point
+    // and the one beside the ends.
+    const std::vector<QPointF> path{{0.9, 0.5},  {0.1, 0.5}, {0.6, 0.5}, {0.6, 0.27},
+                                    {0.8, 0.27}, {0.8, 0.5}, {0.9, 0.5}};
     const QSizeF pixels(400.0, 400.0);
     QPen pen(Qt::black, 1.5);
     pen.setDashPattern({5.0, 3.0});
@@ -170,11 +171,14 @@ void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
     const auto inked = [&](double walked) { // [px]
         const double period = dashes[0] + dashes[1];
         const double phase = std::fmod(walked / fitted.widthF() + fitted.dashOffset(), period);
-        return std::min(std::abs(phase - dashes[0]), std::min(phase, period - phase)) < 0.05 ? -1 : phase < dashes[0] ? 1 : 0; // -1: an end
+        return std::min(std::abs(phase - dashes[0]), std::min(phase, period - phase)) < 0.05 ? -1
+               : phase < dashes[0]                                                           ? 1
+                                                                                             : 0; // -1: an end
     };
     const double turn = 0.8 * 400.0;
     const double whole = pathLength(path, pixels);
-    for (double away = 0.0; away < 190.0; away += 3.1) QVERIFY(inked(turn - away) < 0 || inked(turn - away) == inked(turn + away));
+    for (double away = 0.0; away < 190.0; away += 3.1)
+        QVERIFY(inked(turn - away) < 0 || inked(turn - away) == inked(turn + away));
     for (double away = 0.0; away < 39.0; away += 1.3) QVERIFY(inked(away) < 0 || inked(away) == inked(whole - away));
     // A solid pen stays what it is.
     QVERIFY(penThereAndBack(path, pixels, QPen(Qt::black, 1.5)).dashPattern().isEmpty());

@@ -8,9 +8,9 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 

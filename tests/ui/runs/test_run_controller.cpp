@@ -10,8 +10,8 @@
 
 #include "core/case_files/case_file.h"
 #include "core/results/results_file.h"
-#include "ui/runs/run_controller.h"
 #include "tests/support/test_program.h"
+#include "ui/runs/run_controller.h"
 
 using namespace touchdown;
 using State = RunController::State;
@@ -52,16 +52,17 @@ struct Counter {
 struct Received {
     explicit Received(RunController& controller)
     {
-        QObject::connect(&controller, &RunController::delivered, &controller, [this, &controller](const RunDelivery& delivery) {
-            ++deliveries;
-            foreign += delivery.run != controller.currentRun();
-            for (std::size_t i = 0; i < delivery.samples.size(); ++i) {
-                disordered += !times.empty() && delivery.samples.time[i] <= times.back();
-                times.push_back(delivery.samples.time[i]);
-            }
-            for (const RunEvent& event : delivery.events) early += event.time > delivery.time;
-            events += delivery.events.size();
-        });
+        QObject::connect(&controller, &RunController::delivered, &controller,
+                         [this, &controller](const RunDelivery& delivery) {
+                             ++deliveries;
+                             foreign += delivery.run != controller.currentRun();
+                             for (std::size_t i = 0; i < delivery.samples.size(); ++i) {
+                                 disordered += !times.empty() && delivery.samples.time[i] <= times.back();
+                                 times.push_back(delivery.samples.time[i]);
+                             }
+                             for (const RunEvent& event : delivery.events) early += event.time > delivery.time;
+                             events += delivery.events.size();
+                         });
         QObject::connect(&controller, &RunController::finished, &controller, [this](int run, const Summary& ended) {
             finishedRuns.push_back(run);
             summary = ended;
@@ -186,8 +187,9 @@ void TestRunController::deliversEveryField()
     // 20 snapshots of 2^18 values are more than the mailbox holds of them: the solver waits, and nothing is lost.
     RunController controller(Photographer{std::size_t(1) << 18});
     std::vector<FieldSnapshot> received;
-    connect(&controller, &RunController::delivered, this,
-            [&](const RunDelivery& delivery) { received.insert(received.end(), delivery.fields.begin(), delivery.fields.end()); });
+    connect(&controller, &RunController::delivered, this, [&](const RunDelivery& delivery) {
+        received.insert(received.end(), delivery.fields.begin(), delivery.fields.end());
+    });
     controller.start({});
     QTRY_COMPARE_WITH_TIMEOUT(controller.state(), State::Idle, 30000);
     QCOMPARE(received.size(), std::size_t(20));
@@ -323,7 +325,8 @@ void TestRunController::startsAgainWhileRunning()
 
 void TestRunController::turnsAnExceptionIntoAFailure()
 {
-    RunController controller([](const Case&, const RunCallback&) -> Summary { throw std::runtime_error("out of cheese"); });
+    RunController controller(
+        [](const Case&, const RunCallback&) -> Summary { throw std::runtime_error("out of cheese"); });
     Received received(controller);
     controller.start({});
     QTRY_COMPARE(controller.state(), State::Idle);
@@ -376,8 +379,9 @@ void TestRunController::recordsFieldsToAFile()
     request.recordTo = file.toStdString();
     RunController controller;
     std::vector<FieldSnapshot> seen;
-    connect(&controller, &RunController::delivered, this,
-            [&seen](const RunDelivery& delivery) { seen.insert(seen.end(), delivery.fields.begin(), delivery.fields.end()); });
+    connect(&controller, &RunController::delivered, this, [&seen](const RunDelivery& delivery) {
+        seen.insert(seen.end(), delivery.fields.begin(), delivery.fields.end());
+    });
     const QSignalSpy failed(&controller, &RunController::recordingFailed);
     controller.start(request);
     QTRY_COMPARE_WITH_TIMEOUT(controller.state(), State::Idle, 30000);

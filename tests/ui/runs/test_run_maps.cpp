@@ -6,11 +6,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/maps/maps_view.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -91,7 +91,8 @@ void TestRunMaps::followsARunUnderWay()
     QCOMPARE(maps_->time()->value(), 4);
     // d = -5 nm + 10 nm * 0.1/0.5 = -3 nm: 3 MPa for each number of the cell.
     QVERIFY(std::abs(shownPressure(10) - 30e6) < 1.0);
-    QVERIFY2(maps_->reading()->text().contains(QChar(0x2212) + QStringLiteral("3.000")), qPrintable(maps_->reading()->text()));
+    QVERIFY2(maps_->reading()->text().contains(QChar(0x2212) + QStringLiteral("3.000")),
+             qPrintable(maps_->reading()->text()));
 }
 
 void TestRunMaps::staysWhereTheUserWent()
@@ -182,7 +183,8 @@ void TestRunMaps::saysWhyThereAreNoMaps()
     maps_->showRun(1);
     QVERIFY(maps_->empty());
     QVERIFY(maps_->emptyText().contains(QStringLiteral("has no maps")));
-    runs_->add(std::make_unique<RunRecord>(2, sampleContactCase(), "", sampleContactQuantities(), std::vector{sampleContactFields()}));
+    runs_->add(std::make_unique<RunRecord>(2, sampleContactCase(), "", sampleContactQuantities(),
+                                           std::vector{sampleContactFields()}));
     maps_->showRun(2);
     QVERIFY(maps_->emptyText().contains(QStringLiteral("soon")));
 }
@@ -190,7 +192,8 @@ void TestRunMaps::saysWhyThereAreNoMaps()
 void TestRunMaps::thinsWhatMemoryCannotHold()
 {
     // 2 fields of 2^20 cells: 16 snapshots fill the 2^25 values; the 17th makes 9 of them, every second one.
-    auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities(), std::vector{sampleContactFields()});
+    auto run = std::make_unique<RunRecord>(1, sampleContactCase(), "", sampleContactQuantities(),
+                                           std::vector{sampleContactFields()});
     const FieldHistory& kept = run->fields.front();
     FieldSnapshot snapshot{0.0, 0, {std::vector<double>(1U << 20U), std::vector<double>(1U << 20U)}};
     for (int i = 0; i < 20; ++i) {
@@ -202,7 +205,8 @@ void TestRunMaps::thinsWhatMemoryCannotHold()
     QCOMPARE(kept.stride, std::size_t(2));
     QCOMPARE(kept.arrived, std::size_t(20));
     QCOMPARE(kept.snapshots.size(), std::size_t(10));
-    for (std::size_t i = 0; i < kept.snapshots.size(); ++i) QCOMPARE(kept.snapshots[i].time, 2.0 * static_cast<double>(i));
+    for (std::size_t i = 0; i < kept.snapshots.size(); ++i)
+        QCOMPARE(kept.snapshots[i].time, 2.0 * static_cast<double>(i));
     QCOMPARE(kept.ranges[0].high, 19.0); // of those that went, too
     QVERIFY(!saveHdf5(*run, QStringLiteral("nowhere.h5")).isEmpty());
 }
@@ -236,11 +240,13 @@ void TestRunMaps::paintsBothThemes()
     };
     QTRY_COMPARE(background() < 128, dark);
     const QImage image = maps_->view()->map()->grab().toImage();
-    // Pressure rises with the number of the cell: at a quarter of viridis there is blue, at five sixths green. Corners and middle hold
-    // marks of the extremes and the sections.
+    // Pressure rises with the number of the cell: at a quarter of viridis there is blue, at five sixths green. Corners
+    // and middle hold marks of the extremes and the sections.
     const FieldMap* map = maps_->view()->map();
     const double ratio = image.devicePixelRatio();
-    const auto at = [&](std::size_t cell) { return image.pixelColor((map->toPixel(map->centre(cell)) * ratio).toPoint()); };
+    const auto at = [&](std::size_t cell) {
+        return image.pixelColor((map->toPixel(map->centre(cell)) * ratio).toPoint());
+    };
     QVERIFY(at(8).blue() > at(8).green());
     QVERIFY(at(26).green() > at(26).blue());
 }
@@ -251,7 +257,8 @@ void TestRunMaps::controlsHaveNames()
     maps_->showRun(1);
     for (const QWidget* widget : maps_->findChildren<QWidget*>()) {
         if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy() || !widget->isVisible()) continue;
-        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(), widget->metaObject()->className());
+        QVERIFY2(!widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty(),
+                 widget->metaObject()->className());
     }
 }
 
@@ -263,7 +270,9 @@ std::unique_ptr<RunRecord> filmRun()
     const Case c = sampleFilmCase();
     const double L = c.slider.length, W = c.slider.width;
     const std::vector<RecordedFields> sets{
-        {"fields", {{0.0, 0.5 * L, L}, {0.0, W}}, {{"gap", "m", "nm", "Gap"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}}},
+        {"fields",
+         {{0.0, 0.5 * L, L}, {0.0, W}},
+         {{"gap", "m", "nm", "Gap"}, {"air_pressure", "Pa", "kPa", "Pressure of the air"}}},
         {"contact_fields",
          {{0.8e-3, 0.81e-3, 0.82e-3, 0.83e-3}, {0.3e-3, 0.31e-3}},
          {{"gap", "m", "nm", "Gap of the contact"}, {"contact_pressure", "Pa", "MPa", "Contact pressure"}}}};

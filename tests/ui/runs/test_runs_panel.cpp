@@ -8,10 +8,10 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
 #include "ui/case/case_difference.h"
 #include "ui/runs/run_delegate.h"
 #include "ui/runs/runs_panel.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -24,7 +24,8 @@ std::unique_ptr<RunRecord> ranRecord(int number, const std::function<void(Case&)
     document.value.run.duration = 0.1e-3;
     document.value.spectrum.segment = 0.05e-3;
     if (change) change(document.value);
-    auto record = std::make_unique<RunRecord>(number, document.value, formatCase(document.value), recordedQuantities(document.value));
+    auto record = std::make_unique<RunRecord>(number, document.value, formatCase(document.value),
+                                              recordedQuantities(document.value));
     record->finish(run(document.value, [&record](const RunUpdate& update) {
         record->append(update.samples, update.events);
         return true;
@@ -103,7 +104,8 @@ void TestRunsPanel::showsResults()
     QFETCH(const QString, result);
     QFETCH(const bool, failed);
     RunsModel model;
-    auto record = std::make_unique<RunRecord>(1, Case{}, std::string(), std::vector<Quantity>{{"flying_height", "m", "nm", "Flying height"}});
+    auto record = std::make_unique<RunRecord>(1, Case{}, std::string(),
+                                              std::vector<Quantity>{{"flying_height", "m", "nm", "Flying height"}});
     record->append({{0.0, 1e-6}, {{7e-9, 3.2e-9}}}, {});
     model.add(std::move(record));
     QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("running"));

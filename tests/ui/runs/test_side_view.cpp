@@ -5,16 +5,18 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
 namespace {
 
-const std::vector<Quantity> quantities{{"minimum_spacing", "m", "nm", "Minimum spacing"}, {"pitch", "rad", "urad", "Pitch"},
-                                       {"height", "m", "nm", "Height"}, {"contact_force", "N", "mN", "Contact"}};
+const std::vector<Quantity> quantities{{"minimum_spacing", "m", "nm", "Minimum spacing"},
+                                       {"pitch", "rad", "urad", "Pitch"},
+                                       {"height", "m", "nm", "Height"},
+                                       {"contact_force", "N", "mN", "Contact"}};
 
 /// A slider that falls: 60 nm above the disk with 100 urad at 0, 52 nm with 110 urad at 1 us and in contact.
 SampleBatch falling() { return {{0.0, 1e-6}, {{17e-9, 5e-9}, {100e-6, 110e-6}, {60e-9, 52e-9}, {0.0, 1e-3}}}; }
@@ -70,11 +72,12 @@ void TestSideView::showsTheLatestSample()
     // Half of 0.85 mm times 110 urad is 46.75 nm: the trailing edge lies 52 - 46.75 nm above the disk.
     QVERIFY(std::abs(view_->state()->trailingHeight - 5.25e-9) < 1e-15);
     QCOMPARE(view_->state()->contactForce, 1e-3);
-    // At 0.3 mm there is the front pad, on which only the crown is left: 15 nm (1 - (0.3 - 0.425)^2/0.425^2) above the chord or
-    // below it; the shelf and the base beside it are no part of the outline.
+    // At 0.3 mm there is the front pad, on which only the crown is left: 15 nm (1 - (0.3 - 0.425)^2/0.425^2) above the
+    // chord or below it; the shelf and the base beside it are no part of the outline.
     const double share = 0.3 / 0.85;
     const double chord = 5.25e-9 + 110e-6 * 0.55e-3;
-    QVERIFY2(std::abs(view_->heightAt(share) - chord) < 15.1e-9, qPrintable(QString::number(view_->heightAt(share) - chord)));
+    QVERIFY2(std::abs(view_->heightAt(share) - chord) < 15.1e-9,
+             qPrintable(QString::number(view_->heightAt(share) - chord)));
     // Between the rails, at 0.5 mm, the base is lowest: 1.5 um higher.
     QVERIFY(view_->heightAt(0.5 / 0.85) > 1.4e-6);
 }

@@ -5,8 +5,8 @@
 
 #include <QTest>
 
-#include "tests/ui/sample_slider.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
 
 using namespace touchdown;
 
@@ -59,7 +59,8 @@ void TestAttitudeSections::digitsEndWhereTheErrorBegins_data()
     const QString pm = nbsp + QStringLiteral("±") + nbsp;
     const QString nm = nbsp + QStringLiteral("nm");
     QTest::newRow("a hundredth") << 7.0312 << 0.02 << QStringLiteral("7.03") + pm + QStringLiteral("0.02") + nm;
-    QTest::newRow("two digits of an error that begins with 1") << 7.0312 << 0.0134 << QStringLiteral("7.031") + pm + QStringLiteral("0.013") + nm;
+    QTest::newRow("two digits of an error that begins with 1")
+        << 7.0312 << 0.0134 << QStringLiteral("7.031") + pm + QStringLiteral("0.013") + nm;
     QTest::newRow("an error above one") << 123.4 << 6.0 << QStringLiteral("123") + pm + QStringLiteral("6") + nm;
     QTest::newRow("a tiny error") << 5.5 << 3e-5 << QStringLiteral("5.50000") + pm + QStringLiteral("0.00003") + nm;
     QTest::newRow("no estimate: four digits") << 7.0312 << 0.0 << QStringLiteral("7.031") + nm;
@@ -90,8 +91,10 @@ void TestAttitudeSections::printsForcesWithTheirPlaces()
     const Case c = sampleFilmCase();
     const auto sections = attitudeSections(c, sampleResult(c), QLocale::c());
     // 14.7 mN / 9.80665 mN = 1.49898 gf.
-    QCOMPARE(row(sections, "Air bearing", "Net force"), (QStringList{"14.70" + nbsp + "±" + nbsp + "0.05" + nbsp + "mN", "1.499" + nbsp + "gf"}));
-    QCOMPARE(row(sections, "Air bearing", "Below ambient"), (QStringList{minus + "3.500" + nbsp + "mN", "0.500, 0.350"}));
+    QCOMPARE(row(sections, "Air bearing", "Net force"),
+             (QStringList{"14.70" + nbsp + "±" + nbsp + "0.05" + nbsp + "mN", "1.499" + nbsp + "gf"}));
+    QCOMPARE(row(sections, "Air bearing", "Below ambient"),
+             (QStringList{minus + "3.500" + nbsp + "mN", "0.500, 0.350"}));
     // Absolute: 101.325 + 900 kPa.
     QCOMPARE(row(sections, "Air bearing", "Peak pressure"), (QStringList{"1001" + nbsp + "kPa", "0.800, 0.350"}));
 }
@@ -114,7 +117,8 @@ void TestAttitudeSections::scalesSensitivitiesToTheUnitsOfTheFields()
     result.sensitivities = {{"abs.crown", "m", 0.25, 2000.0, -40.0, 0.2}};
     const auto sections = attitudeSections(c, result, QLocale::c());
     QVERIFY(has(sections, "Sensitivities"));
-    QCOMPARE(row(sections, "Sensitivities", "crown, per nm"), (QStringList{"0.2500", "2.000", minus + "0.04000", "0.2000"}));
+    QCOMPARE(row(sections, "Sensitivities", "crown, per nm"),
+             (QStringList{"0.2500", "2.000", minus + "0.04000", "0.2000"}));
 }
 
 void TestAttitudeSections::leavesOutWhatThereIsNot()
@@ -124,7 +128,8 @@ void TestAttitudeSections::leavesOutWhatThereIsNot()
     result.stiffness.reset();
     result.interestSpacing.clear();
     const auto sections = attitudeSections(c, result, QLocale::c());
-    for (const char* title : {"Stiffness of the film", "Points of interest", "Sensitivities", "Other equilibria"}) QVERIFY2(!has(sections, title), title);
+    for (const char* title : {"Stiffness of the film", "Points of interest", "Sensitivities", "Other equilibria"})
+        QVERIFY2(!has(sections, title), title);
     for (const char* title : {"Attitude", "Air bearing", "Solution"}) QVERIFY2(has(sections, title), title);
 }
 
@@ -157,10 +162,14 @@ void TestAttitudeSections::saysTheOutcomeInASentence_data()
     QTest::addColumn<QString>("message");
     QTest::addColumn<QString>("begins");
     QTest::addColumn<bool>("withState");
-    QTest::newRow("converged") << SteadyStatus::Converged << "" << "Minimum spacing " << true;
-    QTest::newRow("not converged") << SteadyStatus::NotConverged << "the residual stays at 1e-3" << "The residual stays at 1e-3. " << true;
-    QTest::newRow("stopped") << SteadyStatus::Cancelled << "" << "Stopped." << false;
-    QTest::newRow("failed") << SteadyStatus::Failed << "the slider does not fly" << "The slider does not fly." << false;
+    QTest::newRow("converged") << SteadyStatus::Converged << ""
+                               << "Minimum spacing " << true;
+    QTest::newRow("not converged") << SteadyStatus::NotConverged << "the residual stays at 1e-3"
+                                   << "The residual stays at 1e-3. " << true;
+    QTest::newRow("stopped") << SteadyStatus::Cancelled << ""
+                             << "Stopped." << false;
+    QTest::newRow("failed") << SteadyStatus::Failed << "the slider does not fly"
+                            << "The slider does not fly." << false;
 }
 
 void TestAttitudeSections::saysTheOutcomeInASentence()
@@ -183,7 +192,8 @@ void TestAttitudeSections::usesTheDecimalComma()
     QCOMPARE(withError(7.0312e-9, 0.02e-9, "nm", german), "7,03" + nbsp + "±" + nbsp + "0,02" + nbsp + "nm");
     QCOMPARE(withError(12345.6e-9, 0.0, "nm", german), "12346" + nbsp + "nm"); // no dots that look like decimals
     const Case c = sampleFilmCase();
-    QCOMPARE(row(attitudeSections(c, sampleResult(c), german), "Points of interest", "P2").back(), QStringLiteral("0,840; 0,220"));
+    QCOMPARE(row(attitudeSections(c, sampleResult(c), german), "Points of interest", "P2").back(),
+             QStringLiteral("0,840; 0,220"));
 }
 
 TOUCHDOWN_TEST(TestAttitudeSections)

@@ -3,8 +3,8 @@
 
 #include <QTest>
 
-#include "tests/ui/sample_slider.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
 
 using namespace touchdown;
 

@@ -16,8 +16,8 @@ using namespace touchdown;
 
 namespace {
 
-constexpr double longSide = 0.8e-3; // [m]
-constexpr double shortSide = 0.4e-3;  // [m]
+constexpr double longSide = 0.8e-3;  // [m]
+constexpr double shortSide = 0.4e-3; // [m]
 
 /// Paints its slider red, and has a key of 50 pixels.
 class RedPlan : public SliderPlan {
@@ -29,11 +29,17 @@ protected:
     {
         painter.fillRect(QRectF(toPixel({0.0, shortSide}), toPixel({longSide, 0.0})), Qt::red);
     }
-    void paintKey(QPainter& painter, const QRectF& column, const PlotTheme&) override { painter.fillRect(column, Qt::blue); }
+    void paintKey(QPainter& painter, const QRectF& column, const PlotTheme&) override
+    {
+        painter.fillRect(column, Qt::blue);
+    }
     double keyWidth() const override { return 50.0; }
 };
 
-bool near(const QPointF& a, const QPointF& b, double within = 1e-6) { return std::hypot(a.x() - b.x(), a.y() - b.y()) < within; }
+bool near(const QPointF& a, const QPointF& b, double within = 1e-6)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y()) < within;
+}
 
 /// The window system's pointer is not the test's to move.
 void moveMouse(QWidget* widget, const QPointF& to, Qt::MouseButtons held = Qt::NoButton)
@@ -166,7 +172,8 @@ void TestSliderPlan::aClickChoosesAPointADragDoesNot()
     moveMouse(plan_.get(), at + QPoint(30, 0), Qt::LeftButton);
     QTest::mouseRelease(plan_.get(), Qt::LeftButton, {}, at + QPoint(30, 0));
     QCOMPARE(chosen.count(), 1);
-    QTest::mouseClick(plan_.get(), Qt::LeftButton, {}, plan_->planArea().topLeft().toPoint() + QPoint(2, 2)); // beside the slider
+    QTest::mouseClick(plan_.get(), Qt::LeftButton, {},
+                      plan_->planArea().topLeft().toPoint() + QPoint(2, 2)); // beside the slider
     QCOMPARE(chosen.count(), 1);
 }
 

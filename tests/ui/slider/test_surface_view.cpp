@@ -6,9 +6,9 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
 
 using namespace touchdown;
 
@@ -77,8 +77,8 @@ void TestSurfaceView::wallsAreBandsOfColour()
     QTRY_VERIFY(view_->settled());
     const QColor wall = at(0.25e-3, 0.64e-3 + 10e-6);
     const QColor expected = QColor::fromRgb(view_->scale().colour(900e-9));
-    QVERIFY2(std::abs(wall.red() - expected.red()) < 8 && std::abs(wall.green() - expected.green()) < 8
-                 && std::abs(wall.blue() - expected.blue()) < 8,
+    QVERIFY2(std::abs(wall.red() - expected.red()) < 8 && std::abs(wall.green() - expected.green()) < 8 &&
+                 std::abs(wall.blue() - expected.blue()) < 8,
              qPrintable(wall.name() + QLatin1Char(' ') + expected.name()));
 }
 

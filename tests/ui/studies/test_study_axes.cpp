@@ -6,8 +6,8 @@
 
 #include <QTest>
 
-#include "tests/ui/sample_study.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_study.h"
 
 using namespace touchdown;
 
@@ -56,7 +56,8 @@ void TestStudyAxes::showsErrorBars()
     QVERIFY(range.contains(-3.0) && range.contains(7.0));
 }
 
-/// Points fill 1 to 2. A band that ends at 2.4 is 0.4 of their width away and comes in, one at 200 would push them together.
+/// Points fill 1 to 2. A band that ends at 2.4 is 0.4 of their width away and comes in, one at 200 would push them
+/// together.
 void TestStudyAxes::showsBandsThatAreNear()
 {
     ChartPanel panel = linear({{0.0, 1.0}, {1.0, 2.0}});
@@ -74,7 +75,8 @@ void TestStudyAxes::anInfiniteBandMovesNothing()
     QCOMPARE(panelAxes(panel).range(), before);
 }
 
-/// Half way between the middles, at the ends as far beyond them: 1, 2, 4 gives 0.5, 1.5, 3, 5; in the logarithm sqrt(1/2) of 2^0.5 steps.
+/// Half way between the middles, at the ends as far beyond them: 1, 2, 4 gives 0.5, 1.5, 3, 5; in the logarithm
+/// sqrt(1/2) of 2^0.5 steps.
 void TestStudyAxes::edgesOfCells()
 {
     QCOMPARE(cellEdges({1.0, 2.0, 4.0}, false), (std::vector<double>{0.5, 1.5, 3.0, 5.0}));

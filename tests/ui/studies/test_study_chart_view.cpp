@@ -10,8 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "tests/ui/sample_study.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_study.h"
 
 using namespace touchdown;
 
@@ -24,7 +24,11 @@ int ink(const QImage& image, const QColor& colour, const QRect& part)
     for (int y = part.top(); y <= part.bottom(); ++y)
         for (int x = part.left(); x <= part.right(); ++x) {
             const QColor c = image.pixelColor(x, y);
-            count += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) + std::abs(c.blue() - colour.blue()) < 40 ? 1 : 0;
+            count += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                                 std::abs(c.blue() - colour.blue()) <
+                             40
+                         ? 1
+                         : 0;
         }
     return count;
 }
@@ -89,8 +93,9 @@ void TestStudyChartView::panelsStandSideBySideOrStacked()
 
 void TestStudyChartView::oneLegendForAllPanels()
 {
-    QCOMPARE(legendTexts(view_->drawing()), (QStringList{"rk4", "rk4-events", "newmark", "Pareto front", "ends in another state",
-                                                         "no valid answer", "default or advice"}));
+    QCOMPARE(legendTexts(view_->drawing()),
+             (QStringList{"rk4", "rk4-events", "newmark", "Pareto front", "ends in another state", "no valid answer",
+                          "default or advice"}));
     StudyChart plain = samplePrecisionChart();
     for (ChartPanel& each : plain.panels) each.series.resize(2); // without the failed point of newmark and the front
     view_->setChart(plain);
@@ -108,27 +113,33 @@ void TestStudyChartView::aSeriesLooksTheSameInEachPanel()
     QVERIFY(styles.of("Pareto front").quiet);
 }
 
-/// A full marker has the colour of its series in its middle, a hollow one that of the paper; a ring goes round a chosen one.
+/// A full marker has the colour of its series in its middle, a hollow one that of the paper; a ring goes round a chosen
+/// one.
 void TestStudyChartView::drawsWhatItSays()
 {
     const QImage image = view_->grab().toImage();
     const PlotTheme theme = plotTheme(view_->palette());
     const ChartStyles styles(view_->chart());
-    const auto middle = [&](std::size_t series, std::size_t point) { return QRect(pixelOf(series, point) - QPoint(1, 1), QSize(2, 2)); };
+    const auto middle = [&](std::size_t series, std::size_t point) {
+        return QRect(pixelOf(series, point) - QPoint(1, 1), QSize(2, 2));
+    };
     QVERIFY(ink(image, seriesColour(styles.of("rk4"), theme), middle(0, 4)) >= 3);
     QVERIFY(ink(image, theme.plotArea, middle(0, 0)) >= 3);
     QVERIFY(ink(image, theme.text, QRect(pixelOf(1, 2) - QPoint(12, 12), QSize(24, 24))) > 20);
     // The cross of newmark stands where nothing else does.
-    QVERIFY(ink(image, seriesColour(styles.of("newmark"), theme), QRect(pixelOf(2, 0) - QPoint(5, 5), QSize(10, 10))) > 8);
+    QVERIFY(ink(image, seriesColour(styles.of("newmark"), theme), QRect(pixelOf(2, 0) - QPoint(5, 5), QSize(10, 10))) >
+            8);
 }
 
 void TestStudyChartView::pointingTellsPointCellAndBand()
 {
     QTest::mouseMove(view_.get(), pixelOf(0, 0));
     QVERIFY2(view_->reading().contains(QStringLiteral("<b>rk4</b> · 100 ns")), qPrintable(view_->reading()));
-    QVERIFY2(view_->reading().contains(QStringLiteral("CPU time of a run: 2.0000\u00a0ms")), qPrintable(view_->reading()));
+    QVERIFY2(view_->reading().contains(QStringLiteral("CPU time of a run: 2.0000\u00a0ms")),
+             qPrintable(view_->reading()));
     QVERIFY(view_->reading().contains(QStringLiteral("another state")));
-    QTest::mouseMove(view_.get(), QPoint(static_cast<int>(panel().area().left()) + 12, static_cast<int>(panel().area().bottom()) - 4));
+    QTest::mouseMove(view_.get(), QPoint(static_cast<int>(panel().area().left()) + 12,
+                                         static_cast<int>(panel().area().bottom()) - 4));
     QVERIFY2(view_->reading().contains(QStringLiteral("not known of the reference")), qPrintable(view_->reading()));
 
     view_->setChart(sampleMapChart());
@@ -160,7 +171,8 @@ void TestStudyChartView::aBoxZoomsAndADoubleClickFits()
     const QRectF box(area.center(), area.bottomRight() - QPointF(20.0, 20.0));
     const PanelRange wanted = panel(0).rangeOf(QRectF(box.topLeft().toPoint(), box.bottomRight().toPoint()));
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, box.topLeft().toPoint());
-    QMouseEvent move(QEvent::MouseMove, box.bottomRight().toPoint(), view_->mapToGlobal(box.bottomRight().toPoint()), Qt::NoButton, Qt::LeftButton, {});
+    QMouseEvent move(QEvent::MouseMove, box.bottomRight().toPoint(), view_->mapToGlobal(box.bottomRight().toPoint()),
+                     Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(view_.get(), &move);
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, box.bottomRight().toPoint());
     QCOMPARE(panel(0).axes().range(), wanted);
@@ -199,7 +211,9 @@ void TestStudyChartView::classesDifferByMoreThanColour()
         QCOMPARE(styles[2].colour, styles[3].colour);
         QVERIFY(styles[2].pattern != styles[3].pattern);
         // The worse, the further from the paper in lightness: what a grey copy leaves.
-        const auto away = [&](std::size_t i) { return std::abs(qGray(styles[i].colour.rgb()) - qGray(theme.plotArea.rgb())); };
+        const auto away = [&](std::size_t i) {
+            return std::abs(qGray(styles[i].colour.rgb()) - qGray(theme.plotArea.rgb()));
+        };
         QVERIFY(away(0) < away(2) && away(2) < away(1) && away(1) < away(4));
     }
 }
@@ -207,7 +221,8 @@ void TestStudyChartView::classesDifferByMoreThanColour()
 void TestStudyChartView::aUnitOfXIsAsLongAsOneOfY()
 {
     view_->setChart(sampleRegionChart());
-    const QPointF origin = panel().toPixel(0.0, 0.0), right = panel().toPixel(-1.0, 0.0), top = panel().toPixel(0.0, 1.0);
+    const QPointF origin = panel().toPixel(0.0, 0.0), right = panel().toPixel(-1.0, 0.0),
+                  top = panel().toPixel(0.0, 1.0);
     QVERIFY(std::abs((origin.x() - right.x()) - (origin.y() - top.y())) < 1e-6);
 }
 

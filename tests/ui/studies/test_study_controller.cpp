@@ -41,16 +41,18 @@ StudyReport endless(int, const StudyCallback& callback)
 struct Received {
     explicit Received(StudyController& controller)
     {
-        QObject::connect(&controller, &StudyController::progressed, &controller, [this](int, double now, const QString& what) {
-            ++deliveries;
-            disordered += now < share;
-            share = now;
-            doing = what;
-        });
-        QObject::connect(&controller, &StudyController::finished, &controller, [this](int number, const StudyReport& ended) {
-            finished.push_back(number);
-            report = ended;
-        });
+        QObject::connect(&controller, &StudyController::progressed, &controller,
+                         [this](int, double now, const QString& what) {
+                             ++deliveries;
+                             disordered += now < share;
+                             share = now;
+                             doing = what;
+                         });
+        QObject::connect(&controller, &StudyController::finished, &controller,
+                         [this](int number, const StudyReport& ended) {
+                             finished.push_back(number);
+                             report = ended;
+                         });
     }
     int deliveries = 0, disordered = 0;
     double share = 0.0;
@@ -92,7 +94,8 @@ void TestStudyController::showsWhatThereIsSoFar()
 {
     StudyController controller;
     int charts = -1;
-    connect(&controller, &StudyController::partial, this, [&charts](int, const StudyReport& report) { charts = static_cast<int>(report.charts.size()); });
+    connect(&controller, &StudyController::partial, this,
+            [&charts](int, const StudyReport& report) { charts = static_cast<int>(report.charts.size()); });
     controller.start(
         [](int jobs, const StudyCallback& callback) {
             StudyReport soFar;

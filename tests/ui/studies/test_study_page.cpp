@@ -11,10 +11,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "tests/ui/sample_study.h"
-#include "ui/window/main_window.h"
-#include "ui/style/theme.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_study.h"
+#include "ui/style/theme.h"
+#include "ui/window/main_window.h"
 
 using namespace touchdown;
 using Page = MainWindow::Page;
@@ -34,7 +34,8 @@ StudyReport endless(const StudyCallback& callback)
 }
 
 /// The text decides: "endless" goes on, "wrong" on a line is a problem of it.
-StudyPlan planned(const std::string& kind, const std::string& text, const std::string& name, const std::filesystem::path&, const Case& c)
+StudyPlan planned(const std::string& kind, const std::string& text, const std::string& name,
+                  const std::filesystem::path&, const Case& c)
 {
     StudyPlan plan;
     plan.kind = kind;
@@ -44,8 +45,10 @@ StudyPlan planned(const std::string& kind, const std::string& text, const std::s
     plan.start.text = formatCase(c);
     int line = 1;
     for (const char letter : text.substr(0, text.find("wrong"))) line += letter == '\n';
-    if (text.find("wrong") != std::string::npos) plan.problems.push_back({name, line, "steps", "is wrong"});
-    else if (text.find("endless") != std::string::npos) plan.perform = [](int, const StudyCallback& callback) { return endless(callback); };
+    if (text.find("wrong") != std::string::npos)
+        plan.problems.push_back({name, line, "steps", "is wrong"});
+    else if (text.find("endless") != std::string::npos)
+        plan.perform = [](int, const StudyCallback& callback) { return endless(callback); };
     else
         plan.perform = [kind, c](int, const StudyCallback& callback) {
             callback({1.0, "all", nullptr});
@@ -62,7 +65,8 @@ StudyPlan planned(const std::string& kind, const std::string& text, const std::s
 
 StudyCatalogue madeUp()
 {
-    return {{{"work-precision", "Accuracy against speed", "charts errors against times"}, {"advise", "No more model than needed", "finds the cheapest"}},
+    return {{{"work-precision", "Accuracy against speed", "charts errors against times"},
+             {"advise", "No more model than needed", "finds the cheapest"}},
             {{"drop", "work-precision", "A drop", "# of the sample\n"}},
             [](const std::string& kind, const Case& c) { return "kind = \"" + kind + "\"\n# " + c.title + "\n"; },
             planned};
@@ -289,7 +293,9 @@ void TestStudyPage::namesEveryControl()
     f.perform();
     for (const QWidget* part : {static_cast<QWidget*>(&f.results()), static_cast<QWidget*>(&f.editor())})
         for (const QWidget* widget : part->findChildren<QWidget*>()) {
-            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->inherits("QScrollBar") || widget->objectName().startsWith(QLatin1String("qt_"))) continue;
+            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) ||
+                widget->inherits("QScrollBar") || widget->objectName().startsWith(QLatin1String("qt_")))
+                continue;
             QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
         }
 }
@@ -298,8 +304,10 @@ void TestStudyPage::fitsASmallScreen()
 {
     Fixture f;
     f.perform();
-    QVERIFY2(f.window.minimumSizeHint().width() <= 1280, qPrintable(QString::number(f.window.minimumSizeHint().width())));
-    QVERIFY2(f.window.minimumSizeHint().height() <= 800, qPrintable(QString::number(f.window.minimumSizeHint().height())));
+    QVERIFY2(f.window.minimumSizeHint().width() <= 1280,
+             qPrintable(QString::number(f.window.minimumSizeHint().width())));
+    QVERIFY2(f.window.minimumSizeHint().height() <= 800,
+             qPrintable(QString::number(f.window.minimumSizeHint().height())));
 }
 
 void TestStudyPage::offersTheStudiesOfTheCore()

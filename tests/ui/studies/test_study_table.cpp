@@ -8,8 +8,8 @@
 #include <QLocale>
 #include <QTest>
 
-#include "tests/ui/sample_study.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/sample_study.h"
 
 using namespace touchdown;
 

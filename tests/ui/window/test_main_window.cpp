@@ -8,10 +8,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "ui/window/main_window.h"
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_export.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
+#include "ui/window/main_window.h"
 
 using namespace touchdown;
 using State = RunController::State;
@@ -111,7 +111,8 @@ void TestMainWindow::runsEverySampleCase_data()
 {
     QTest::addColumn<QString>("name");
     for (const SampleCase& sample : sampleCases())
-        if (openCase(sample.name).value.model == ModelKind::Springs) QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
+        if (openCase(sample.name).value.model == ModelKind::Springs)
+            QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
 }
 
 void TestMainWindow::runsEverySampleCase()
@@ -168,7 +169,8 @@ void TestMainWindow::overlaysASecondRun()
     f.runToEnd();
     f.edit("ono_yamane.take_off", QStringLiteral("8"));
     f.runToEnd();
-    QCOMPARE(f.window.runs().index(1).data(RunsModel::ChangesRole).toString(), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
+    QCOMPARE(f.window.runs().index(1).data(RunsModel::ChangesRole).toString(),
+             QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
     const std::vector<PlotCurve>& curves = f.window.plots().plot(QStringLiteral("spacing"))->curves();
     QCOMPARE(curves.size(), std::size_t(2));
     QVERIFY(curves[0].visible && curves[1].visible);
@@ -196,7 +198,8 @@ void TestMainWindow::keepsTheLastStateOfAFailedRun()
     const RunRecord& run = f.runToEnd();
     QCOMPARE(run.summary->status, RunStatus::Failed);
     QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
-    QVERIFY2(f.window.messages().text().contains(QStringLiteral("rear air spring is lost")), qPrintable(f.window.messages().text()));
+    QVERIFY2(f.window.messages().text().contains(QStringLiteral("rear air spring is lost")),
+             qPrintable(f.window.messages().text()));
     QVERIFY(run.sampleCount() > 1);
     QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->curves()[0].data->size() > 1);
     QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("failed"));
@@ -508,7 +511,8 @@ void TestMainWindow::opensHelp()
     help->open(HelpWindow::Page::Equations);
     QVERIFY(help->text().contains(QStringLiteral("M z″")));
     help->open(HelpWindow::Page::Parameters);
-    for (const Field& field : fields()) QVERIFY2(help->text().contains(QString::fromStdString(field.key)), field.key.c_str());
+    for (const Field& field : fields())
+        QVERIFY2(help->text().contains(QString::fromStdString(field.key)), field.key.c_str());
     help->open(HelpWindow::Page::Shortcuts);
     QVERIFY(help->text().contains(QStringLiteral("F5")));
     help->open(HelpWindow::Page::About);
@@ -524,8 +528,9 @@ void TestMainWindow::namesEveryControl()
         if (widget->objectName().startsWith(QLatin1String("qt_")) || widget->inherits("QScrollBar")) continue;
         if (widget->focusProxy()) continue;
         const bool named = !widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty();
-        QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
-                                   + QStringLiteral(" in ") + QString::fromLatin1(widget->parentWidget()->metaObject()->className())));
+        QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') +
+                                   widget->objectName() + QStringLiteral(" in ") +
+                                   QString::fromLatin1(widget->parentWidget()->metaObject()->className())));
     }
 }
 

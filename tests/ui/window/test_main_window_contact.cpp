@@ -7,11 +7,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "ui/window/main_window.h"
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_export.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
+#include "ui/window/main_window.h"
 
 using namespace touchdown;
 
@@ -79,7 +79,8 @@ void TestMainWindowContact::runsTheSampleCases_data()
 {
     QTest::addColumn<QString>("name");
     for (const SampleCase& sample : sampleCases())
-        if (openCase(sample.name).value.model == ModelKind::Contact) QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
+        if (openCase(sample.name).value.model == ModelKind::Contact)
+            QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
 }
 
 void TestMainWindowContact::runsTheSampleCases()
@@ -97,7 +98,8 @@ void TestMainWindowContact::runsTheSampleCases()
     for (const FieldHistory& history : run.fields) QVERIFY(!history.snapshots.empty());
     QVERIFY(f.window.plots().plot(QStringLiteral("force_separation"))->isVisible());
     QVERIFY(!f.window.spectrum().isVisible());
-    QVERIFY2(f.window.messages().text().contains(QStringLiteral("Largest contact force ")), qPrintable(f.window.messages().text()));
+    QVERIFY2(f.window.messages().text().contains(QStringLiteral("Largest contact force ")),
+             qPrintable(f.window.messages().text()));
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("Its figures")));
 }
 
@@ -180,9 +182,10 @@ void TestMainWindowContact::groupsTheParameters()
     Fixture f;
     QStringList titles;
     for (const QToolButton* header : f.window.casePanel().findChildren<QToolButton*>())
-        if (header->isVisibleTo(&f.window) && header->accessibleName().startsWith(QStringLiteral("Group "))) titles << header->text();
-    QCOMPARE(titles, (QStringList{"Model", "Slider", "Contact pad", "Approach and retraction", "Elastic contact", "Intermolecular adhesion",
-                                  "Disk surface", "Run and numerics"}));
+        if (header->isVisibleTo(&f.window) && header->accessibleName().startsWith(QStringLiteral("Group ")))
+            titles << header->text();
+    QCOMPARE(titles, (QStringList{"Model", "Slider", "Contact pad", "Approach and retraction", "Elastic contact",
+                                  "Intermolecular adhesion", "Disk surface", "Run and numerics"}));
     const auto shown = [&](const char* key) { return f.window.casePanel().editor(key)->isVisibleTo(&f.window); };
     QVERIFY(shown("pad.radius") && !shown("disk.surface.rms") && !shown("springs.cutoff") && !shown("run.tolerance"));
     f.edit("disk.surface.kind", QStringLiteral("waves"));
@@ -243,7 +246,8 @@ void TestMainWindowContact::fitsASmallScreen()
     for (const RunView::Page page : {RunView::Page::Plots, RunView::Page::Maps, RunView::Page::Disk}) {
         f.window.runView().setPage(page);
         const QSize least = f.window.minimumSizeHint();
-        QVERIFY2(least.width() <= 1280 && least.height() <= 800, qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
+        QVERIFY2(least.width() <= 1280 && least.height() <= 800,
+                 qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
     }
 }
 
@@ -262,10 +266,12 @@ void TestMainWindowContact::namesEveryControl()
     for (const RunView::Page page : {RunView::Page::Plots, RunView::Page::Maps, RunView::Page::Disk}) {
         f.window.runView().setPage(page);
         for (const QWidget* widget : f.window.findChildren<QWidget*>()) {
-            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
+            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy())
+                continue;
             if (widget->objectName().startsWith(QLatin1String("qt_")) || widget->inherits("QScrollBar")) continue;
             const bool named = !widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty();
-            QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()));
+            QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') +
+                                       widget->objectName()));
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window with a case of a film: its two pages, their panes, and the ways from the case to the static attitude and to a run in time.
+// The window with a case of a film: its two pages, their panes, and the ways from the case to the static attitude and
+// to a run in time.
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
@@ -10,10 +11,10 @@
 #include <QtTest>
 
 #include "core/case_files/cml_case.h"
-#include "ui/window/main_window.h"
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_export.h"
 #include "ui/style/theme.h"
-#include "tests/support/test_program.h"
+#include "ui/window/main_window.h"
 
 using namespace touchdown;
 using State = SteadyController::State;
@@ -112,10 +113,12 @@ void TestMainWindowFilm::solvesTheSampleCases()
     QCOMPARE(shown.status, SteadyStatus::Converged);
     QCOMPARE(shown.attitude.height, alone.attitude.height);
     QCOMPARE(shown.pressure, alone.pressure);
-    QVERIFY(f.window.messages().kind() == MessageStrip::Kind::Success || f.window.messages().kind() == MessageStrip::Kind::Warning);
+    QVERIFY(f.window.messages().kind() == MessageStrip::Kind::Success ||
+            f.window.messages().kind() == MessageStrip::Kind::Warning);
     QVERIFY(f.window.messages().text().contains(withError(alone.attitude.height, 0.0, "nm")));
     // A text without formats has plain spaces.
-    QVERIFY(f.window.aboutCase().toPlainText().contains(withError(alone.attitude.height, 0.0, "nm").replace(QChar(0x00A0), QLatin1Char(' '))));
+    QVERIFY(f.window.aboutCase().toPlainText().contains(
+        withError(alone.attitude.height, 0.0, "nm").replace(QChar(0x00A0), QLatin1Char(' '))));
 }
 
 void TestMainWindowFilm::solvesAtTheGivenAttitude()
@@ -168,9 +171,12 @@ void TestMainWindowFilm::offersTheActionsOfTheModel()
     QVERIFY(actions.solveGiven->isVisible() && actions.solveGiven->isEnabled());
     QVERIFY(actions.exportCml->isVisible());
     QVERIFY(actions.solve->isVisible() && actions.run->isVisible());
-    for (const QAction* action : {actions.pause, actions.step, actions.follow, actions.zoomBack}) QVERIFY(!action->isVisible());
+    for (const QAction* action : {actions.pause, actions.step, actions.follow, actions.zoomBack})
+        QVERIFY(!action->isVisible());
     f.window.setPage(MainWindow::Page::Run);
-    for (const QAction* action : {actions.solve, actions.solveGiven, actions.run, actions.pause, actions.step, actions.follow}) QVERIFY(action->isVisible());
+    for (const QAction* action :
+         {actions.solve, actions.solveGiven, actions.run, actions.pause, actions.step, actions.follow})
+        QVERIFY(action->isVisible());
     f.window.setPage(MainWindow::Page::StaticState);
     f.edit("suspension.preload", QStringLiteral("nonsense"));
     for (const QAction* action : {actions.run, actions.solve, actions.solveGiven}) QVERIFY(!action->isEnabled());
@@ -189,9 +195,11 @@ void TestMainWindowFilm::runsInTime()
     QVERIFY(f.window.runView().isVisible());
     QCOMPARE(run.sampleCount(), std::size_t(81));
     const QString told = f.window.messages().text();
-    QVERIFY2(told.contains(QStringLiteral("with minimum spacing ")) && told.contains(QStringLiteral(" pitch ")), qPrintable(told));
+    QVERIFY2(told.contains(QStringLiteral("with minimum spacing ")) && told.contains(QStringLiteral(" pitch ")),
+             qPrintable(told));
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("with minimum spacing ")));
-    for (const char* name : {"spacing", "pitch", "roll", "energy"}) QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+    for (const char* name : {"spacing", "pitch", "roll", "energy"})
+        QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
     // Without contact there are no forces of contact to show, and what is asked for comes.
     QVERIFY(!f.window.plots().plot(QStringLiteral("forces"))->isVisible());
     for (const char* name : {"air_bearing", "velocity", "angular_velocity", "step"}) {
@@ -250,7 +258,8 @@ void TestMainWindowFilm::eachPageHasItsPanes()
     QVERIFY(f.window.film().view()->isVisible());
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
-    QVERIFY(!f.window.pageTabs()->isTabVisible(static_cast<int>(MainWindow::Page::StaticState)) && f.window.runView().isVisible());
+    QVERIFY(!f.window.pageTabs()->isTabVisible(static_cast<int>(MainWindow::Page::StaticState)) &&
+            f.window.runView().isVisible());
 }
 
 /// In the static state that begins it, and in its steps.
@@ -360,8 +369,10 @@ void TestMainWindowFilm::fitsASmallScreen()
     Fixture f;
     f.solve();
     f.window.film().view()->setPage(FilmView::Page::Gap);
-    QVERIFY2(f.window.minimumSizeHint().width() <= 1280, qPrintable(QString::number(f.window.minimumSizeHint().width())));
-    QVERIFY2(f.window.minimumSizeHint().height() <= 800, qPrintable(QString::number(f.window.minimumSizeHint().height())));
+    QVERIFY2(f.window.minimumSizeHint().width() <= 1280,
+             qPrintable(QString::number(f.window.minimumSizeHint().width())));
+    QVERIFY2(f.window.minimumSizeHint().height() <= 800,
+             qPrintable(QString::number(f.window.minimumSizeHint().height())));
 }
 
 void TestMainWindowFilm::namesEveryControl()
@@ -371,10 +382,12 @@ void TestMainWindowFilm::namesEveryControl()
     for (const FilmView::Page page : {FilmView::Page::Surface, FilmView::Page::Gap}) {
         f.window.film().view()->setPage(page);
         for (const QWidget* widget : f.window.findChildren<QWidget*>()) {
-            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
+            if (!widget->isVisibleTo(&f.window) || !(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy())
+                continue;
             if (widget->objectName().startsWith(QLatin1String("qt_")) || widget->inherits("QScrollBar")) continue;
             const bool named = !widget->accessibleName().isEmpty() || !widget->property("text").toString().isEmpty();
-            QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()));
+            QVERIFY2(named, qPrintable(QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') +
+                                       widget->objectName()));
         }
     }
 }

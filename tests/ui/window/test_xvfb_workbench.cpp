@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "ui/window/main_window.h"
-#include "ui/style/theme.h"
 #include "tests/support/test_program.h"
+#include "ui/style/theme.h"
+#include "ui/window/main_window.h"
 
 using namespace touchdown;
 using State = RunController::State;
@@ -26,29 +26,25 @@ void xdotool(const QStringList& arguments)
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     process.start(QStringLiteral("xdotool"), arguments);
-    if (!process.waitForFinished() || process.exitCode() != 0) qFatal("xdotool fails: %s", qPrintable(arguments.join(QLatin1Char(' '))));
+    if (!process.waitForFinished() || process.exitCode() != 0)
+        qFatal("xdotool fails: %s", qPrintable(arguments.join(QLatin1Char(' '))));
 }
 
 void click(const QWidget* widget, const QPoint& at)
 {
     const QPoint screen = widget->mapToGlobal(at);
-    xdotool({QStringLiteral("mousemove"), QString::number(screen.x()), QString::number(screen.y()), QStringLiteral("click"), QStringLiteral("1")});
+    xdotool({QStringLiteral("mousemove"), QString::number(screen.x()), QString::number(screen.y()),
+             QStringLiteral("click"), QStringLiteral("1")});
 }
 
-void click(const QWidget* widget)
-{
-    click(widget, widget->rect().center());
-}
+void click(const QWidget* widget) { click(widget, widget->rect().center()); }
 
 void type(const QString& text)
 {
     xdotool({QStringLiteral("type"), QStringLiteral("--delay"), QStringLiteral("5"), text});
 }
 
-void press(const char* key)
-{
-    xdotool({QStringLiteral("key"), QString::fromLatin1(key)});
-}
+void press(const char* key) { xdotool({QStringLiteral("key"), QString::fromLatin1(key)}); }
 
 /// How many different colours an area has: an empty one has one, drawn text has many by its smooth edges.
 std::size_t colours(const QImage& image)
@@ -80,7 +76,10 @@ private slots:
     void fitsASmallScreen();
 
 private:
-    QLineEdit* flyingHeight() { return qobject_cast<QLineEdit*>(window_->casePanel().editor("springs.flying_height")->input()); }
+    QLineEdit* flyingHeight()
+    {
+        return qobject_cast<QLineEdit*>(window_->casePanel().editor("springs.flying_height")->input());
+    }
     QWidget* button(QAction* action) { return window_->actions().toolBar->widgetForAction(action); }
 
     std::unique_ptr<MainWindow> window_;
@@ -252,15 +251,18 @@ void TestXvfbWorkbench::growsForAProjector()
     // No row of the parameters is cut off at the right.
     const auto* rows = window_->casePanel().findChild<QScrollArea*>();
     QTRY_VERIFY(rows->viewport()->width() >= rows->widget()->minimumSizeHint().width());
-    QTRY_VERIFY2(window_->minimumSizeHint().width() <= 1920, qPrintable(QString::number(window_->minimumSizeHint().width())));
+    QTRY_VERIFY2(window_->minimumSizeHint().width() <= 1920,
+                 qPrintable(QString::number(window_->minimumSizeHint().width())));
     applyTheme(Theme::Light);
 }
 
 void TestXvfbWorkbench::fitsASmallScreen()
 {
     QCOMPARE(window_->size(), QSize(1280, 800));
-    QVERIFY2(window_->minimumSizeHint().width() <= 1280, qPrintable(QString::number(window_->minimumSizeHint().width())));
-    QVERIFY2(window_->minimumSizeHint().height() <= 800, qPrintable(QString::number(window_->minimumSizeHint().height())));
+    QVERIFY2(window_->minimumSizeHint().width() <= 1280,
+             qPrintable(QString::number(window_->minimumSizeHint().width())));
+    QVERIFY2(window_->minimumSizeHint().height() <= 800,
+             qPrintable(QString::number(window_->minimumSizeHint().height())));
 }
 
 TOUCHDOWN_TEST(TestXvfbWorkbench)
