@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/simulation/flight/film_run.h"
+#include "tests/simulation/matrix_pencil.h"
 #include "tests/support/flying_slider.h"
-#include "tests/support/matrix_pencil.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -13,7 +13,7 @@
 #include "core/physics/film/film_step.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
-#include "tests/support/matrix_pencil.h"
+#include "tests/simulation/matrix_pencil.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

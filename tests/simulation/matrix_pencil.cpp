@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Frequency and damping of a motion that has been sampled.
-#pragma once
+#include "tests/simulation/matrix_pencil.h"
 
 #include <Eigen/Dense>
 
-#include <complex>
-#include <vector>
-
 namespace touchdown::test {
 
-/// Samples that are sums of c z^n: the z that oscillates and has the largest part in them. Each sample with the
-/// `delays` that follow is a vector, and one matrix leads from each to the next (Hua & Sarkar 1990, matrix pencil).
-/// What is smaller than `noise` against the largest is rounding.
-inline std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, Eigen::Index delays,
-                                          double noise = 1e-7)
+std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, Eigen::Index delays, double noise)
 {
     const Eigen::Index columns = static_cast<Eigen::Index>(samples.size()) - delays;
     Eigen::MatrixXd before(3 * delays, columns), after(3 * delays, columns);
