@@ -38,7 +38,7 @@ foreach(readme IN LISTS readmes)
             list(APPEND paths "${path}")
         endif()
     endforeach()
-    string(REGEX MATCHALL "`[^`\n]*`" words "${text}")
+    string(REGEX MATCHALL "`[^`]*`" words "${text}")
     foreach(word IN LISTS words)
         string(REGEX REPLACE "`(\\./)?([^`]*)`" "\\2" path "${word}")
         # A path has a slash or the ending of a source or a text. /fields is in an HDF5 file, build/ is made by the build.
