@@ -34,9 +34,9 @@ std::vector<Field> airFields()
     return {
         choice("air.source", "air", {"given", "atmosphere", "established-standard"}, at(&Case::air, &AirCase::source),
                withFilm,
-               "Where pressure, viscosity and mean free path come from: given, atmosphere = from altitude and "
-               "temperature, established-standard = 101325 Pa, 1.8372e-5 Pa s and 68.6 nm, as the established static "
-               "program has for standard air.",
+               "Source of pressure, viscosity and mean free path: given = the values of this table, atmosphere = from "
+               "altitude and temperature, established-standard = 101325 Pa, 1.8372e-5 Pa s and 68.6 nm, the standard "
+               "air of the established static program.",
                "ours: given"),
         number("air.pressure", "ambient pressure", "p_0", {"Pa", "kPa"}, positive(1e8),
                at(&Case::air, &AirCase::given, &Air::pressure), withGivenAir, "Pressure of the air around the slider.",
@@ -59,22 +59,22 @@ std::vector<Field> airFields()
             {"continuum", "first-order", "second-order", "1.5-order", "fukui-kaneko", "fukui-kaneko-fit",
              "new-first-order", "new-second-order", "combination"},
             at(&Case::air, &AirCase::slip, &Slip::model), withFilm,
-            "How the rarefied air slips at the walls: continuum = not at all; first-order = Burgdorfer 1959; "
-            "second-order = Hsia & Domoto 1983; 1.5-order = Mitsuya 1993; fukui-kaneko = the kinetic values of Fukui & "
-            "Kaneko 1988, 1990; fukui-kaneko-fit = their published fit; new-first-order and new-second-order = Wu & "
-            "Bogy 2003; combination = fukui-kaneko, and new-second-order below a gap of air.switch_gap.",
+            "How the rarefied air slips at the walls: continuum = no slip; first-order = Burgdorfer 1959; second-order "
+            "= Hsia & Domoto 1983; 1.5-order = Mitsuya 1993; fukui-kaneko = the kinetic values of Fukui & Kaneko 1988, "
+            "1990; fukui-kaneko-fit = their published fit; new-first-order and new-second-order = Wu & Bogy 2003; "
+            "combination = fukui-kaneko, and new-second-order below a gap of air.switch_gap.",
             "Fukui & Kaneko 1988, 1990; paper, section 2: the combination"),
         number("air.accommodation", "accommodation", "alpha", noUnit, positive(1),
                at(&Case::air, &AirCase::slip, &Slip::accommodation), withAccommodation,
-               "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. The second-order and "
-               "the fukui-kaneko models know 1 only.",
+               "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. With second-order, "
+               "fukui-kaneko, fukui-kaneko-fit and combination it must be 1.",
                "the usual assumption"),
         number("air.switch_gap", "switch gap", "", nanometres, notNegative(1e-6),
                at(&Case::air, &AirCase::slip, &Slip::switchGap), withCombination,
-               "Gap below which the combination takes the new second-order model.", "paper, section 2: 0.3 nm"),
+               "Gap below which the combination uses the new second-order model.", "paper, section 2: 0.3 nm"),
         number("air.blend_width", "blend width", "", nanometres, notNegative(1e-6),
                at(&Case::air, &AirCase::slip, &Slip::blendWidth), withCombination,
-               "Width of the gaps about the switch over which the combination blends its two models; 0 = the paper's "
+               "Range of gaps around air.switch_gap over which the combination blends its two models; 0 = the paper's "
                "hard switch.",
                "paper, section 2: a hard switch"),
     };
@@ -94,9 +94,9 @@ std::vector<Field> diskFields()
                "ours: none"),
         choice("disk.velocity_field", "velocity field", {"rotating", "uniform"}, at(&Case::disk, &DiskMotion::field),
                withFilm,
-               "Velocity of the disk over the slider: rotating = that of a rotating disk, which differs by a few per "
-               "cent and about two degrees from edge to edge; uniform = its value at the slider's centre everywhere.",
-               "geometry; the established static program takes the rotating one"),
+               "Velocity of the disk under the slider: rotating = that of a rotating disk, which differs by a few per "
+               "cent and about two degrees from edge to edge; uniform = the value at the slider's centre everywhere.",
+               "geometry; the established static program uses the rotating one"),
     };
 }
 

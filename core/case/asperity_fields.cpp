@@ -9,7 +9,7 @@ using namespace field_builders;
 
 namespace {
 
-constexpr const char* assumed = "assumed: the paper gives the five fitted parameters alone";
+constexpr const char* assumed = "assumed: the paper gives only the five fitted parameters";
 
 bool withYield(const Case& c) { return withAsperities(c) && c.asperity.model == AsperityModel::ElasticPlastic; }
 bool withMenisci(const Case& c) { return withContactModel(c) && c.contact == ContactKind::MultiAsperity; }
@@ -21,14 +21,14 @@ std::vector<Field> asperityFields()
     return {
         choice("asperity.model", "model", {"greenwood-williamson", "elastic-plastic"},
                at(&Case::asperity, &Asperities::model), withAsperities,
-               "Law of one summit: greenwood-williamson = elastic, elastic-plastic = it yields where it is pressed far "
-               "enough.",
+               "Law of one summit: greenwood-williamson = elastic, elastic-plastic = the summit yields when it is "
+               "pressed far enough.",
                "Greenwood & Williamson 1966; Chang, Etsion & Bogy 1987"),
         number("asperity.radius", "summit radius", "R", micrometres, positive(1),
                at(&Case::asperity, &Asperities::radius), withAsperities, "Radius of the summits.", assumed),
         number("asperity.density", "summit density", "eta", {"1/m^2", "1/um^2"}, positive(1e20),
                at(&Case::asperity, &Asperities::density), withAsperities,
-               "Summits on each area of the nominal surface.", assumed),
+               "Number of summits per area of the nominal surface.", assumed),
         number("asperity.height_deviation", "height deviation", "sigma_s", nanometres, positive(1e-3),
                at(&Case::asperity, &Asperities::heightDeviation), withAsperities,
                "Standard deviation of the summits' heights, which are normally distributed.", assumed),
@@ -49,10 +49,11 @@ std::vector<Field> asperityFields()
                "assumed: a perfluoropolyether, 25 mN/m"),
         number("meniscus.contact_angle", "contact angle", "theta", degrees, notNegative(1.5707963267948966),
                at(&Case::meniscus, &Meniscus::contactAngle), withMenisci,
-               "Contact angle of the lubricant on both surfaces.", "assumed: it wets them"),
+               "Contact angle of the lubricant on both surfaces.", "assumed: the lubricant wets both surfaces"),
         number("meniscus.film_thickness", "film thickness", "", nanometres, notNegative(1e-6),
                at(&Case::meniscus, &Meniscus::filmThickness), withMenisci,
-               "Thickness of the mobile lubricant: a meniscus forms where a summit comes as near as this.", assumed),
+               "Thickness of the mobile lubricant; a meniscus forms when the gap at a summit falls to this value.",
+               assumed),
         number("meniscus.breaking_length", "breaking length", "", nanometres, positive(1e-6),
                at(&Case::meniscus, &Meniscus::breakingLength), withMenisci,
                "Gap at which a meniscus breaks; at least meniscus.film_thickness.", assumed),

@@ -40,7 +40,7 @@ std::vector<Field> elasticFields()
                "Poisson's ratio of the slider.", overcoats),
         number("elastic.hardness", "hardness", "H", gigapascals, notNegative(stiffest),
                at(&Case::elastic, &ElasticCase::hardness), withSurfaces,
-               "Largest contact pressure, above which the softer body flows (elastic - perfectly plastic); 0 = the "
+               "Largest contact pressure, at which the softer body yields (elastic, perfectly plastic); 0 = the "
                "contact stays elastic.",
                "ours: elastic; Almqvist et al. 2007"),
         number("elastic.friction", "friction coefficient", "mu", noUnit, notNegative(100),
@@ -48,47 +48,46 @@ std::vector<Field> elasticFields()
                "Coulomb friction coefficient on the contact force.", "assumed: the paper's value is lost"),
         number("elastic.cell", "cell", "", micrometres, positive(1e-3), at(&Case::elastic, &ElasticCase::cell),
                withSurfaces,
-               "Side of a cell of the contact patch, the same along and across; pad.length and pad.width, where they "
-               "are used, are whole numbers of cells.",
+               "Side of a square cell of the contact patch; pad.length and pad.width, if used, must be whole numbers "
+               "of cells.",
                "ours"),
         number("elastic.tolerance", "tolerance", "", noUnit, between(1e-14, 1e-2),
                at(&Case::elastic, &ElasticCase::tolerance), withSurfaces,
-               "Error allowed in the balance of forces and in the complementarity of pressure and gap, relative; under "
-               "a film, where a run solves many thousand contacts, 1e4 times as much, at most 0.01.",
+               "Allowed relative error of the force balance and of the complementarity of pressure and gap. Under a "
+               "film, where a run solves many thousand contacts, it is 1e4 times larger, but at most 0.01.",
                "ours"),
         integer("elastic.maximum_iterations", "maximum iterations", between(1, 1000000),
                 at(&Case::elastic, &ElasticCase::maximumIterations), withSurfaces,
                 "Iterations of one contact solution before it counts as failed.", "ours"),
         boolean("elastic.periodic", "periodic", at(&Case::elastic, &ElasticCase::periodic), withPadSurfaces,
-                "Whether the patch and its load repeat in both directions for ever, instead of standing alone on the "
+                "Whether the patch and its load repeat periodically in both directions; false = one patch alone on the "
                 "half-space.",
-                "Stanley & Kato 1997; ours: it stands alone"),
+                "Stanley & Kato 1997; ours: one patch alone"),
         number("elastic.patch_pitch", "patch pitch", "", microradians, within(0.1),
                at(&Case::elastic, &ElasticCase::patchPitch), withPatchSearch,
-               "Pitch at which the parts of the slider's surface are sought that can touch the disk; a usual pitch of "
-               "the slider in contact.",
+               "Pitch at which the program searches the slider's surface for the parts that can touch the disk; a "
+               "usual pitch of the slider in contact.",
                "ours: a typical pitch of a flying slider"),
         number("elastic.patch_reach", "patch reach", "", nanometres, positive(1e-6),
                at(&Case::elastic, &ElasticCase::patchReach), withPatchSearch,
-               "How high above the lowest point of the slider, at elastic.patch_pitch, its surface can still touch: "
-               "what lies higher has no part in the contact. It must cover the disk's roughness and how far the slider "
-               "tilts and is pressed in.",
+               "Height above the slider's lowest point, at elastic.patch_pitch, up to which its surface takes part in "
+               "the contact. It must cover the roughness of the disk, the change of tilt and the indentation.",
                "ours"),
         choice("adhesion.kind", "adhesion", {"none", "lennard-jones", "van-der-waals"},
                at(&Case::adhesion, &Adhesion::kind), withSurfaces,
-               "Intermolecular forces between the surfaces: lennard-jones = shifted so that they vanish in contact, "
-               "van-der-waals = the classical form with a repulsion of its own.",
+               "Intermolecular forces between the surfaces: lennard-jones = shifted so that the forces vanish in "
+               "contact, van-der-waals = the classical form with its own repulsion.",
                "paper, section 2: Lennard-Jones; the shifted form is a reading of the paper's reference [8], whose "
                "equations were not available"),
         number("adhesion.surface_energy", "surface energy", "dgamma", millinewtonsPerMetre, notNegative(100),
                at(&Case::adhesion, &Adhesion::surfaceEnergy), withLennardJones,
-               "Work of adhesion: the energy for each area that parting the surfaces takes. The lubricant enters "
-               "through it.",
+               "Work of adhesion: the energy per area that is needed to separate the surfaces. It includes the effect "
+               "of the lubricant.",
                "assumed: 50 mN/m; 50 to 106 mN/m are reported"),
         number("adhesion.equilibrium_distance", "equilibrium distance", "z_0", nanometres, positive(1e-6),
                at(&Case::adhesion, &Adhesion::equilibriumDistance), withShift,
-               "Distance of the molecules of surfaces in contact, which sets the reach of the adhesion.",
-               "assumed: 0.3 nm; usual are 0.2 to 0.4 nm"),
+               "Distance between the molecules of two surfaces in contact; it sets the range of the adhesion.",
+               "assumed: 0.3 nm; 0.2 to 0.4 nm are usual"),
         number("adhesion.hamaker_a", "Hamaker constant", "A", {"J", "J"}, notNegative(1e-15),
                at(&Case::adhesion, &Adhesion::hamakerA), withVanDerWaals, "Strength of the attraction -A/(6 pi g^3).",
                "the usual 1e-19 J"),
@@ -97,7 +96,7 @@ std::vector<Field> elasticFields()
                "the usual 1e-76 J m^6"),
         number("adhesion.voltage", "voltage", "V", {"V", "V"}, within(1000), at(&Case::adhesion, &Adhesion::voltage),
                withSurfaces,
-               "Voltage between slider and disk, whose attraction eps0 V^2/2 over the square of the distance is added.",
+               "Voltage between slider and disk; it adds the attraction eps0 V^2/2 over the square of the distance.",
                "ours: none"),
     };
 }

@@ -22,14 +22,14 @@ std::vector<Field> padFields()
 {
     return {
         choice("pad.shape", "shape", {"flat", "sphere", "slider"}, at(&Case::pad, &PadCase::shape), withPadSurfaces,
-               "Shape of the pad that meets the disk: flat = a flat rectangle, sphere = a paraboloid of pad.radius, "
-               "slider = the pads of the slider's air bearing surface at initial.pitch and initial.roll.",
+               "Shape of the pad: flat = a flat rectangle, sphere = a paraboloid of pad.radius, slider = the pads of "
+               "the slider's air bearing surface at initial.pitch and initial.roll.",
                "ours: flat"),
         number("pad.length", "length", "", micrometres, positive(longestPatch), at(&Case::pad, &PadCase::length),
-               withSize, "Length of the pad along the motion; of the patch that is solved where the pad is a sphere.",
+               withSize, "Length of the pad along the motion; for a sphere, length of the computed patch.",
                "assumed: the paper's pads are given in drawings that are lost"),
         number("pad.width", "width", "", micrometres, positive(longestPatch), at(&Case::pad, &PadCase::width), withSize,
-               "Width of the pad across the motion; of the patch that is solved where the pad is a sphere.",
+               "Width of the pad across the motion; for a sphere, width of the computed patch.",
                "assumed: the paper's pads are given in drawings that are lost"),
         number("pad.radius", "radius", "R", millimetres, positive(1e3), at(&Case::pad, &PadCase::radius), withSphere,
                "Radius of the sphere at its lowest point; the pad is the paraboloid r^2/(2 R).", "ours"),
@@ -40,8 +40,8 @@ std::vector<Field> padFields()
                "ours"),
         number("approach.closest", "closest", "", nanometres, within(1e-3), at(&Case::approach, &ApproachCase::closest),
                withContactModel,
-               "Separation at which the pad turns round, half way through run.duration; less than approach.start, "
-               "negative where the undeformed pad would reach below the mean plane.",
+               "Smallest separation, reached half way through run.duration; less than approach.start, negative if the "
+               "undeformed pad would reach below the mean plane.",
                "ours"),
     };
 }

@@ -25,8 +25,8 @@ std::vector<Field> sliderFields()
                withSliderSurface, "Width of the slider, from the inner to the outer edge.", "a pico slider, 1.00 mm"),
         number("slider.thickness", "thickness", "b", millimetres, notNegative(1),
                at(&Case::slider, &SliderCase::thickness), withThickness,
-               "Thickness of the slider; friction acts half of it below the mass centre, and the air's shear "
-               "steady.shear_arm of it below the pivot.",
+               "Thickness of the slider; friction acts half a thickness below the mass centre, the air's shear "
+               "steady.shear_arm thicknesses below the pivot.",
                typicalPico),
         number("slider.mass", "mass", "M", {"kg", "mg"}, positive(10), at(&Case::slider, &SliderCase::mass),
                withBearing, "Mass of the slider.", typicalPico),

@@ -37,7 +37,7 @@ std::vector<Field> springFields()
                "Damping ratio of the rear dashpot, c_r = 2 xi_r sqrt(M k_r0).", "paper, text on Fig. 14"),
         number("springs.cutoff", "cutoff spacing", "d_1", nanometres, positive(1),
                at(&Case::springs, &SpringsCase::cutoff), withSprings,
-               "Spacing below which an air bearing spring carries nothing.",
+               "Spacing below which an air bearing spring exerts no force.",
                "paper, equation (1): 0.3 nm, the no-fly zone, or d_s"),
         number("springs.flying_height", "static flying height", "FH", nanometres, within(1),
                at(&Case::springs, &SpringsCase::flyingHeight), withSprings,
@@ -48,7 +48,7 @@ std::vector<Field> springFields()
                "Pitch angle of the static state, leading edge up.", lostTable),
         choice("springs.potential", "potential below the cutoff", {"held", "as-printed"},
                at(&Case::springs, &SpringsCase::potential), withSprings,
-               "Energy of a spring below d_1: held at its value at d_1, or as-printed = equation (5) goes on and can "
+               "Energy of a spring below d_1: held = its value at d_1, as-printed = equation (5) continues and can "
                "become negative.",
                "paper, equation (5)"),
     };

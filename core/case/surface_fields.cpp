@@ -19,22 +19,22 @@ std::vector<Field> surfaceFields()
     return {
         number("abs.base_recess", "base recess", "", micrometres, within(1e-3),
                at(&Case::surface, &AirBearingSurface::baseRecess), withSliderSurface,
-               "Recess where there is no rail, from the zero plane and positive away from the disk.",
+               "Recess outside the rails, from the zero plane and positive away from the disk.",
                "a typical etch depth"),
         number("abs.crown", "crown", "", nanometres, within(1e-3), at(&Case::surface, &AirBearingSurface::crown),
                withSliderSurface,
-               "Height of the surface's curve along the length, positive when the middle is nearer to the disk than "
-               "leading and trailing edge.",
+               "Height of the surface's curvature along the length, positive when the middle is nearer to the disk "
+               "than the leading and trailing edges.",
                flat),
         number("abs.camber", "camber", "", nanometres, within(1e-3), at(&Case::surface, &AirBearingSurface::camber),
                withSliderSurface,
-               "Height of the surface's curve across the width, positive when the middle is nearer to the disk than "
-               "the sides.",
+               "Height of the surface's curvature across the width, positive when the middle is nearer to the disk "
+               "than the sides.",
                flat),
         number("abs.twist", "twist", "", nanometres, within(1e-3), at(&Case::surface, &AirBearingSurface::twist),
                withSliderSurface,
-               "Height of the surface's twist: the outer trailing and the inner leading corner come nearer to the disk "
-               "by this, the other two go away.",
+               "Height of the surface's twist: the outer trailing and the inner leading corner are nearer to the disk "
+               "by this height, the other two corners are farther away.",
                flat),
         number("abs.taper_length", "taper length", "", millimetres, notNegative(0.1),
                at(&Case::surface, &AirBearingSurface::taperLength), withSliderSurface,
