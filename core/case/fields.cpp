@@ -30,6 +30,22 @@ std::string Field::group() const
     return dot == std::string::npos ? std::string() : key.substr(0, dot);
 }
 
+bool CaseProblem::concerns(std::string_view anyKey) const
+{
+    const auto within = [](std::string_view inner, std::string_view outer) {
+        return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
+    };
+    const auto meets = [&](std::string_view own) { return within(own, anyKey) || within(anyKey, own); };
+    return meets(key) || std::ranges::any_of(otherKeys, meets);
+}
+
+InputProblem CaseProblem::in(const std::string& file, int line) const
+{
+    return {file, line, key, message, ProblemKind::Combination};
+}
+
+std::string_view Field::leaf() const { return touchdown::leaf(key); }
+
 Case defaultsOf(ModelKind model)
 {
     Case c;

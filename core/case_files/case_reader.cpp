@@ -206,11 +206,10 @@ private:
         const bool badSurface = std::ranges::any_of(
             wrongKeys_, [](const std::string& key) { return key == railFileKey || isSurfaceKey(key); });
         for (const CaseProblem& problem : checkCombinations(document_.value)) {
-            const bool follows = std::ranges::any_of(wrongKeys_, [&](const std::string& key) {
-                return key == problem.key || problem.message.find(key) != std::string::npos;
-            });
+            const bool follows =
+                std::ranges::any_of(wrongKeys_, [&](const std::string& key) { return problem.concerns(key); });
             if (follows || (badSurface && isSurfaceKey(problem.key))) continue;
-            document_.problems.push_back({document_.name, lineOf(problem.key, toml), problem.key, problem.message});
+            document_.problems.push_back(problem.in(document_.name, lineOf(problem.key, toml)));
         }
         const Case& c = document_.value;
         if (!usesSliderSurface(c) || !document_.valid()) return;

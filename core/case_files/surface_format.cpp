@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Rails, walls and points of interest as TOML.
-#include "core/case_files/surface_text.h"
+#include "core/case_files/surface_format.h"
 
 #include "core/formats/toml_quantity.h"
 

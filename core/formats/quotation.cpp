@@ -22,6 +22,12 @@ std::string inQuotes(std::string_view text)
     return shown + (cut ? "...\"" : "\"");
 }
 
+std::string_view withoutQuotes(std::string_view text)
+{
+    const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 std::size_t findInvalidUtf8(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };

@@ -11,6 +11,9 @@ namespace touchdown {
 /// "7 nm" with its quotation marks; what is unprintable becomes '?', what is long ends with "...".
 std::string inQuotes(std::string_view text);
 
+/// The text without the pair of quotation marks, double or single, that encloses it, if there is one.
+std::string_view withoutQuotes(std::string_view text);
+
 /// Index of the first byte that is not valid UTF-8 (RFC 3629); npos if there is none.
 std::size_t findInvalidUtf8(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 
 #include <udunits2.h>
 
@@ -170,18 +171,10 @@ std::string fittingUnits(std::string_view unit)
     return "a unit such as " + std::string(unit);
 }
 
-bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 /// Whether a text can be the name of a unit. UDUNITS takes more: numbers as factors ("2 m"), origins ("m @ 5", "s since
@@ -249,7 +242,7 @@ Scale requiredScale(std::string_view unit)
 std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::string_view unit)
 {
     const std::string shown = inQuotes(text);
-    std::string_view rest = trimmed(text);
+    std::string_view rest = trimmed(text, blanks);
     if (rest.empty()) return UnitProblem{"is empty; a number is needed"};
     if (rest.size() > 1 && rest.front() == '+' && (isDigit(rest[1]) || rest[1] == '.')) rest.remove_prefix(1);
 
@@ -259,7 +252,7 @@ std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::stri
     if (error != std::errc{}) return UnitProblem{shown + " is no number"};
     if (!std::isfinite(number)) return UnitProblem{shown + " is not a finite number"};
     const std::string_view numberText = rest.substr(0, static_cast<std::size_t>(end - rest.data()));
-    const std::string_view unitText = trimmed(rest.substr(numberText.size()));
+    const std::string_view unitText = trimmed(rest.substr(numberText.size()), blanks);
 
     if (unitText.starts_with(',')) return UnitProblem{shown + " has a comma; write decimals with a point"};
     if (unitText.empty()) {
@@ -297,6 +290,14 @@ std::string formatQuantity(double value, std::string_view displayUnit)
         return formatNumber(value);
     }
     return formatNumber(value) + ' ' + std::string(displayUnit);
+}
+
+std::string roundedQuantity(double value, std::string_view displayUnit, int digits)
+{
+    const Scale scale = requiredScale(displayUnit);
+    const std::string number = scale.decade ? decimalText(value, -*scale.decade, digits)
+                                            : decimalText((value - scale.offset) / scale.factor, 0, digits);
+    return displayUnit.empty() ? number : number + ' ' + std::string(displayUnit);
 }
 
 std::string formatNumber(double value, std::string_view displayUnit)

@@ -2,6 +2,8 @@
 #include "core/case_files/case_file.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
 
@@ -266,6 +268,7 @@ private slots:
         QCOMPARE(problemsOf(openCase("fig10x")),
                  QStringList("fig10x: is neither a file nor a sample case; did you mean fig10a?"));
         QCOMPARE(problemsOf(openCase("banana")), QStringList("banana: is neither a file nor a sample case"));
+        QVERIFY(openCase("banana").problems.front().kind == ProblemKind::NotFound);
     }
 
     void settings_data()
@@ -322,6 +325,13 @@ private slots:
         // The text says so too, for whoever stores it.
         QVERIFY(document.text.starts_with("title = 'x' # kept\n"));
         QVERIFY(parseCase(document.text, "").value.springs.flyingHeight == 8e-9);
+    }
+    /// A value that could not be read has its default, which a combination must not blame on the others.
+    void combinationsWaitForTheirValues()
+    {
+        QCOMPARE(parseCase("[run]\nduration = 'x'\nsample_interval = '3 ms'\n", "a.toml").problems.size(),
+                 std::size_t{1});
+        QCOMPARE(parseCase("[run]\nstep = 'x'\nsample_interval = '3 ms'\n", "a.toml").problems.size(), std::size_t{2});
     }
     void aSettingMendsACombination()
     {

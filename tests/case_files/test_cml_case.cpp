@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
 #include "core/formats/quotation.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"

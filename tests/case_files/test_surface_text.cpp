@@ -2,7 +2,11 @@
 #include "core/case_files/surface_text.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml/cml_rail_file.h"
+#include "core/case_files/surface_format.h"
 
 #include <QTemporaryDir>
 #include <QTest>
