@@ -27,7 +27,7 @@ struct Spring {
     double distance; // from the mass centre, positive towards the leading edge [m]
 };
 
-/// The air force k_0 z_0^2/z^2 (z_0 - z) exists above d_1 alone, so both the static state and the start must be there:
+/// The air force k_0 z_0^2/z^2 (z_0 - z) exists only above d_1, so both the static state and the start must be there:
 /// z = FH + (d_h + distance) theta, with FH at the contact pad, d_h behind the mass centre (Chen & Bogy, equation (1)).
 void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>& problems)
 {

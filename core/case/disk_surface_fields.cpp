@@ -21,7 +21,7 @@ bool withWaves(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKin
 bool withRough(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Rough); }
 bool withFile(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::File); }
 bool withBumps(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Bumps); }
-/// Of waves alone the statistics look at one track.
+/// For waves only the statistics use the track.
 bool withTrack(const Case& c) { return withRough(c) || withBumps(c) || withWaves(c); }
 bool withCorrelation(const Case& c) { return withRough(c) && c.diskSurface.spectrum != RoughnessSpectrum::SelfAffine; }
 bool selfAffine(const Case& c) { return withRough(c) && c.diskSurface.spectrum == RoughnessSpectrum::SelfAffine; }

@@ -38,18 +38,18 @@ inline bool withContactModel(const Case& c) { return c.model == ModelKind::Conta
 inline bool withOnoYamane(const Case& c) { return c.contact == ContactKind::OnoYamane; }
 inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
 inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
-/// Surfaces that are given point by point, and what acts between them: of a pad, or of a slider that flies.
+/// Surfaces given point by point and the forces between them, for a pad or a flying slider.
 inline bool withSurfaces(const Case& c) { return !withSprings(c) && c.contact == ContactKind::Elastic; }
 inline bool withPadSurfaces(const Case& c) { return withContactModel(c) && withSurfaces(c); }
-/// A film flies over a surface that is not flat whatever touches it.
+/// A film takes the disk's surface into account with every kind of contact.
 inline bool withDiskSurface(const Case& c) { return withFilm(c) || withSurfaces(c); }
 inline bool withAsperities(const Case& c)
 {
     return withContactModel(c) && (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity);
 }
-/// The whole air bearing surface stands against the disk.
+/// The pad is the whole air bearing surface.
 inline bool withSliderPad(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Slider; }
-/// The slider moves as forces tell it; a pad alone moves as it is told.
+/// The slider moves under forces; the motion of a pad is prescribed.
 inline bool withBearing(const Case& c) { return withSprings(c) || withFilm(c); }
 inline bool withRoll(const Case& c) { return withFilm(c) && c.degreesOfFreedom == 3; }
 inline bool withSliderSurface(const Case& c) { return withFilm(c) || withSliderPad(c); }

@@ -83,7 +83,8 @@ std::optional<std::string> setList(Case& target, const Field& field, std::string
         const auto number = readNumber(field, withoutQuotes(element));
         if (const auto* problem = std::get_if<UnitProblem>(&number)) {
             const bool several = element.find_first_of(' ') != std::string_view::npos && field.unit.empty();
-            return several ? inQuotes(element) + " is no number; commas part the numbers of a list" : problem->message;
+            return several ? inQuotes(element) + " is not a number; separate the numbers of a list by commas"
+                           : problem->message;
         }
         values.push_back(std::get<double>(number));
     }
@@ -92,7 +93,7 @@ std::optional<std::string> setList(Case& target, const Field& field, std::string
 
 std::optional<std::string> setInteger(Case& target, const Field& field, double value)
 {
-    if (std::trunc(value) != value) return formatNumber(value) + " is no whole number";
+    if (std::trunc(value) != value) return formatNumber(value) + " is not a whole number";
     if (value < field.minimum || value > field.maximum)
         return formatNumber(value) + " is out of range: allowed is " + allowedRange(field);
     field.set(target, static_cast<int>(value));

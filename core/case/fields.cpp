@@ -88,7 +88,7 @@ std::string nearestKey(std::string_view key)
         const auto found = std::ranges::find(leaves, name);
         return found == leaves.end() ? std::string() : keys[static_cast<std::size_t>(found - leaves.begin())];
     };
-    // The right name in no table; what is misspelt; the right name in the wrong table.
+    // The right name without a table; a misspelt key; the right name in the wrong table.
     if (key.find('.') == std::string_view::npos)
         if (auto right = withLeaf(key); !right.empty()) return right;
     if (auto nearest = nearestName(key, keys); !nearest.empty()) return nearest;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How the film is discretised and solved, and what its static state is asked for.
+// Discretisation and solution of the film, and options of its static state.
 #include "core/case/field_builders.h"
 
 namespace touchdown {
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t longestSeries = 100;
 constexpr const char* oneState = "ours: one state, at the values of [disk] and [air]";
 
-/// The film alone is solved, so that nothing answers to a load.
+/// With a fixed attitude only the film is solved, without a balance of loads.
 bool withFreeAttitude(const Case& c) { return withFilm(c) && !c.steady.fixedAttitude; }
 
 } // namespace

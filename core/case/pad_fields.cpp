@@ -12,7 +12,7 @@ namespace {
 constexpr double longestPatch = 1e-2; // [m]
 
 bool withPatch(const Case& c) { return withPadSurfaces(c) && c.pad.shape != PadShape::Slider; }
-/// The statistical laws know the size of the pad alone.
+/// The statistical laws use only the size of the pad.
 bool withSize(const Case& c) { return withPatch(c) || withAsperities(c); }
 bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Sphere; }
 

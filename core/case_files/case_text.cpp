@@ -52,7 +52,7 @@ std::string tomlList(const std::vector<double>& values, std::string_view display
     return '[' + list + ']';
 }
 
-/// The value with the quotation marks that TOML wants.
+/// The value with the quotation marks that TOML needs.
 std::string tomlValue(const Case& c, const Field& field)
 {
     const FieldValue value = field.get(c);
@@ -73,8 +73,8 @@ bool sameCase(const Case& a, const Case& b)
            std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
 }
 
-/// The tables [[abs.rail]] or [[abs.wall]]: what is the same at the front and at the back stays, the rest is changed in
-/// place, and what is too many or too few goes or comes between.
+/// The tables [[abs.rail]] or [[abs.wall]]: equal tables at the front and at the back are kept, the tables between them
+/// are changed in place, and surplus tables are removed or missing ones inserted there.
 template <typename Item>
 void putTables(TomlEditor& editor, const std::string& name, const std::vector<Item>& old, const std::vector<Item>& now)
 {
@@ -151,7 +151,7 @@ std::string formatCase(const Case& c)
         if (group == "abs") text += formatSurface(c.surface);
     };
     for (const Field& field : fields()) {
-        // What the model does not use is kept where somebody set it.
+        // A changed value is written even if the model does not use it.
         const bool set = field.get(c) != field.get(defaults);
         const bool wanted = field.group() == "abs" && c.surface != AirBearingSurface{};
         if (!set && !wanted && (!field.used(c) || field.group() == "about")) continue;
@@ -172,7 +172,7 @@ std::string updateCaseText(const std::string& text, const Case& c, const std::fi
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty()) return formatCase(c);
     const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
-    // Rather a plain text than a wrong one, should a shape of TOML have been overlooked.
+    // A new text is better than a wrong one, should the editor not handle some form of TOML.
     const CaseDocument check = parseCase(updated, "", folder);
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });

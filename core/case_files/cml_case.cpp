@@ -65,7 +65,7 @@ void readRails(const CmlFiles::File& file, CmlFields& fields)
         fields.addWarning(fields.lineOf(key), asMessage(sentence));
 }
 
-/// Latin-1, which the program writes, as UTF-8; what is no text becomes '?'.
+/// Latin-1, which the program writes, as UTF-8; control characters become '?'.
 std::string commentLine(std::string_view line)
 {
     constexpr std::size_t longest = 500;
@@ -160,13 +160,13 @@ private:
         const auto* const rail = textOf(found, "rail.dat");
         const auto* run = textOf(found, "run.dat");
         const auto* dynamics = textOf(found, "dynamics.def");
-        if (rail == nullptr) return refuse(document_.name, "stands without a rail.dat");
+        if (rail == nullptr) return refuse(document_.name, "has no rail.dat beside it");
         if (run == nullptr && dynamics == nullptr)
-            warn("stands without a run.dat or a dynamics.def; all but the slider's surface has its default");
+            warn("has no run.dat or dynamics.def beside it; everything but the slider's surface has its default");
         if (run != nullptr && dynamics != nullptr) {
             const bool wantsDynamics = named == "dynamics.def";
-            warn(wantsDynamics ? "run.dat stands there as well, and is not read"
-                               : "dynamics.def stands there as well, and is not read");
+            warn(wantsDynamics ? "there is also a run.dat, which is not read"
+                               : "there is also a dynamics.def, which is not read");
             (wantsDynamics ? run : dynamics) = nullptr;
         }
         CmlFiles files;
@@ -190,7 +190,7 @@ private:
     CaseDocument& document_;
 };
 
-/// The wave.def that lies with the other files, by its whole path, so that the case may stand elsewhere.
+/// The wave.def beside the other files, by its absolute path, so that the case may be moved.
 void findTrackProfile(const fs::path& path, CmlFields& fields)
 {
     const Case& c = fields.value();
@@ -224,7 +224,7 @@ std::string titleOf(const fs::path& path)
     return absolute.filename().string();
 }
 
-/// A new folder that is gone, with all that is in it, when it is left.
+/// A new folder, which the destructor removes with its content.
 class StagingFolder {
 public:
     explicit StagingFolder(const fs::path& inside) : name_((inside / ".touchdown.XXXXXX").string())

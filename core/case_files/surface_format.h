@@ -20,7 +20,7 @@ std::vector<SurfaceRow> surfaceRows(const Rail& rail);
 std::vector<SurfaceRow> surfaceRows(const WallProfile& wall);
 /// The value of abs.points_of_interest.
 std::string interestText(const std::vector<SurfacePoint>& points);
-/// All of it, to stand at the end of [abs].
+/// The whole surface, for the end of [abs].
 std::string formatSurface(const AirBearingSurface& surface);
 /// A table "[[abs.rail]]" or "[[abs.wall]]" with its rows.
 std::string surfaceTable(std::string_view name, const std::vector<SurfaceRow>& rows);

@@ -93,7 +93,8 @@ private:
             if (entry.key != kind) continue;
             const auto* array = std::get_if<TomlArray>(&entry.value);
             if (array == nullptr || !array->elements.empty()) {
-                add(entry.line, kind, "is no table; write [[" + std::string(kind) + "]] for each " + std::string(name));
+                add(entry.line, kind,
+                    "is not a table; write [[" + std::string(kind) + "]] for each " + std::string(name));
                 return false;
             }
             mentioned = true;

@@ -30,7 +30,7 @@ bool isComment(std::string_view line)
     return line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//");
 }
 
-/// "nan", "-inf", "NA" and what other programs write where they measured nothing.
+/// "nan", "-inf", "NA" and other marks for a missing measurement.
 bool standsForHole(std::string_view word)
 {
     const std::string lower = lowerCase(word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word);
@@ -38,7 +38,7 @@ bool standsForHole(std::string_view word)
            lower == "--" || lower == "*" || lower == "null" || lower.starts_with("1.#");
 }
 
-/// Lines of equally many numbers, and what stands around them.
+/// Lines with equal counts of numbers, and the text around them.
 struct Table {
     std::size_t columns = 0;
     std::vector<double> numbers;
@@ -189,7 +189,7 @@ HeightMap mapOfWaveDefinition(const Table& table)
     const std::size_t ny = table.columns - 1;
     if (table.shortLine == 0)
         throw CmlError(table.lines.back(),
-                       "the last line must hold the y [m] of each profile alone, " + counted(ny, "number"));
+                       "the last line must hold only the y [m] of each profile, " + counted(ny, "number"));
     if (table.shortRow.size() != ny)
         throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + counted(ny, "number") +
                                             ", not " + std::to_string(table.shortRow.size()));

@@ -39,7 +39,7 @@ std::size_t findInvalidUtf8(std::string_view text)
             length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
             for (std::size_t k = 1; k < length; ++k)
                 if ((byte(i + k) & 0xc0u) != 0x80u) return i;
-            // Overlong forms, surrogates, and what lies beyond U+10FFFF.
+            // Overlong forms, surrogates, and code points beyond U+10FFFF.
             const unsigned second = byte(i + 1);
             if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
                 (lead == 0xf4 && second > 0x8f))

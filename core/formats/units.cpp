@@ -104,7 +104,7 @@ private:
         ut_set_error_message_handler(ut_ignore);
         system_ = ut_read_xml(nullptr);
         if (system_ == nullptr) return;
-        // The usual short form; UDUNITS knows "degree" and "arc_degree" alone.
+        // The usual short form; UDUNITS has only "degree" and "arc_degree".
         if (const Unit degree = parse("degree")) ut_map_name_to_unit("deg", UT_ASCII, degree.get());
     }
     ~UnitSystem() { ut_free_system(system_); }
@@ -148,7 +148,7 @@ private:
     std::map<std::string, Scale, std::less<>> own_;
 };
 
-/// What fits, for a message.
+/// Fitting units, for a message.
 std::string fittingUnits(std::string_view unit)
 {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> examples{{
@@ -249,7 +249,7 @@ std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::stri
     double number = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error == std::errc::result_out_of_range) return UnitProblem{shown + " is beyond the range of numbers"};
-    if (error != std::errc{}) return UnitProblem{shown + " is no number"};
+    if (error != std::errc{}) return UnitProblem{shown + " is not a number"};
     if (!std::isfinite(number)) return UnitProblem{shown + " is not a finite number"};
     const std::string_view numberText = rest.substr(0, static_cast<std::size_t>(end - rest.data()));
     const std::string_view unitText = trimmed(rest.substr(numberText.size()), blanks);
@@ -270,7 +270,7 @@ std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::stri
     const std::string needed = unit.empty() ? "a plain number or %" : fittingUnits(unit);
     if (!scale) return UnitProblem{shown + " has an unknown unit; " + needed + " is needed"};
     const bool fits = unit.empty() || units.sameDimension(unitText, unit);
-    // An origin makes sense for temperatures alone.
+    // Only temperatures have an origin.
     if (!fits || (scale->offset != 0.0 && unit != "K"))
         return UnitProblem{shown + " has the wrong unit; " + needed + " is needed"};
 

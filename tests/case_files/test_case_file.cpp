@@ -140,7 +140,7 @@ private slots:
             "a.toml:2: contact: must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
             "multi-asperity belong to model \"contact\"");
         row("springs that roll", "degrees_of_freedom = 3",
-            "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch alone");
+            "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch only");
         row("a number for a list", "[film]\nnodes = 97",
             "a.toml:2: film.nodes: is a number; a list such as [193, 193] is needed");
         row("a text for a list", "[steady]\nradii = '20 mm'",
@@ -220,7 +220,7 @@ private slots:
         out.close();
         QCOMPARE(std::filesystem::file_size(file), std::uintmax_t{100} << 20);
         QCOMPARE(problemsOf(readCaseFile(file)), QStringList(QString::fromStdString(file.string()) +
-                                                             ": is larger than 1024 KiB, so it is no case file"));
+                                                             ": is larger than 1024 KiB, so it is not a case file"));
         std::filesystem::remove(file);
     }
     /// Noise of every length that is read: one sentence, whatever the bytes.
@@ -305,7 +305,7 @@ private slots:
             << QStringList("--set: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
         QTest::newRow("list without commas")
             << QStringList("film.nodes=97 193")
-            << QStringList("--set: film.nodes: \"97 193\" is no number; commas part the numbers of a list");
+            << QStringList("--set: film.nodes: \"97 193\" is not a number; separate the numbers of a list by commas");
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(

@@ -150,7 +150,7 @@ std::vector<CmlNumber> CmlPart::sequence(std::size_t count) const
         all.insert(all.end(), each.numbers.begin(), each.numbers.end());
         if (each.numbers.empty()) continue;
         if (stop.empty()) line = each.numbers.back().line;
-        // A word behind a number on its line stands perhaps for the next one.
+        // A word behind a number on the same line may name the next number.
         if (stop.empty() && each.afterLine == line) stop = "; " + inQuotes(each.after) + " is none";
     }
     if (all.size() >= count) return all;

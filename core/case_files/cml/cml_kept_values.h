@@ -18,7 +18,7 @@ namespace touchdown {
 
 struct CmlKeptValues {
     std::string comments;          // lines of a run.dat
-    std::vector<std::string> keys; // that the model of the case uses, but for its title and what it says of itself
+    std::vector<std::string> keys; // that the model of the case uses, except title and [about]
 };
 
 /// The values and comments that turn `read` into `wanted`.
