@@ -3,6 +3,8 @@
 
 #include "app/terminal/aligned_table.h"
 #include "app/terminal/json_text.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 

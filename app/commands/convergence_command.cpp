@@ -5,6 +5,7 @@
 #include "app/commands/convergence_report.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/stop_signal.h"
+#include "core/case_files/case_text.h"
 #include "core/studies/convergence/convergence_file.h"
 
 namespace touchdown {

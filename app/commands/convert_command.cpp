@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "app/commands/case_commands.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 
 namespace touchdown {

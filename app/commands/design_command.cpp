@@ -9,6 +9,7 @@
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
+#include "core/case_files/case_text.h"
 #include "core/studies/design/design_file.h"
 
 namespace touchdown {

@@ -12,6 +12,7 @@
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
+#include "core/case_files/case_text.h"
 #include "core/results/results_file.h"
 #include "core/simulation/recording/run_spectra.h"
 #include "core/simulation/run.h"

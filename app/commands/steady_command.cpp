@@ -10,6 +10,7 @@
 #include "app/terminal/output_target.h"
 #include "app/terminal/steady_progress_line.h"
 #include "app/terminal/stop_signal.h"
+#include "core/case_files/case_text.h"
 #include "core/results/results_file.h"
 #include "core/results/steady_file.h"
 

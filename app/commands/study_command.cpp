@@ -11,6 +11,7 @@
 #include "app/terminal/output_target.h"
 #include "app/terminal/stop_signal.h"
 #include "app/terminal/study_progress_line.h"
+#include "core/case_files/case_text.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_file.h"
 #include "core/studies/study_plan.h"

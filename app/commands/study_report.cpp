@@ -9,6 +9,7 @@
 #include "app/terminal/report_row.h"
 #include "app/terminal/wrapped_text.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 
 namespace touchdown {
 

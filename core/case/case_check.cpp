@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Combinations of values that make no sense, although each is in its range; values that have no effect beside others.
+// Values that contradict each other although each is in its range, and values without effect.
 #include "core/case/fields.h"
 
 #include "core/case/contact_check.h"
-#include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/formats/words.h"
 #include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
@@ -18,19 +18,16 @@ constexpr double mostSamples = 1e8;
 constexpr double mostSteps = 1e11;
 constexpr std::size_t mostStates = 10000; // of a series
 
-/// To four digits, for a message.
-std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
+std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
 
-/// An air bearing spring, with the keys that describe it.
 struct Spring {
-    std::string_view name; // "front"
-    std::string_view stiffnessKey;
-    std::string_view distanceKey;
+    std::string name; // "front"
+    std::string distanceKey;
     double stiffness;
     double distance; // from the mass centre, positive towards the leading edge [m]
 };
 
-/// The air force k_0 z_0^2/z^2 (z_0 - z) exists above d_1 alone, so both the static state and the start must be there:
+/// The air force k_0 z_0^2/z^2 (z_0 - z) exists only above d_1, so both the static state and the start must be there:
 /// z = FH + (d_h + distance) theta, with FH at the contact pad, d_h behind the mass centre (Chen & Bogy, equation (1)).
 void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>& problems)
 {
@@ -38,59 +35,57 @@ void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>&
     const double arm = c.onoYamane.padDistance + spring.distance;
     const double still = c.springs.flyingHeight + arm * c.springs.pitch;
     const double start = c.initial.flyingHeight + arm * c.initial.pitch;
-    const std::string beyond = " air bearing spring is %1, which must be greater than springs.cutoff (d_1 = " +
-                               inNanometres(c.springs.cutoff) + "); ";
-    const auto message = [&](std::string_view what, double spacing, std::string_view group) {
-        std::string text = std::string(what) + " spacing at the " + std::string(spring.name) + beyond;
-        text.replace(text.find("%1"), 2, inNanometres(spacing));
-        return text + "it follows from " + std::string(group) + ".flying_height, " + std::string(group) + ".pitch, " +
-               std::string(spring.distanceKey) + " and ono_yamane.pad_distance";
+    const auto check = [&](const std::string& state, double spacing, const std::string& group) {
+        if (spacing > c.springs.cutoff) return;
+        const std::string height = group + ".flying_height", pitch = group + ".pitch";
+        problems.push_back({height,
+                            "the " + state + " spacing at the " + spring.name + " air bearing spring is " +
+                                inNanometres(spacing) + ", which must be greater than springs.cutoff (d_1 = " +
+                                inNanometres(c.springs.cutoff) + "); it follows from " + height + ", " + pitch + ", " +
+                                spring.distanceKey + " and ono_yamane.pad_distance",
+                            {"springs.cutoff", pitch, spring.distanceKey, "ono_yamane.pad_distance"}});
     };
-    if (still <= c.springs.cutoff)
-        problems.push_back({"springs.flying_height", message("the static", still, "springs")});
-    if (start <= c.springs.cutoff)
-        problems.push_back({"initial.flying_height", message("the initial", start, "initial")});
+    check("static", still, "springs");
+    check("initial", start, "initial");
 }
 
 void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
 {
     const RunCase& run = c.run;
     const std::string duration = "run.duration (" + formatQuantity(run.duration, "ms") + ")";
+    const auto add = [&](const char* key, const std::string& message) {
+        problems.push_back({key, message, {"run.duration"}});
+    };
     if (findField("run.step")->used(c)) {
-        if (run.step > run.duration) problems.push_back({"run.step", "must be at most " + duration});
+        if (run.step > run.duration) add("run.step", "must be at most " + duration);
         if (run.duration / run.step > mostSteps)
-            problems.push_back({"run.step", "makes more than 1e11 steps of " + duration + "; take a longer step"});
+            add("run.step", "makes more than 1e11 steps of " + duration + "; take a longer step");
     }
-    if (run.sampleInterval > run.duration) problems.push_back({"run.sample_interval", "must be at most " + duration});
+    if (run.sampleInterval > run.duration) add("run.sample_interval", "must be at most " + duration);
     if (run.duration / run.sampleInterval > mostSamples)
-        problems.push_back(
-            {"run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval"});
+        add("run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval");
     if (findField("spectrum.start")->used(c) && c.spectrum.start >= run.duration)
-        problems.push_back({"spectrum.start", "must be less than " + duration});
+        add("spectrum.start", "must be less than " + duration);
 }
 
 void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (c.degreesOfFreedom != 2)
         problems.push_back(
-            {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch alone"});
+            {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch only", {"model"}});
     if (c.contact == ContactKind::OnoYamane) checkCharacteristic(c.onoYamane, problems);
     if (c.contact != ContactKind::OnoYamane && c.contact != ContactKind::None)
         problems.push_back({"contact",
                             "must be \"none\" or \"ono-yamane\" with model \"springs\"; elastic belongs to models "
-                            "\"film\" and \"contact\", asperity and multi-asperity to model \"contact\""});
-    checkSpacing(c,
-                 {"front", "springs.front_stiffness", "springs.front_distance", c.springs.frontStiffness,
-                  c.springs.frontDistance},
-                 problems);
-    checkSpacing(
-        c,
-        {"rear", "springs.rear_stiffness", "springs.rear_distance", c.springs.rearStiffness, -c.springs.rearDistance},
-        problems);
+                            "\"film\" and \"contact\", asperity and multi-asperity to model \"contact\"",
+                            {"model"}});
+    const SpringsCase& s = c.springs;
+    checkSpacing(c, {"front", "springs.front_distance", s.frontStiffness, s.frontDistance}, problems);
+    checkSpacing(c, {"rear", "springs.rear_distance", s.rearStiffness, -s.rearDistance}, problems);
     checkTimes(c, problems);
 }
 
-/// The kinetic values, and the second-order model, are those of diffuse reflection.
+/// The kinetic values and the second-order model assume diffuse reflection.
 bool knowsAccommodation(SlipModel model)
 {
     using enum SlipModel;
@@ -100,23 +95,27 @@ bool knowsAccommodation(SlipModel model)
 
 void checkSeries(const SteadyCase& steady, std::vector<CaseProblem>& problems)
 {
-    const auto counted = [](std::size_t count) { return std::to_string(count); };
     if (!steady.skews.empty() && steady.skews.size() != steady.radii.size())
-        problems.push_back({"steady.skews", "has " + counted(steady.skews.size()) + " numbers; steady.radii has " +
-                                                counted(steady.radii.size()) + ", and each radius has one skew"});
+        problems.push_back({"steady.skews",
+                            "has " + counted(steady.skews.size(), "number") + "; steady.radii has " +
+                                std::to_string(steady.radii.size()) + ", and each radius has one skew",
+                            {"steady.radii"}});
     const auto length = [](const std::vector<double>& list) { return std::max<std::size_t>(list.size(), 1); };
     const std::size_t states = length(steady.radii) * length(steady.speeds) * length(steady.altitudes);
     if (states > mostStates)
-        problems.push_back({"steady.radii", "makes " + counted(states) +
-                                                " static states with steady.speeds and steady.altitudes; at most " +
-                                                counted(mostStates) + " are possible"});
+        problems.push_back({"steady.radii",
+                            "makes " + std::to_string(states) +
+                                " static states with steady.speeds and steady.altitudes; at most " +
+                                std::to_string(mostStates) + " are possible",
+                            {"steady.speeds", "steady.altitudes"}});
 }
 
 void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (c.surface.taperLength > c.slider.length)
-        problems.push_back(
-            {"abs.taper_length", "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")"});
+        problems.push_back({"abs.taper_length",
+                            "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")",
+                            {"slider.length"}});
     for (const auto& [key, sentence] : surfaceProblems(c.surface))
         problems.push_back({key, sentence.substr(0, sentence.find_last_not_of('.') + 1)});
 }
@@ -124,11 +123,14 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (!knowsAccommodation(c.air.slip.model) && c.air.slip.accommodation != 1.0)
-        problems.push_back({"air.accommodation", "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) +
-                                                     "), which knows diffuse walls alone"});
-    if (c.initial.state == InitialState::Static && c.steady.fixedAttitude)
         problems.push_back(
-            {"initial.state", "must be \"given\" with steady.fixed_attitude, which looks for no static attitude"});
+            {"air.accommodation",
+             "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) + "), which assumes diffuse walls",
+             {"air.slip"}});
+    if (c.initial.state == InitialState::Static && c.steady.fixedAttitude)
+        problems.push_back({"initial.state",
+                            "must be \"given\" with steady.fixed_attitude, which computes no static attitude",
+                            {"steady.fixed_attitude"}});
     checkSliderSurface(c, problems);
     checkSeries(c.steady, problems);
     checkTimes(c, problems);
@@ -156,7 +158,7 @@ std::string unusedMessage(const Case& c, const Field& field)
 {
     if (field.used(c)) return {};
     const std::string message = "has no effect here";
-    // What is chosen last hangs on what was chosen before: the nearest condition is behind the model.
+    // Later choices depend on earlier ones: the search starts at the last field and reaches the model last.
     for (auto chosen = fields().rbegin(); chosen != fields().rend(); ++chosen)
         if (chosen->used(c))
             if (const std::string choices = choicesFor(c, field, *chosen); !choices.empty())

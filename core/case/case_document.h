@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A case as it was read: its values, its text, and every problem that was found.
+// A case as read: its values, its text and all its problems.
 #pragma once
 
 #include "core/case/case.h"
@@ -12,15 +12,15 @@
 
 namespace touchdown {
 
-/// A case as read; valid when `problems` is empty.
+/// Valid if `problems` is empty.
 struct CaseDocument {
     Case value;
-    std::string text;                   // the input as it stands, with its comments
-    std::string name;                   // of the file or the sample case
-    std::filesystem::path folder;       // of the files that the text names
-    std::vector<InputProblem> problems; // all of them
-    std::vector<InputProblem> warnings; // what the input says and is not modelled; the case is valid all the same
-    std::vector<InputProblem> unused;   // what it gives without effect beside what else it says
+    std::string text;             // the input, with its comments
+    std::string name;             // of the file or the sample case
+    std::filesystem::path folder; // of the files that the text names
+    std::vector<InputProblem> problems;
+    std::vector<InputProblem> warnings; // parts of the input that are not modelled
+    std::vector<InputProblem> unused;   // values without effect
     bool valid() const { return problems.empty(); }
 };
 

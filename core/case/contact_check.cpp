@@ -15,51 +15,59 @@ namespace {
 
 using Problems = std::vector<CaseProblem>;
 
-/// To four digits, for a message.
-std::string inNanometres(double length) { return decimalText(length, 9, 4) + " nm"; }
-std::string inMicrometres(double length) { return decimalText(length, 6, 4) + " um"; }
+std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
+std::string inMicrometres(double length) { return roundedQuantity(length, "um", 4); }
 
 constexpr double mostSnapshotBytes = 4e9;
 constexpr double filmFields = 2.0; // gap and pressure
 
-/// A whole number of cells to within rounding of both, and not too many.
+std::string inMillions(double cells) { return decimalText(cells, -6, 3) + " million cells"; }
+std::string inGigabytes(double bytes) { return decimalText(bytes, -9, 3) + " GB"; }
+
+/// A side must be a whole number of cells, up to rounding, and not too many.
 void checkSide(const char* key, double side, double cell, Problems& problems)
 {
     const double cells = std::round(side / cell);
     const std::string ofCells = inMicrometres(side) + " with elastic.cell = " + inMicrometres(cell);
     if (cells < fewestPatchCells || cells > mostPatchCells)
-        problems.push_back({key, ofCells + " makes " + decimalText(cells, 0, 6) + " cells; from " +
-                                     std::to_string(fewestPatchCells) + " to " + std::to_string(mostPatchCells) +
-                                     " are possible"});
+        problems.push_back({key,
+                            ofCells + " makes " + decimalText(cells, 0, 6) + " cells; from " +
+                                std::to_string(fewestPatchCells) + " to " + std::to_string(mostPatchCells) +
+                                " are possible",
+                            {"elastic.cell"}});
     else if (std::abs(side - cells * cell) > 1e-6 * cell)
         problems.push_back(
-            {key, ofCells + " is no whole number of cells; the nearest length is " + inMicrometres(cells * cell)});
+            {key,
+             ofCells + " is not a whole number of cells; the nearest length is " + inMicrometres(cells * cell),
+             {"elastic.cell"}});
 }
 
 void checkPad(const Case& c, Problems& problems)
 {
     checkPatch(c, problems);
-    if (c.pad.shape == PadShape::Slider && c.elastic.periodic) {
-        problems.push_back({"elastic.periodic", "must be false with pad.shape \"slider\", whose pads do not repeat"});
-    }
+    if (c.pad.shape == PadShape::Slider && c.elastic.periodic)
+        problems.push_back(
+            {"elastic.periodic", "must be false with pad.shape \"slider\", whose pads do not repeat", {"pad.shape"}});
 }
 
-/// The patch must see what the surface holds.
+/// The cells of the patch must resolve the disk's surface.
 void checkSampling(const Case& c, Problems& problems)
 {
     const double cell = c.elastic.cell;
-    const auto refuse = [&](const std::string& than) {
-        problems.push_back({"elastic.cell", inMicrometres(cell) + " must be at most " + than});
+    const auto refuse = [&](const std::string& limit, const char* otherKey) {
+        problems.push_back({"elastic.cell", inMicrometres(cell) + " must be at most " + limit, {otherKey}});
     };
     if (hasRoughness(c.diskSurface) && cell > c.diskSurface.cell * (1.0 + 1e-9))
-        refuse("disk.surface.cell (" + inMicrometres(c.diskSurface.cell) + "), the cell of the surface's map");
+        refuse("disk.surface.cell (" + inMicrometres(c.diskSurface.cell) + "), the cell of the surface's map",
+               "disk.surface.cell");
     if (!hasWaves(c.diskSurface)) return;
     const double shortest = *std::ranges::min_element(c.diskSurface.waveLengths);
     if (cell > 0.25 * shortest)
-        refuse("a quarter of the shortest wave of disk.surface.wave_lengths (" + inMicrometres(shortest) + ")");
+        refuse("a quarter of the shortest wave of disk.surface.wave_lengths (" + inMicrometres(shortest) + ")",
+               "disk.surface.wave_lengths");
 }
 
-/// A periodic half-space gives no way to its mean pressure, so that the mean gap must stay open.
+/// A periodic half-space is rigid under its mean pressure, so the mean gap must stay open.
 void checkPeriodic(const Case& c, Problems& problems)
 {
     if (!c.elastic.periodic || c.elastic.hardness > 0.0) return;
@@ -67,25 +75,23 @@ void checkPeriodic(const Case& c, Problems& problems)
                             ? (c.pad.length * c.pad.length + c.pad.width * c.pad.width) / (24.0 * c.pad.radius)
                             : 0.0;
     if (c.approach.closest + mean <= 0.0)
-        problems.push_back({"approach.closest", inNanometres(c.approach.closest) + " must be greater than " +
-                                                    inNanometres(0.0 - mean) +
-                                                    " with elastic.periodic: a patch that repeats can be "
-                                                    "pressed flat, but no further"});
+        problems.push_back({"approach.closest",
+                            inNanometres(c.approach.closest) + " must be greater than " + inNanometres(0.0 - mean) +
+                                " with elastic.periodic: a patch that repeats can be pressed flat, but no further",
+                            {"elastic.periodic"}});
 }
 
-/// Snapshots wait in memory for the window.
+/// The window keeps the snapshots in memory.
 void checkMemory(const Case& c, double values, const std::string& what, Problems& problems)
 {
     const double bytes = values * (c.run.fieldSnapshots + 1.0) * sizeof(double);
     if (c.run.fieldSnapshots > 0 && bytes > mostSnapshotBytes)
         problems.push_back({"run.field_snapshots", std::to_string(c.run.fieldSnapshots) + " of " + what + " take " +
-                                                       decimalText(bytes, -9, 3) + " GB; at most " +
-                                                       decimalText(mostSnapshotBytes, -9, 3) + " GB are possible"});
+                                                       inGigabytes(bytes) + "; at most " +
+                                                       inGigabytes(mostSnapshotBytes) + " are possible"});
 }
 
-std::string inMillions(double cells) { return decimalText(cells, -6, 3) + " million cells"; }
-
-/// Fields of a contact patch: its gap, its contact pressure, and where there are some adhesion and the disk's surface.
+/// Fields of a contact patch: gap and contact pressure, adhesion if it acts, and the disk's surface if it is not flat.
 double patchFields(const Case& c)
 {
     return 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
@@ -94,11 +100,11 @@ double patchFields(const Case& c)
 void checkDiskSurface(const DiskSurface& surface, Problems& problems)
 {
     for (const DiskSurfaceProblem& problem : diskSurfaceProblems(surface))
-        problems.push_back({"disk.surface." + problem.key, problem.sentence});
+        problems.push_back({"disk.surface." + problem.key, problem.sentence, {"disk.surface"}});
     if (surface.kind == DiskSurfaceKind::Combined && !hasWaves(surface) && !hasRoughness(surface) &&
         !hasFile(surface) && !hasBumps(surface))
         problems.push_back(
-            {"disk.surface.kind", "is \"combined\", but no part of it is given; allowed is \"flat\" then"});
+            {"disk.surface.kind", "is \"combined\", but no part is given; take \"flat\"", {"disk.surface"}});
 }
 
 void checkElasticPad(const Case& c, Problems& problems)
@@ -107,24 +113,26 @@ void checkElasticPad(const Case& c, Problems& problems)
     checkPad(c, problems);
     checkDiskSurface(c.diskSurface, problems);
     if (problems.size() == before) checkSampling(c, problems);
-    // Without the surface's own heights, which take time to make: the run looks again with them.
+    // On a flat disk, because the heights of the surface take time to make: the run repeats the check with them.
     if (c.pad.shape == PadShape::Slider && problems.empty())
         if (const std::string problem = patchesOf(c, DiskTopography()).problem; !problem.empty())
-            problems.push_back({"initial.pitch", problem + "; tilt the slider more, or take a larger elastic.cell"});
+            problems.push_back(
+                {"initial.pitch", problem + "; tilt the slider more, or take a larger elastic.cell", {"elastic.cell"}});
     checkPeriodic(c, problems);
     if (c.pad.shape == PadShape::Slider) return;
     const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
     checkMemory(c, cells * patchFields(c), inMillions(cells), problems);
 }
 
-/// Where a slider on its film can touch; false where that is too much.
+/// Counts the cells of the patches where a slider on its film can touch; false where they are too many.
 bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
 {
     const SliderPatches found = filmPatches(c);
     if (!found.problem.empty()) {
-        problems.push_back({"elastic.patch_reach", found.problem +
-                                                       "; take a smaller reach, another elastic.patch_pitch or a "
-                                                       "larger elastic.cell"});
+        problems.push_back(
+            {"elastic.patch_reach",
+             found.problem + "; take a smaller reach, another elastic.patch_pitch or a larger elastic.cell",
+             {"elastic.patch_pitch", "elastic.cell"}});
         return false;
     }
     cells = static_cast<double>(found.patches.front().grid.cells());
@@ -143,31 +151,37 @@ void checkPatch(const Case& c, Problems& problems)
 void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
 {
     if (parameters.takeOff < parameters.touchDown)
-        problems.push_back({"ono_yamane.take_off", "d_e = " + inNanometres(parameters.takeOff) +
-                                                       " must be at least ono_yamane.touch_down (d_s = " +
-                                                       inNanometres(parameters.touchDown) + ")"});
+        problems.push_back({"ono_yamane.take_off",
+                            "d_e = " + inNanometres(parameters.takeOff) +
+                                " must be at least ono_yamane.touch_down (d_s = " + inNanometres(parameters.touchDown) +
+                                ")",
+                            {"ono_yamane.touch_down"}});
 }
 
 void checkContact(const Case& c, Problems& problems)
 {
     if (c.approach.closest >= c.approach.start)
-        problems.push_back({"approach.closest", inNanometres(c.approach.closest) +
-                                                    " must be less than approach.start (" +
-                                                    inNanometres(c.approach.start) + ")"});
+        problems.push_back({"approach.closest",
+                            inNanometres(c.approach.closest) + " must be less than approach.start (" +
+                                inNanometres(c.approach.start) + ")",
+                            {"approach.start"}});
     switch (c.contact) {
     case ContactKind::None:
         problems.push_back({"contact",
-                            "must not be \"none\" with model \"contact\", which is nothing else; allowed is one of "
-                            "ono-yamane, elastic, asperity, multi-asperity"});
+                            "must not be \"none\" with model \"contact\"; allowed is one of ono-yamane, elastic, "
+                            "asperity, multi-asperity",
+                            {"model"}});
         break;
     case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
     case ContactKind::Elastic: checkElasticPad(c, problems); break;
     case ContactKind::Asperity: break;
     case ContactKind::MultiAsperity:
         if (c.meniscus.breakingLength < c.meniscus.filmThickness)
-            problems.push_back({"meniscus.breaking_length", inNanometres(c.meniscus.breakingLength) +
-                                                                " must be at least meniscus.film_thickness (" +
-                                                                inNanometres(c.meniscus.filmThickness) + ")"});
+            problems.push_back({"meniscus.breaking_length",
+                                inNanometres(c.meniscus.breakingLength) +
+                                    " must be at least meniscus.film_thickness (" +
+                                    inNanometres(c.meniscus.filmThickness) + ")",
+                                {"meniscus.film_thickness"}});
         break;
     }
 }
@@ -178,7 +192,8 @@ void checkFilmContact(const Case& c, Problems& problems)
     checkDiskSurface(c.diskSurface, problems);
     if (c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Moving &&
         c.disk.speed == 0.0)
-        problems.push_back({"disk.surface.motion", "is \"moving\", but disk.speed is 0; allowed is \"still\" then"});
+        problems.push_back(
+            {"disk.surface.motion", "is \"moving\", but disk.speed is 0; take \"still\"", {"disk.speed"}});
     const double filmCells = (c.film.nodes[0] - 1.0) * (c.film.nodes[1] - 1.0);
     double patchCells = 0.0;
     switch (c.contact) {
@@ -186,14 +201,15 @@ void checkFilmContact(const Case& c, Problems& problems)
     case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
     case ContactKind::Elastic:
         if (problems.size() == before) checkSampling(c, problems);
-        // The search takes a surface that makes sense.
+        // The search needs a valid surface.
         if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
         break;
     case ContactKind::Asperity:
     case ContactKind::MultiAsperity:
         problems.push_back({"contact",
                             "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
-                            "multi-asperity belong to model \"contact\""});
+                            "multi-asperity belong to model \"contact\"",
+                            {"model"}});
         break;
     }
     const double values = filmFields * filmCells + patchFields(c) * patchCells;

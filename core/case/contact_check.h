@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Combinations that make no sense in a case of the model "contact", and of the contact under a film.
+// Values that contradict each other in model "contact" and in the contact under a film.
 #pragma once
 
 #include "core/case/fields.h"
@@ -9,7 +9,7 @@
 
 namespace touchdown {
 
-/// Cells of the patch, without what the surface of the disk asks of them.
+/// Cells of the patch, without the conditions from the surface of the disk.
 void checkPatch(const Case& c, std::vector<CaseProblem>& problems);
 
 void checkContact(const Case& c, std::vector<CaseProblem>& problems);

@@ -15,11 +15,11 @@ namespace touchdown {
 inline constexpr int fewestPatchCells = 2;
 inline constexpr int mostPatchCells = 2048;
 
-/// The patches of the pad of a case of the model "contact", or why there are none.
+/// The patches of the pad of model "contact", or why there are none.
 SliderPatches patchesOf(const Case& c, const DiskTopography& surface);
 
-/// The patches of a case of the model "film", or why there are none: all that lies within elastic.patch_reach of the
-/// lowest point at elastic.patch_pitch and no roll. `goOn` is asked meanwhile; where it returns false there are none.
+/// The patches of model "film", or why there are none: all points within elastic.patch_reach of the lowest point at
+/// elastic.patch_pitch and zero roll. The search stops without patches when `goOn` returns false.
 SliderPatches filmPatches(const Case& c, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

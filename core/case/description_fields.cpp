@@ -9,52 +9,31 @@ using namespace field_builders;
 
 std::vector<Field> descriptionFields()
 {
-    using enum FieldKind;
     return {
-        plain(Text, {.key = "title", .label = "title", .help = "What the case shows, in a line."}, at(&Case::title)),
-        choice({.key = "model",
-                .label = "model",
-                .choices = {"springs", "film", "contact"},
-                .help =
-                    "Model of the air bearing: springs = two lumped nonlinear springs and dashpots (Ono & Yamane), "
-                    "film = the generalised Reynolds equation under the slider's surface, contact = none: a pad alone, "
-                    "moved towards the disk and away from it again.",
-                .source = "the paper's third model, Fig. 9, and its first, section 2"},
-               at(&Case::model)),
-        choice(
-            {.key = "contact",
-             .label = "contact",
-             .choices = {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
-             .help =
-                 "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
-                 "with the models film and contact, elastic = of surfaces given point by point, with intermolecular "
-                 "adhesion; and, with the model contact, asperity = of a statistical surface; multi-asperity = the "
-                 "same with menisci on a pad that "
-                 "yields, the full model of Ono & Yamane. A film case has none where it does not say otherwise, a "
-                 "contact case elastic.",
-             .source = "paper, section 2 and Fig. 3"},
-            at(&Case::contact)),
-        plain(
-            Integer,
-            {.key = "degrees_of_freedom",
-             .label = "degrees of freedom",
-             .minimum = 2,
-             .maximum = 3,
-             .help =
-                 "Motions that are free: 2 = height and pitch, 3 = height, pitch and roll. The springs have 2; a film "
-                 "case has 3 where it does not say 2, which holds the initial roll.",
-             .source = "paper, equation (2), and section 4: a huge suspension roll stiffness"},
-            at(&Case::degreesOfFreedom), withBearing),
-        plain(Text,
-              {.key = "about.paper", .label = "what the paper saw", .help = "What the paper reports for this case."},
-              at(&Case::about, &About::paper)),
-        plain(Text, {.key = "about.watch", .label = "what to watch", .help = "What to look at while the case runs."},
-              at(&Case::about, &About::watch)),
-        plain(Text,
-              {.key = "about.assumed",
-               .label = "what is assumed",
-               .help = "Which values stand in for values of the paper that are lost."},
-              at(&Case::about, &About::assumed)),
+        text("title", "title", at(&Case::title), always, "What the case shows, in one line."),
+        choice("model", "model", {"springs", "film", "contact"}, at(&Case::model), always,
+               "Model of the air bearing: springs = two lumped nonlinear springs and dashpots (Ono & Yamane), film = "
+               "the generalised Reynolds equation under the slider's surface, contact = no air bearing: a pad moves "
+               "towards the disk and back.",
+               "the paper's third model, Fig. 9, and its first, section 2"),
+        choice("contact", "contact", {"none", "ono-yamane", "elastic", "asperity", "multi-asperity"},
+               at(&Case::contact), always,
+               "Contact and adhesion: none; ono-yamane = the simplified multi-asperity characteristic with menisci; "
+               "elastic (models film and contact) = elastic contact of surfaces given point by point, with "
+               "intermolecular adhesion; asperity (model contact) = contact of a statistical surface; multi-asperity "
+               "(model contact) = the same with menisci on a deformable pad, the full model of Ono & Yamane. The "
+               "default is none for a film case and elastic for a contact case.",
+               "paper, section 2 and Fig. 3"),
+        integer("degrees_of_freedom", "degrees of freedom", between(2, 3), at(&Case::degreesOfFreedom), withBearing,
+                "Free motions of the slider: 2 = height and pitch, 3 = height, pitch and roll. The springs have 2. A "
+                "film case has 3 by default; with 2 the slider keeps its initial roll.",
+                "paper, equation (2), and section 4: a huge suspension roll stiffness"),
+        text("about.paper", "what the paper saw", at(&Case::about, &About::paper), always,
+             "What the paper reports for this case."),
+        text("about.watch", "what to watch", at(&Case::about, &About::watch), always,
+             "What to look at while the case runs."),
+        text("about.assumed", "what is assumed", at(&Case::about, &About::assumed), always,
+             "Which values replace values of the paper that are lost."),
     };
 }
 

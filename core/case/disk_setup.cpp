@@ -19,8 +19,10 @@ std::vector<InputProblem> diskFileProblems(const Case& c)
 {
     if (!readsFile(c) || c.diskSurface.file.empty()) return {};
     std::vector<InputProblem> problems = readMap(c).problems;
-    for (InputProblem& problem : problems)
+    for (InputProblem& problem : problems) {
+        problem.kind = ProblemKind::MeasuredDisk;
         if (problem.key.empty()) problem.key = "disk.surface.file";
+    }
     return problems;
 }
 

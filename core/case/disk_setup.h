@@ -12,10 +12,10 @@
 
 namespace touchdown {
 
-/// Why the file of a measured surface cannot be used; empty where it can, or where the case has none.
+/// Why the file of a measured surface cannot be used; empty if it can, or if the case has none.
 std::vector<InputProblem> diskFileProblems(const Case& c);
 
-/// `c` is valid, its file too. `goOn` is asked while roughness is made, which may take seconds.
+/// `c` and its file are valid. Generating roughness may take seconds; it stops when `goOn` returns false.
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

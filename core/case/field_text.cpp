@@ -6,6 +6,7 @@
 #include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
+#include "core/formats/words.h"
 
 #include <algorithm>
 #include <charconv>
@@ -17,14 +18,6 @@ namespace {
 
 constexpr std::size_t longestText = 4000; // [byte]
 
-std::string_view trimmed(std::string_view text)
-{
-    constexpr std::string_view space = " \t\r\n";
-    const auto first = text.find_first_not_of(space);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(space) - first + 1);
-}
-
 /// A limit or a value in a message: in the display unit, or in SI where that takes fewer digits ("10 kg", not "1e7
 /// mg").
 std::string shown(double value, const Field& field)
@@ -34,13 +27,6 @@ std::string shown(double value, const Field& field)
     const std::string people = formatQuantity(value, field.displayUnit);
     const std::string si = formatQuantity(value, field.unit);
     return value != 0.0 && si.size() < people.size() ? si : people;
-}
-
-std::string joined(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    return list;
 }
 
 /// What each number must satisfy.
@@ -89,22 +75,16 @@ std::variant<double, UnitProblem> readNumber(const Field& field, std::string_vie
     return parseQuantity(text, bare || field.kind == FieldKind::Integer ? std::string_view() : field.unit);
 }
 
-std::string_view withoutMarks(std::string_view text)
-{
-    const bool inMarks =
-        text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
-    return inMarks ? text.substr(1, text.size() - 2) : text;
-}
-
 std::optional<std::string> setList(Case& target, const Field& field, std::string_view text)
 {
     std::vector<double> values;
     for (const std::string_view element : listElements(text)) {
         if (values.size() > field.maximumCount) break;
-        const auto number = readNumber(field, withoutMarks(element));
+        const auto number = readNumber(field, withoutQuotes(element));
         if (const auto* problem = std::get_if<UnitProblem>(&number)) {
             const bool several = element.find_first_of(' ') != std::string_view::npos && field.unit.empty();
-            return several ? inQuotes(element) + " is no number; commas part the numbers of a list" : problem->message;
+            return several ? inQuotes(element) + " is not a number; separate the numbers of a list by commas"
+                           : problem->message;
         }
         values.push_back(std::get<double>(number));
     }
@@ -113,7 +93,7 @@ std::optional<std::string> setList(Case& target, const Field& field, std::string
 
 std::optional<std::string> setInteger(Case& target, const Field& field, double value)
 {
-    if (std::trunc(value) != value) return formatNumber(value) + " is no whole number";
+    if (std::trunc(value) != value) return formatNumber(value) + " is not a whole number";
     if (value < field.minimum || value > field.maximum)
         return formatNumber(value) + " is out of range: allowed is " + allowedRange(field);
     field.set(target, static_cast<int>(value));

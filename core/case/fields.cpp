@@ -30,6 +30,22 @@ std::string Field::group() const
     return dot == std::string::npos ? std::string() : key.substr(0, dot);
 }
 
+bool CaseProblem::concerns(std::string_view anyKey) const
+{
+    const auto within = [](std::string_view inner, std::string_view outer) {
+        return inner.starts_with(outer) && (inner.size() == outer.size() || inner[outer.size()] == '.');
+    };
+    const auto meets = [&](std::string_view own) { return within(own, anyKey) || within(anyKey, own); };
+    return meets(key) || std::ranges::any_of(otherKeys, meets);
+}
+
+InputProblem CaseProblem::in(const std::string& file, int line) const
+{
+    return {file, line, key, message, ProblemKind::Combination};
+}
+
+std::string_view Field::leaf() const { return touchdown::leaf(key); }
+
 Case defaultsOf(ModelKind model)
 {
     Case c;
@@ -72,7 +88,7 @@ std::string nearestKey(std::string_view key)
         const auto found = std::ranges::find(leaves, name);
         return found == leaves.end() ? std::string() : keys[static_cast<std::size_t>(found - leaves.begin())];
     };
-    // The right name in no table; what is misspelt; the right name in the wrong table.
+    // The right name without a table; a misspelt key; the right name in the wrong table.
     if (key.find('.') == std::string_view::npos)
         if (auto right = withLeaf(key); !right.empty()) return right;
     if (auto nearest = nearestName(key, keys); !nearest.empty()) return nearest;

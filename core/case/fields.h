@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The one description of every field of a Case: key, unit, range, default, help text, source. It feeds
-// the file reader and writer, validation, `--set`, `describe`, the results file and the parameter panel.
+// The description of every field of a Case, in one place: key, unit, range, default, help text, source. The reader and
+// writer of case files, validation, `--set`, `describe`, the results file and the parameter panel use it.
 #pragma once
 
 #include "core/case/case.h"
+#include "core/formats/input_problem.h"
 
 #include <functional>
 #include <limits>
@@ -32,63 +33,68 @@ struct Field {
     std::string displayUnit{}; // the unit people use, "nm"
     double minimum = -std::numeric_limits<double>::infinity(); // [unit]
     double maximum = std::numeric_limits<double>::infinity();  // [unit]
-    bool minimumAllowed = true;                                // false: must be greater than `minimum`
-    int stride = 0;               // of the whole numbers of a List, from `minimum` on; 0: any number in the range
-    std::size_t minimumCount = 0; // of the numbers of a List
+    bool minimumAllowed = true;                                // false: a value must be greater than `minimum`
+    int stride = 0;               // List: distance of the allowed whole numbers, from `minimum` on; 0: any number
+    std::size_t minimumCount = 0; // List: how many numbers
     std::size_t maximumCount = 0;
-    std::vector<std::string> choices{}; // names, for a Choice
-    std::string help{};                 // what it does, in a sentence
-    std::string source{}; // where it, or its default, comes from; says "assumed" where the paper's value is lost
+    std::vector<std::string> choices{}; // Choice: the names
+    std::string help{};                 // the effect, in a sentence
+    std::string source{};               // of the field or its default; contains "assumed" if the paper's value is lost
     std::function<FieldValue(const Case&)> get{};
     std::function<void(Case&, const FieldValue&)> set{}; // the value's alternative must fit the kind
-    std::function<bool(const Case&)> used{};             // false: the chosen model has no such parameter
+    std::function<bool(const Case&)> used{};             // false: the chosen models do not have this parameter
 
     /// "springs" of "springs.cutoff", "disk.surface" of "disk.surface.rms"; empty for the root keys.
     std::string group() const;
+    /// "cutoff" of "springs.cutoff".
+    std::string_view leaf() const;
 };
 
-/// What a case has where nobody says otherwise: as in core/case/case.h, but a film case is without contact, free
-/// to roll and runs for 0.5 ms, and a contact case is elastic and takes 400 samples.
+/// The default values of a model: those of core/case/case.h, but a film case has no contact, is free to roll and runs
+/// for 0.5 ms, and a contact case is elastic and takes 400 samples.
 Case defaultsOf(ModelKind model);
 
-/// Whether the air bearing surface takes part.
+/// Whether the case uses the air bearing surface.
 bool usesSliderSurface(const Case& c);
 
-/// Says that a field has no effect on a case, and which one choice would give it one: "has no effect here, only with
-/// run.steps =
-/// \"fixed\""; empty where it is used.
+/// States that a field has no effect on a case, and which choice would give it one: "has no effect here, only with
+/// run.steps = "fixed""; empty if the field is used.
 std::string unusedMessage(const Case& c, const Field& field);
 
 /// All fields, in the order of a case file.
 std::span<const Field> fields();
-/// The field of a key; nullptr if there is none.
+/// The field of a key, or nullptr.
 const Field* findField(std::string_view key);
-/// The key that was most likely meant; empty if none is near.
+/// The key nearest to a misspelt one; empty if none is near.
 std::string nearestKey(std::string_view key);
 
-/// "greater than 0 kg, at most 1e-3 kg", "one of none, ono-yamane": what a value must satisfy.
+/// The condition on a value: "greater than 0 kg, at most 1e-3 kg", "one of none, ono-yamane".
 std::string allowedRange(const Field& field);
 
 /// Reads a value as a case file or a person writes it ("7 nm", "0.3", "dopri5", "true", "20 mm, 30 mm"); bare numbers
-/// are SI.
-/// On failure returns the reason as one sentence without the key, and leaves the case alone.
+/// are SI. On failure the case is unchanged, and the reason is returned as one sentence without the key.
 std::optional<std::string> setFromText(Case& target, const Field& field, std::string_view text);
-/// Sets a bare SI number; the same checks.
+/// The same for numbers in SI.
 std::optional<std::string> setFromNumber(Case& target, const Field& field, double value);
-
 std::optional<std::string> setFromNumbers(Case& target, const Field& field, const std::vector<double>& values);
 
 /// The numbers of a List as people write them, separated by commas or semicolons.
 std::vector<std::string_view> listElements(std::string_view text);
 
-/// The value as a case file writes it, without quotes: shortest text that reads back as the same number, in the display
-/// unit.
+/// The value as a case file writes it, without quotation marks: in the display unit, with the fewest digits that read
+/// back as the same number.
 std::string toText(const Case& from, const Field& field);
 
-/// Combinations that make no sense. Each problem names its keys.
+/// Values that contradict each other.
 struct CaseProblem {
     std::string key;
-    std::string message; // a sentence
+    std::string message;                  // a sentence without the key
+    std::vector<std::string> otherKeys{}; // the values, or the groups of values, with which the key is combined
+
+    /// Whether the value or the group of this key takes part.
+    bool concerns(std::string_view anyKey) const;
+    /// The same problem with its place in an input.
+    InputProblem in(const std::string& file, int line = 0) const;
 };
 std::vector<CaseProblem> checkCombinations(const Case& c);
 

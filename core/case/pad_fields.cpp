@@ -12,7 +12,7 @@ namespace {
 constexpr double longestPatch = 1e-2; // [m]
 
 bool withPatch(const Case& c) { return withPadSurfaces(c) && c.pad.shape != PadShape::Slider; }
-/// The statistical laws know the size of the pad alone.
+/// The statistical laws use only the size of the pad.
 bool withSize(const Case& c) { return withPatch(c) || withAsperities(c); }
 bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Sphere; }
 
@@ -21,69 +21,28 @@ bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == Pad
 std::vector<Field> padFields()
 {
     return {
-        choice(
-            {.key = "pad.shape",
-             .label = "shape",
-             .choices = {"flat", "sphere", "slider"},
-             .help =
-                 "Shape of the pad that meets the disk: flat = a flat rectangle, sphere = a paraboloid of pad.radius, "
-                 "slider = the pads of the slider's air bearing surface at initial.pitch and initial.roll.",
-             .source = "ours: flat"},
-            at(&Case::pad, &PadCase::shape), withPadSurfaces),
-        number({.key = "pad.length",
-                .label = "length",
-                .unit = "m",
-                .displayUnit = "um",
-                .minimum = 0,
-                .maximum = longestPatch,
-                .minimumAllowed = false,
-                .help = "Length of the pad along the motion; of the patch that is solved where the pad is a sphere.",
-                .source = "assumed: the paper's pads are given in drawings that are lost"},
-               at(&Case::pad, &PadCase::length), withSize),
-        number({.key = "pad.width",
-                .label = "width",
-                .unit = "m",
-                .displayUnit = "um",
-                .minimum = 0,
-                .maximum = longestPatch,
-                .minimumAllowed = false,
-                .help = "Width of the pad across the motion; of the patch that is solved where the pad is a sphere.",
-                .source = "assumed: the paper's pads are given in drawings that are lost"},
-               at(&Case::pad, &PadCase::width), withSize),
-        number({.key = "pad.radius",
-                .label = "radius",
-                .symbol = "R",
-                .unit = "m",
-                .displayUnit = "mm",
-                .minimum = 0,
-                .maximum = 1e3,
-                .minimumAllowed = false,
-                .help = "Radius of the sphere at its lowest point; the pad is the paraboloid r^2/(2 R).",
-                .source = "ours"},
-               at(&Case::pad, &PadCase::radius), withSphere),
-        number(
-            {.key = "approach.start",
-             .label = "start",
-             .unit = "m",
-             .displayUnit = "nm",
-             .minimum = -1e-3,
-             .maximum = 1e-3,
-             .help =
-                 "Separation at which the pad starts and to which it returns, from the disk's mean plane to the pad's "
-                 "lowest point.",
-             .source = "ours"},
-            at(&Case::approach, &ApproachCase::start), withContactModel),
-        number({.key = "approach.closest",
-                .label = "closest",
-                .unit = "m",
-                .displayUnit = "nm",
-                .minimum = -1e-3,
-                .maximum = 1e-3,
-                .help =
-                    "Separation at which the pad turns round, half way through run.duration; less than approach.start, "
-                    "negative where the undeformed pad would reach below the mean plane.",
-                .source = "ours"},
-               at(&Case::approach, &ApproachCase::closest), withContactModel),
+        choice("pad.shape", "shape", {"flat", "sphere", "slider"}, at(&Case::pad, &PadCase::shape), withPadSurfaces,
+               "Shape of the pad: flat = a flat rectangle, sphere = a paraboloid of pad.radius, slider = the pads of "
+               "the slider's air bearing surface at initial.pitch and initial.roll.",
+               "ours: flat"),
+        number("pad.length", "length", "", micrometres, positive(longestPatch), at(&Case::pad, &PadCase::length),
+               withSize, "Length of the pad along the motion; for a sphere, length of the computed patch.",
+               "assumed: the paper's pads are given in drawings that are lost"),
+        number("pad.width", "width", "", micrometres, positive(longestPatch), at(&Case::pad, &PadCase::width), withSize,
+               "Width of the pad across the motion; for a sphere, width of the computed patch.",
+               "assumed: the paper's pads are given in drawings that are lost"),
+        number("pad.radius", "radius", "R", millimetres, positive(1e3), at(&Case::pad, &PadCase::radius), withSphere,
+               "Radius of the sphere at its lowest point; the pad is the paraboloid r^2/(2 R).", "ours"),
+        number("approach.start", "start", "", nanometres, within(1e-3), at(&Case::approach, &ApproachCase::start),
+               withContactModel,
+               "Separation at which the pad starts and to which it returns, from the disk's mean plane to the pad's "
+               "lowest point.",
+               "ours"),
+        number("approach.closest", "closest", "", nanometres, within(1e-3), at(&Case::approach, &ApproachCase::closest),
+               withContactModel,
+               "Smallest separation, reached half way through run.duration; less than approach.start, negative if the "
+               "undeformed pad would reach below the mean plane.",
+               "ours"),
     };
 }
 

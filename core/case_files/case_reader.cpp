@@ -18,7 +18,7 @@ namespace touchdown {
 
 namespace {
 
-/// The usual numbers of a list, or two for their unit's sake.
+/// The default numbers of a list, or two numbers that show the unit.
 std::string exampleOf(const Field& field)
 {
     if (field.unit.empty())
@@ -124,7 +124,7 @@ private:
         wrongKeys_.insert(key);
     }
 
-    /// What is not written has the default of the model.
+    /// Missing values have the default of the model.
     static ModelKind modelOf(const TomlDocument& toml)
     {
         Case c;
@@ -133,7 +133,7 @@ private:
         return c.model;
     }
 
-    /// The slider and its surface from a CML file; what the case says itself is read over it.
+    /// The slider and its surface from a CML file; values in the case override it.
     void readRailFile(const TomlDocument& toml)
     {
         const auto entry = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key);
@@ -144,7 +144,7 @@ private:
         for (const TomlTable& table : toml.tables)
             if (table.key == "abs.rail" || table.key == "abs.wall")
                 return refuse("rails come from a file or from [[abs.rail]], not from both");
-        if (document_.folder.empty()) return refuse("names a file, but this text stands in no folder");
+        if (document_.folder.empty()) return refuse("names a file, but this text has no folder");
         const std::filesystem::path file = document_.folder / *name;
         const auto content = readTextFile(file, maximumCmlFileSize);
         if (const auto* problem = std::get_if<FileProblem>(&content))
@@ -184,7 +184,7 @@ private:
         } else if (const Field* field = findField(entry.key)) {
             if (auto problem = setFromToml(document_.value, *field, entry.value)) add(entry.line, entry.key, *problem);
         } else {
-            // A search over all keys each; more than a few are no slips of the pen.
+            // Each suggestion searches all keys; a text with many unknown keys is not a case with typing errors.
             constexpr int mostSuggestions = 50;
             add(entry.line, entry.key,
                 "unknown key" + didYouMean(suggestions_++ < mostSuggestions ? nearestKey(entry.key) : ""));
@@ -200,17 +200,16 @@ private:
         return false;
     }
 
-    /// Only where the values that are combined were all read.
+    /// Only combinations whose values could all be read.
     void addCombinations(const TomlDocument& toml)
     {
         const bool badSurface = std::ranges::any_of(
             wrongKeys_, [](const std::string& key) { return key == railFileKey || isSurfaceKey(key); });
         for (const CaseProblem& problem : checkCombinations(document_.value)) {
-            const bool follows = std::ranges::any_of(wrongKeys_, [&](const std::string& key) {
-                return key == problem.key || problem.message.find(key) != std::string::npos;
-            });
+            const bool follows =
+                std::ranges::any_of(wrongKeys_, [&](const std::string& key) { return problem.concerns(key); });
             if (follows || (badSurface && isSurfaceKey(problem.key))) continue;
-            document_.problems.push_back({document_.name, lineOf(problem.key, toml), problem.key, problem.message});
+            document_.problems.push_back(problem.in(document_.name, lineOf(problem.key, toml)));
         }
         const Case& c = document_.value;
         if (!usesSliderSurface(c) || !document_.valid()) return;
@@ -218,7 +217,7 @@ private:
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
     }
 
-    /// What is set and has no effect; the keys of a table that want the same choice in one sentence.
+    /// Values without effect; one sentence for all keys of a table that need the same choice.
     void addUnused(const TomlDocument& toml)
     {
         if (!document_.valid()) return;
@@ -249,7 +248,7 @@ private:
         }
     }
 
-    /// The line of a value or a table; of the file of rails for what came from there.
+    /// The line of a value or a table; the line of abs.rails for values from that file.
     static int lineOf(const std::string& key, const TomlDocument& toml)
     {
         const auto entry = std::ranges::find(toml.entries, key, &TomlEntry::key);

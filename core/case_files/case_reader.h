@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How a TOML text becomes a case: each value where its field puts it, each problem with its line. For the files that
-// read cases; see core/case_files/case_file.h.
+// TOML text to case: core/case/fields.h describes the keys; every problem carries its line.
 #pragma once
 
+#include "core/case/case_document.h"
 #include "core/case/fields.h"
-#include "core/case_files/case_file.h"
 #include "core/formats/toml_document.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace touchdown {
+
+/// Reads TOML text. `name` appears in the problems. Files that the text names (abs.rails) are looked up in `folder`;
+/// without a folder they are a problem.
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder = {});
 
 /// Sets a field from a value of a case file; returns what is wrong with it, in a sentence without the key.
 std::optional<std::string> setFromToml(Case& target, const Field& field, const TomlValue& value);

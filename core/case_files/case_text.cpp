@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Cases as TOML text: written anew, or with new values put into a text that somebody wrote.
-#include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/surface_format.h"
 #include "core/case_files/surface_text.h"
 #include "core/formats/toml_editor.h"
 #include "core/formats/toml_quantity.h"
@@ -52,7 +52,7 @@ std::string tomlList(const std::vector<double>& values, std::string_view display
     return '[' + list + ']';
 }
 
-/// The value with the quotation marks that TOML wants.
+/// The value with the quotation marks that TOML needs.
 std::string tomlValue(const Case& c, const Field& field)
 {
     const FieldValue value = field.get(c);
@@ -67,30 +67,14 @@ std::string tomlValue(const Case& c, const Field& field)
     return {};
 }
 
-std::string_view leaf(const Field& field)
-{
-    return std::string_view(field.key).substr(field.key.find_last_of('.') + 1);
-}
-
 bool sameCase(const Case& a, const Case& b)
 {
     return a.surface == b.surface &&
            std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
 }
 
-/// The problems of single values; those of combinations were read well.
-std::vector<InputProblem> valueProblems(const CaseDocument& document)
-{
-    const std::vector<CaseProblem> combinations = checkCombinations(document.value);
-    std::vector<InputProblem> problems = document.problems;
-    std::erase_if(problems, [&](const InputProblem& problem) {
-        return std::ranges::find(combinations, problem.message, &CaseProblem::message) != combinations.end();
-    });
-    return problems;
-}
-
-/// The tables [[abs.rail]] or [[abs.wall]]: what is the same at the front and at the back stays, the rest is changed in
-/// place, and what is too many or too few goes or comes between.
+/// The tables [[abs.rail]] or [[abs.wall]]: equal tables at the front and at the back are kept, the tables between them
+/// are changed in place, and surplus tables are removed or missing ones inserted there.
 template <typename Item>
 void putTables(TomlEditor& editor, const std::string& name, const std::vector<Item>& old, const std::vector<Item>& now)
 {
@@ -139,15 +123,14 @@ std::string changedText(const std::string& text, const TomlDocument& toml, const
         fromFile && std::ranges::find(old.problems, railFileKey, &InputProblem::key) == old.problems.end();
     const bool keepsFile = readFile && outline(old.value.surface) == outline(c.surface);
     const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "") : old;
-    const std::vector<InputProblem> unread = valueProblems(base);
     Case defaults = defaultsOf(c.model);
     defaults.model = Case{}.model;
     TomlEditor editor(text, toml);
     if (fromFile && !keepsFile) editor.remove(railFileKey);
     for (const Field& field : fields()) {
-        // A value that could not be read is put right even where the default that stood in for it is wanted.
-        const bool bad = editor.has(field.key) && std::ranges::any_of(unread, [&](const InputProblem& problem) {
-                             return problem.key == field.key;
+        // A value that could not be read is replaced even if the new value is the default.
+        const bool bad = editor.has(field.key) && std::ranges::any_of(base.problems, [&](const InputProblem& problem) {
+                             return problem.key == field.key && problem.kind != ProblemKind::Combination;
                          });
         const bool ofFile = keepsFile && (field.group() == "abs" || field.group() == "slider");
         const Case& before = editor.has(field.key) || ofFile ? base.value : defaults;
@@ -168,7 +151,7 @@ std::string formatCase(const Case& c)
         if (group == "abs") text += formatSurface(c.surface);
     };
     for (const Field& field : fields()) {
-        // What the model does not use is kept where somebody set it.
+        // A changed value is written even if the model does not use it.
         const bool set = field.get(c) != field.get(defaults);
         const bool wanted = field.group() == "abs" && c.surface != AirBearingSurface{};
         if (!set && !wanted && (!field.used(c) || field.group() == "about")) continue;
@@ -177,7 +160,7 @@ std::string formatCase(const Case& c)
             group = field.group();
             text += "\n# " + std::string(groupComment(group)) + "\n[" + group + "]\n";
         }
-        text += std::string(leaf(field)) + " = " + tomlValue(c, field);
+        text += std::string(field.leaf()) + " = " + tomlValue(c, field);
         text += field.symbol.empty() ? "\n" : " # " + field.symbol + "\n";
     }
     closeGroup();
@@ -189,7 +172,7 @@ std::string updateCaseText(const std::string& text, const Case& c, const std::fi
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty()) return formatCase(c);
     const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
-    // Rather a plain text than a wrong one, should a shape of TOML have been overlooked.
+    // A new text is better than a wrong one, should the editor not handle some form of TOML.
     const CaseDocument check = parseCase(updated, "", folder);
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/cml_case.h"
 
-#include <algorithm>
+#include <unistd.h>
+
 #include <cctype>
+#include <cerrno>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/case/disk_setup.h"
 #include "core/case/fields.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml/cml_kept_values.h"
 #include "core/case_files/cml/cml_rail_file.h"
 #include "core/case_files/cml/cml_run_file.h"
 #include "core/case_files/surface_text.h"
 #include "core/formats/quotation.h"
+#include "core/formats/text_file.h"
+#include "core/formats/words.h"
 #include "core/physics/slider/surface_check.h"
 
 namespace touchdown {
@@ -22,12 +27,6 @@ namespace touchdown {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerCase(std::string text)
-{
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool isArchive(const fs::path& path) { return lowerCase(path.extension().string()) == ".cml"; }
 
@@ -66,7 +65,7 @@ void readRails(const CmlFiles::File& file, CmlFields& fields)
         fields.addWarning(fields.lineOf(key), asMessage(sentence));
 }
 
-/// Latin-1, which the program writes, as UTF-8; what is no text becomes '?'.
+/// Latin-1, which the program writes, as UTF-8; control characters become '?'.
 std::string commentLine(std::string_view line)
 {
     constexpr std::size_t longest = 500;
@@ -161,13 +160,13 @@ private:
         const auto* const rail = textOf(found, "rail.dat");
         const auto* run = textOf(found, "run.dat");
         const auto* dynamics = textOf(found, "dynamics.def");
-        if (rail == nullptr) return refuse(document_.name, "stands without a rail.dat");
+        if (rail == nullptr) return refuse(document_.name, "has no rail.dat beside it");
         if (run == nullptr && dynamics == nullptr)
-            warn("stands without a run.dat or a dynamics.def; all but the slider's surface has its default");
+            warn("has no run.dat or dynamics.def beside it; everything but the slider's surface has its default");
         if (run != nullptr && dynamics != nullptr) {
             const bool wantsDynamics = named == "dynamics.def";
-            warn(wantsDynamics ? "run.dat stands there as well, and is not read"
-                               : "dynamics.def stands there as well, and is not read");
+            warn(wantsDynamics ? "there is also a run.dat, which is not read"
+                               : "there is also a dynamics.def, which is not read");
             (wantsDynamics ? run : dynamics) = nullptr;
         }
         CmlFiles files;
@@ -191,7 +190,7 @@ private:
     CaseDocument& document_;
 };
 
-/// The wave.def that lies with the other files, by its whole path, so that the case may stand elsewhere.
+/// The wave.def beside the other files, by its absolute path, so that the case may be moved.
 void findTrackProfile(const fs::path& path, CmlFields& fields)
 {
     const Case& c = fields.value();
@@ -223,6 +222,48 @@ std::string titleOf(const fs::path& path)
     if (isArchive(path)) return absolute.stem().string();
     if (isCmlMember(lowerCase(absolute.filename().string()))) absolute = absolute.parent_path();
     return absolute.filename().string();
+}
+
+/// A new folder, which the destructor removes with its content.
+class StagingFolder {
+public:
+    explicit StagingFolder(const fs::path& inside) : name_((inside / ".touchdown.XXXXXX").string())
+    {
+        made_ = ::mkdtemp(name_.data()) != nullptr;
+        if (!made_) problem_ = "cannot be written: " + std::generic_category().message(errno);
+    }
+    ~StagingFolder()
+    {
+        std::error_code ignored;
+        if (made_) fs::remove_all(name_, ignored);
+    }
+    StagingFolder(const StagingFolder&) = delete;
+    StagingFolder& operator=(const StagingFolder&) = delete;
+    fs::path path() const { return name_; }
+    const std::string& problem() const { return problem_; }
+
+private:
+    std::string name_;
+    std::string problem_;
+    bool made_ = false;
+};
+
+std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& members)
+{
+    for (const CmlMember& member : members)
+        if (fs::is_directory(folder / member.name))
+            return (folder / member.name).string() + ": is a directory, not a file";
+    const StagingFolder staging(folder);
+    if (!staging.problem().empty()) return folder.string() + ": " + staging.problem();
+    for (const CmlMember& member : members)
+        if (const std::string problem = writeTextFile(staging.path() / member.name, member.text); !problem.empty())
+            return (folder / member.name).string() + ": " + problem;
+    for (const CmlMember& member : members) {
+        std::error_code error;
+        fs::rename(staging.path() / member.name, folder / member.name, error);
+        if (error) return (folder / member.name).string() + ": cannot be written: " + error.message();
+    }
+    return {};
 }
 
 } // namespace
@@ -263,6 +304,49 @@ CaseDocument readCmlCase(const fs::path& path)
     document.warnings.insert(document.warnings.end(), fields.warnings.begin(), fields.warnings.end());
     document.text = asToml(document, fields.comments);
     return document;
+}
+
+CmlOutput formatCmlCase(const Case& c)
+{
+    CmlOutput output;
+    if (c.model != ModelKind::Film) {
+        output.problem = "model is " + toText(c, *findField("model")) +
+                         "; the established program's files describe an air film (model = \"film\")";
+        return output;
+    }
+    CmlFiles files;
+    files.rail = {"rail.dat", formatCmlRails(c.slider.length, c.slider.width, c.slider.thickness, c.surface)};
+    files.run = {"run.dat", formatCmlRun(c, "")};
+    Case read = defaultsOf(ModelKind::Film);
+    CmlFields fields(read);
+    readCmlFiles(files, fields);
+    if (!fields.problems.empty()) {
+        output.problem = "does not fit into the established program's files: " + fields.problems.front().text();
+        return output;
+    }
+    const CmlKeptValues kept = keepValues(c, read);
+    output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
+    output.keptKeys = kept.keys;
+    return output;
+}
+
+std::string writeCmlCase(const fs::path& path, const std::vector<CmlMember>& members)
+{
+    if (isCmlPath(path) && !fs::is_directory(path)) {
+        if (isCmlMember(path.filename().string())) return path.string() + ": name the folder in which it is to stand";
+        const auto bytes = formatCmlArchive(members);
+        if (const auto* problem = std::get_if<FileProblem>(&bytes)) return path.string() + ": " + problem->message;
+        const std::string problem = writeTextFile(path, std::get<std::string>(bytes));
+        return problem.empty() ? problem : path.string() + ": " + problem;
+    }
+    std::error_code error;
+    if (fs::exists(path, error) && !fs::is_directory(path, error))
+        return path.string() + ": is a file; a folder, a .cml archive or a .toml case file is needed";
+    const bool made = fs::create_directories(path, error);
+    if (error) return path.string() + ": cannot be made: " + error.message();
+    std::string problem = writeInto(path, members);
+    if (!problem.empty() && made) fs::remove(path, error);
+    return problem;
 }
 
 } // namespace touchdown

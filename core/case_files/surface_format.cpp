@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Rails, walls and points of interest as TOML.
-#include "core/case_files/surface_text.h"
+#include "core/case_files/surface_format.h"
 
 #include "core/formats/toml_quantity.h"
 
@@ -14,7 +12,7 @@ namespace {
 constexpr const char* alongUnit = "mm";
 constexpr const char* recessUnit = "um";
 
-/// A list that goes on in new lines where one would be too long.
+/// A list, broken into several lines if one would be too long.
 std::string list(const std::vector<std::string>& elements)
 {
     constexpr std::size_t widest = 110;

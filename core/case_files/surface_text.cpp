@@ -3,6 +3,7 @@
 
 #include "core/formats/nearest_name.h"
 #include "core/formats/toml_quantity.h"
+#include "core/formats/words.h"
 
 #include <algorithm>
 #include <charconv>
@@ -30,11 +31,6 @@ std::optional<Place> placeOf(std::string_view key, std::string_view kind)
     std::from_chars(key.data() + kind.size() + 1, key.data() + close, place.number);
     if (place.leaf.starts_with('.')) place.leaf.remove_prefix(1);
     return place;
-}
-
-std::string counted(std::size_t count, std::string_view what)
-{
-    return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
 }
 
 class SurfaceReader {
@@ -97,7 +93,8 @@ private:
             if (entry.key != kind) continue;
             const auto* array = std::get_if<TomlArray>(&entry.value);
             if (array == nullptr || !array->elements.empty()) {
-                add(entry.line, kind, "is no table; write [[" + std::string(kind) + "]] for each " + std::string(name));
+                add(entry.line, kind,
+                    "is not a table; write [[" + std::string(kind) + "]] for each " + std::string(name));
                 return false;
             }
             mentioned = true;
@@ -357,20 +354,14 @@ std::vector<InputProblem> readSurface(const TomlDocument& toml, AirBearingSurfac
 std::string_view surfaceHelp()
 {
     return "The rails of the air bearing surface are tables [[abs.rail]], each with recess = \"0.2 um\" (a step; its "
-           "depth below "
-           "the zero plane) or a list of three (a ramp; at its first three points), points = [[\"0.1 mm\", \"0.2 "
-           "mm\"], ...] "
-           "(three or more corners; x from the leading edge, y from the inner edge) and walls = [1, 0, ...] (the wall "
-           "on the edge "
-           "from each point to the next, 0 for none; one number for all). Where rails overlap the one that comes last "
-           "holds. A "
-           "wall is a table [[abs.wall]] with distance = [...] (normal to the edge, ascending, negative inside) and "
-           "recess = "
-           "[...] (below the zero plane, one for each distance); the first one is wall 1. abs.points_of_interest = "
-           "[[x, y], ...] "
-           "lists points at which the spacing is reported. abs.rails = \"rail.dat\" reads all of [abs] and the "
-           "slider's size "
-           "from a CML file beside the case instead; what the case says itself wins.";
+           "depth below the zero plane) or a list of three (a ramp; at its first three points), points = [[\"0.1 mm\", "
+           "\"0.2 mm\"], ...] (three or more corners; x from the leading edge, y from the inner edge) and walls = [1, "
+           "0, ...] (the wall on the edge from each point to the next, 0 for none; one number for all). Where rails "
+           "overlap, the last one counts. A wall is a table [[abs.wall]] with distance = [...] (normal to the edge, "
+           "ascending, negative inside) and recess = [...] (below the zero plane, one for each distance); the first "
+           "table is wall 1. abs.points_of_interest = [[x, y], ...] lists points where the spacing is reported. "
+           "abs.rails = \"rail.dat\" reads [abs] and the size of the slider from a CML file beside the case instead; "
+           "values in the case override it.";
 }
 
 } // namespace touchdown

@@ -5,7 +5,7 @@
 //   [abs]
 //   points_of_interest = [["1.24 mm", "0.5 mm"]]
 //
-//   [[abs.rail]]                       # the one that comes last holds
+//   [[abs.rail]]                       # where rails overlap, the last one counts
 //   recess = "0.2 um"                  # three of them for a ramp: at the first three points
 //   points = [["0.1 mm", "0.2 mm"], ["0.4 mm", "0.2 mm"], ["0.4 mm", "0.8 mm"]]
 //   walls = [1, 0, 2]                  # on the edge from each point to the next, 0 for none; one number for all edges
@@ -15,7 +15,7 @@
 //   recess = ["0.2 um", "1 um", "2 um"]
 #pragma once
 
-#include "core/case_files/case_file.h"
+#include "core/formats/input_problem.h"
 #include "core/formats/toml_document.h"
 #include "core/physics/slider/air_bearing_surface.h"
 
@@ -31,30 +31,16 @@ inline constexpr std::size_t mostWalls = 1000;
 inline constexpr std::size_t mostWallPoints = 1000; // of one profile
 inline constexpr std::size_t mostInterestPoints = 100;
 
-/// abs.rails = "rail.dat": all of the surface from a CML file, except for what the case says itself.
+/// abs.rails = "rail.dat": the surface from a CML file; values in the case override it.
 inline constexpr std::string_view railFileKey = "abs.rails";
 
 /// Whether a key belongs to a rail, a wall or the points of interest: "abs.rail[2].recess", "abs.points_of_interest".
 bool isSurfaceKey(std::string_view key);
 
-/// Reads them into `surface`, replacing those that the text has. The problems name no file.
+/// Reads them into `surface` and replaces those that the text contains. The problems name no file.
 std::vector<InputProblem> readSurface(const TomlDocument& toml, AirBearingSurface& surface);
 
-/// What the reference says of them.
+/// Their description for the reference.
 std::string_view surfaceHelp();
-
-/// A key of a rail or a wall with its value as TOML, which may take several lines.
-struct SurfaceRow {
-    std::string key;
-    std::string value;
-};
-std::vector<SurfaceRow> surfaceRows(const Rail& rail);
-std::vector<SurfaceRow> surfaceRows(const WallProfile& wall);
-/// The value of abs.points_of_interest.
-std::string interestText(const std::vector<SurfacePoint>& points);
-/// All of it, to stand at the end of [abs].
-std::string formatSurface(const AirBearingSurface& surface);
-/// A table "[[abs.rail]]" or "[[abs.wall]]" with its rows.
-std::string surfaceTable(std::string_view name, const std::vector<SurfaceRow>& rows);
 
 } // namespace touchdown

@@ -37,13 +37,13 @@ struct CmlNumber {
 /// "1.5", ".5", "+1.0E-007", "1.0D-7", "1.0-7" as other programs write them, "1.0e-7"; nothing for words, "NaN" and
 /// "inf".
 std::optional<std::string> plainDecimal(std::string_view text);
-/// Its value; nothing either for what no double holds.
+/// Its value; empty also for a number beyond the range of doubles.
 std::optional<double> readCmlNumber(std::string_view text);
 
 /// The number as an integer. Throws CmlError, which calls it `what`, unless it is whole and in the range.
 int wholeCmlNumber(const CmlNumber& number, std::string_view what, int lowest, int highest);
 
-/// Walks through a text once, front to back. Throws CmlError where the text does not hold what is asked for.
+/// Reads a text once, from front to back. Throws CmlError if the text does not hold the requested item.
 class CmlText {
 public:
     /// Refuses bytes that no text holds. Begins at `line` of the file.
@@ -71,8 +71,7 @@ public:
 
     /// Skips a remark, from a word that is no number to the end of the line.
     void skipRemark();
-    /// Ends a list: skips what is left of this line. True when that began with a number, which the list did not ask
-    /// for.
+    /// Ends a list: skips the rest of this line. True if the rest began with a number, which the list did not read.
     bool endList();
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the numbers of a file to a map: equal steps, lengths with units, maps that close. What cannot be is thrown as
-// CmlError, a sentence with its line.
+// Numbers of a file to a height map: equal steps, lengths with units, maps that close. Throws CmlError, a sentence with
+// its line, if the numbers do not make a map.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ struct MapAxis {
     double step = 0.0;  // [m]
 
     double at(std::size_t i) const { return first + static_cast<double>(i) * step; }
-    /// Whether a place in a file, with as many digits as people print, is that of point i.
+    /// Whether a place in a file, printed with the usual number of digits, is that of point i.
     bool holds(std::size_t i, double place) const;
 };
 
-/// The axis of these places [m]; `lines` of the file they stand on, or none. `name` is "x" or "y".
+/// The axis of these places [m]; `lines` are their lines in the file, or empty. `name` is "x" or "y".
 MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, const std::string& name);
 
 /// Heights [m] row by row, x fastest, all finite; y.points 1 for a profile.
 HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heights);
 
-/// How many metres "um", "nm" and others are; none for what is no length.
+/// The length in metres of one "um", "nm" and others; empty for other units.
 std::optional<double> lengthUnit(const std::string& unit);
 /// "10 um" [m].
 std::optional<double> lengthOf(const std::string& quantity);

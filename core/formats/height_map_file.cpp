@@ -11,6 +11,7 @@
 #include "core/formats/height_map_hdf5.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
+#include "core/formats/words.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -22,28 +23,14 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t largestFile = 1u << 30; // [byte]
 constexpr std::string_view separators = " \t,;\v\f";
 
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 std::string endingOf(const std::string& name) { return lowerCase(fs::path(name).extension().string()); }
-
-std::string_view trimmed(std::string_view text)
-{
-    const auto begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
 
 bool isComment(std::string_view line)
 {
     return line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//");
 }
 
-/// "nan", "-inf", "NA" and what other programs write where they measured nothing.
+/// "nan", "-inf", "NA" and other marks for a missing measurement.
 bool standsForHole(std::string_view word)
 {
     const std::string lower = lowerCase(word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word);
@@ -51,10 +38,7 @@ bool standsForHole(std::string_view word)
            lower == "--" || lower == "*" || lower == "null" || lower.starts_with("1.#");
 }
 
-/// "1 number", "2 numbers".
-std::string counted(std::size_t numbers) { return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers"); }
-
-/// Lines of equally many numbers, and what stands around them.
+/// Lines with equal counts of numbers, and the text around them.
 struct Table {
     std::size_t columns = 0;
     std::vector<double> numbers;
@@ -85,7 +69,7 @@ void readRow(std::string_view line, int number, std::vector<double>& row)
 void refuseShortRow(const Table& table)
 {
     if (table.shortLine == 0) return;
-    throw CmlError(table.shortLine, "has " + counted(table.shortRow.size()) + ", the lines before it " +
+    throw CmlError(table.shortLine, "has " + counted(table.shortRow.size(), "number") + ", the lines before it " +
                                         std::to_string(table.columns) +
                                         "; a map has no holes: every line must be complete");
 }
@@ -96,7 +80,7 @@ Table readTable(std::string_view text)
     std::vector<double> row;
     for (CmlText reader(text); !reader.atEnd();) {
         const int number = reader.line();
-        const std::string_view line = trimmed(reader.takeLine());
+        const std::string_view line = trimmed(reader.takeLine(), blanks);
         if (line.empty()) continue;
         const std::string_view word = line.substr(0, line.find_first_of(separators));
         const bool heading = table.rows() == 0 && !readCmlNumber(word) && !standsForHole(word);
@@ -204,10 +188,11 @@ HeightMap mapOfWaveDefinition(const Table& table)
         throw CmlError(table.lines.front(), "a line of x [m] and one or more heights [nm] is needed");
     const std::size_t ny = table.columns - 1;
     if (table.shortLine == 0)
-        throw CmlError(table.lines.back(), "the last line must hold the y [m] of each profile alone, " + counted(ny));
+        throw CmlError(table.lines.back(),
+                       "the last line must hold only the y [m] of each profile, " + counted(ny, "number"));
     if (table.shortRow.size() != ny)
-        throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + counted(ny) + ", not " +
-                                            std::to_string(table.shortRow.size()));
+        throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + counted(ny, "number") +
+                                            ", not " + std::to_string(table.shortRow.size()));
     const MapAxis x = axisOf(table, 0, 1.0, table.rows(), 1, "x");
     MapAxis y{1, 0.0, x.step};
     if (ny > 1) y = equalSteps(table.shortRow, std::vector<int>(ny, table.shortLine), "y");
@@ -227,7 +212,7 @@ std::optional<std::string> wordsOf(const Table& table, std::string_view key)
         if (begin == std::string::npos || !std::string_view(lower).substr(begin).starts_with(key)) continue;
         const auto value = lower.find_first_not_of(" \t", begin + key.size());
         if (value == std::string::npos || (lower[value] != ':' && lower[value] != '=')) continue;
-        return std::string(trimmed(std::string_view(words).substr(value + 1)));
+        return std::string(trimmed(std::string_view(words).substr(value + 1), blanks));
     }
     return std::nullopt;
 }
@@ -260,7 +245,7 @@ HeightMap mapOf(const Table& table, const std::string& name)
     if (table.columns == 3) return mapOfPoints(table);
     throw CmlError(
         table.lines.front(),
-        "has " + counted(table.columns) +
+        "has " + counted(table.columns, "number") +
             "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of heights "
             "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
 }

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One problem of an input file, a setting or an option, as one sentence.
+// A problem of an input file, a setting or an option.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace touchdown {
 
-/// One problem of an input, in one sentence: "fig10.toml:7: springs.cutof: unknown key; did you mean springs.cutoff?"
+enum class ProblemKind : std::uint8_t {
+    Input,        // a text, a key or a value that cannot be read
+    Combination,  // values that contradict each other
+    MeasuredDisk, // the file of a measured disk surface
+    NotFound,     // neither a file nor a sample case has this name
+};
+
+/// Its text() is one sentence: "fig10.toml:7: springs.cutof: unknown key; did you mean springs.cutoff?"
 struct InputProblem {
     std::string file;
     int line = 0; // 0: the whole file
     std::string key;
     std::string message;
+    ProblemKind kind = ProblemKind::Input;
 
     std::string text() const;
 };

@@ -22,6 +22,12 @@ std::string inQuotes(std::string_view text)
     return shown + (cut ? "...\"" : "\"");
 }
 
+std::string_view withoutQuotes(std::string_view text)
+{
+    const bool quoted = text.size() > 1 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front();
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 std::size_t findInvalidUtf8(std::string_view text)
 {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
@@ -33,7 +39,7 @@ std::size_t findInvalidUtf8(std::string_view text)
             length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
             for (std::size_t k = 1; k < length; ++k)
                 if ((byte(i + k) & 0xc0u) != 0x80u) return i;
-            // Overlong forms, surrogates, and what lies beyond U+10FFFF.
+            // Overlong forms, surrogates, and code points beyond U+10FFFF.
             const unsigned second = byte(i + 1);
             if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) || (lead == 0xf0 && second < 0x90) ||
                 (lead == 0xf4 && second > 0x8f))

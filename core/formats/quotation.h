@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Input as it may be shown in a message: short, on one line, without control characters.
+// Input in a form that fits into a message: short, on one line, without control characters.
 #pragma once
 
 #include <string>
@@ -8,8 +8,11 @@
 
 namespace touchdown {
 
-/// "7 nm" with its quotation marks; what is unprintable becomes '?', what is long ends with "...".
+/// "7 nm" with its quotation marks; unprintable characters become '?', a long text ends with "...".
 std::string inQuotes(std::string_view text);
+
+/// The text without the pair of quotation marks, double or single, that encloses it, if there is one.
+std::string_view withoutQuotes(std::string_view text);
 
 /// Index of the first byte that is not valid UTF-8 (RFC 3629); npos if there is none.
 std::size_t findInvalidUtf8(std::string_view text);

@@ -68,7 +68,7 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
         return FileProblem{"cannot be read: " + error.message()};
     if (fs::is_directory(status)) return FileProblem{"is a directory, not a file"};
     if (!fs::is_regular_file(status)) return FileProblem{"is not a regular file"};
-    const std::string tooLarge = "is larger than " + std::to_string(largest >> 10) + " KiB, so it is no case file";
+    const std::string tooLarge = "is larger than " + std::to_string(largest >> 10) + " KiB, so it is not a case file";
     if (const auto size = fs::file_size(file, error); !error && size > largest) return FileProblem{tooLarge};
 
     const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -89,7 +89,7 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
 std::string writeTextFile(const fs::path& file, const std::string& text)
 {
     std::error_code error;
-    // A link stays a link: what it points to is replaced.
+    // A link stays a link: its target is replaced.
     const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
     if (fs::is_directory(target, error)) return "is a directory, not a file";
     if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) return "cannot be written: " + lastError();

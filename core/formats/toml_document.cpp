@@ -201,7 +201,7 @@ TomlDocument readToml(std::string_view text)
         document.problem = "is not TOML: " + what;
         document.problemLine = static_cast<int>(error.source().begin.line);
         if (lacksQuotationMarks(places.line(error.source().begin.line)))
-            document.problem += "; a value with a unit stands in quotation marks, as \"7 nm\"";
+            document.problem += "; write a value with a unit in quotation marks, as \"7 nm\"";
         return document;
     }
     std::ranges::stable_sort(document.entries, {}, &TomlEntry::begin);

@@ -88,7 +88,7 @@ const TomlTable* TomlEditor::findTable(std::string_view key) const
     return found == toml_.tables.end() ? nullptr : &*found;
 }
 
-/// Whether a key stands in a table; in the root for "".
+/// Whether a key is in a table; in the root for "".
 bool TomlEditor::isBelow(std::string_view key, std::string_view group)
 {
     return key.size() > group.size() && key.starts_with(group) && key[group.size()] == '.';
@@ -160,7 +160,7 @@ void TomlEditor::addToRoot(const std::string& line)
         insertLineAfter(last->end, line);
         return;
     }
-    // Below the comment that opens the file, if an empty line parts it from what follows.
+    // Below the comment that opens the file, if an empty line follows it.
     std::size_t top = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     std::size_t at = top;
     while (at < text_.size() && text_[at] == '#') at = std::min(text_.find('\n', at), text_.size() - 1) + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Puts values into a TOML text that somebody wrote: comments, order and spelling of all else are kept.
+// Puts values into a TOML text that a person wrote: comments, order and spelling of everything else are kept.
 #pragma once
 
 #include "core/formats/toml_document.h"
@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// Collects changes by key; `text` and `toml`, what readToml says of it, must outlive it.
+/// Collects changes by key; `text` and `toml`, the result of readToml for it, must outlive it.
 class TomlEditor {
 public:
     TomlEditor(const std::string& text, const TomlDocument& toml);
@@ -19,10 +19,10 @@ public:
     bool has(std::string_view key) const { return find(key) != nullptr; }
     /// Sets the value of "table.key", as TOML; new keys go below the last one of their table, new tables to the end.
     void put(const std::string& key, const std::string& value);
-    /// Takes a key and its value away, with the comment behind it.
+    /// Removes a key and its value, with the comment behind it.
     void remove(std::string_view key);
 
-    /// Takes away the table [[name]] number `number`, from 1, that is counted in the text.
+    /// Removes the table [[name]] with this number in the text, counted from 1.
     void removeTable(std::string_view name, std::size_t number);
     /// Adds a table "[[name]]\n..." behind number `after` of that name; 0: before the first one, or at the end of the
     /// text.
@@ -32,7 +32,7 @@ public:
     std::string result();
 
 private:
-    /// `removed` bytes at `at` make place for `inserted`.
+    /// `inserted` replaces `removed` bytes at `at`.
     struct Edit {
         std::size_t at = 0;
         std::size_t removed = 0;

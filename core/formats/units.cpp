@@ -3,6 +3,7 @@
 
 #include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 
 #include <udunits2.h>
 
@@ -103,7 +104,7 @@ private:
         ut_set_error_message_handler(ut_ignore);
         system_ = ut_read_xml(nullptr);
         if (system_ == nullptr) return;
-        // The usual short form; UDUNITS knows "degree" and "arc_degree" alone.
+        // The usual short form; UDUNITS has only "degree" and "arc_degree".
         if (const Unit degree = parse("degree")) ut_map_name_to_unit("deg", UT_ASCII, degree.get());
     }
     ~UnitSystem() { ut_free_system(system_); }
@@ -147,7 +148,7 @@ private:
     std::map<std::string, Scale, std::less<>> own_;
 };
 
-/// What fits, for a message.
+/// Fitting units, for a message.
 std::string fittingUnits(std::string_view unit)
 {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> examples{{
@@ -170,18 +171,10 @@ std::string fittingUnits(std::string_view unit)
     return "a unit such as " + std::string(unit);
 }
 
-bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string_view trimmed(std::string_view text)
-{
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 /// Whether a text can be the name of a unit. UDUNITS takes more: numbers as factors ("2 m"), origins ("m @ 5", "s since
@@ -249,17 +242,17 @@ Scale requiredScale(std::string_view unit)
 std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::string_view unit)
 {
     const std::string shown = inQuotes(text);
-    std::string_view rest = trimmed(text);
+    std::string_view rest = trimmed(text, blanks);
     if (rest.empty()) return UnitProblem{"is empty; a number is needed"};
     if (rest.size() > 1 && rest.front() == '+' && (isDigit(rest[1]) || rest[1] == '.')) rest.remove_prefix(1);
 
     double number = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error == std::errc::result_out_of_range) return UnitProblem{shown + " is beyond the range of numbers"};
-    if (error != std::errc{}) return UnitProblem{shown + " is no number"};
+    if (error != std::errc{}) return UnitProblem{shown + " is not a number"};
     if (!std::isfinite(number)) return UnitProblem{shown + " is not a finite number"};
     const std::string_view numberText = rest.substr(0, static_cast<std::size_t>(end - rest.data()));
-    const std::string_view unitText = trimmed(rest.substr(numberText.size()));
+    const std::string_view unitText = trimmed(rest.substr(numberText.size()), blanks);
 
     if (unitText.starts_with(',')) return UnitProblem{shown + " has a comma; write decimals with a point"};
     if (unitText.empty()) {
@@ -277,7 +270,7 @@ std::variant<double, UnitProblem> parseQuantity(std::string_view text, std::stri
     const std::string needed = unit.empty() ? "a plain number or %" : fittingUnits(unit);
     if (!scale) return UnitProblem{shown + " has an unknown unit; " + needed + " is needed"};
     const bool fits = unit.empty() || units.sameDimension(unitText, unit);
-    // An origin makes sense for temperatures alone.
+    // Only temperatures have an origin.
     if (!fits || (scale->offset != 0.0 && unit != "K"))
         return UnitProblem{shown + " has the wrong unit; " + needed + " is needed"};
 
@@ -297,6 +290,14 @@ std::string formatQuantity(double value, std::string_view displayUnit)
         return formatNumber(value);
     }
     return formatNumber(value) + ' ' + std::string(displayUnit);
+}
+
+std::string roundedQuantity(double value, std::string_view displayUnit, int digits)
+{
+    const Scale scale = requiredScale(displayUnit);
+    const std::string number = scale.decade ? decimalText(value, -*scale.decade, digits)
+                                            : decimalText((value - scale.offset) / scale.factor, 0, digits);
+    return displayUnit.empty() ? number : number + ' ' + std::string(displayUnit);
 }
 
 std::string formatNumber(double value, std::string_view displayUnit)

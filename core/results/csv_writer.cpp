@@ -10,7 +10,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "core/formats/csv_field.h"
+#include "core/formats/csv_cell.h"
 
 namespace touchdown {
 namespace {
@@ -87,7 +87,7 @@ std::string CsvWriter::open(const std::filesystem::path& path, const std::vector
     }
     file->add("time [s]");
     for (const Quantity& quantity : quantities)
-        file->add("," + csvField(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
+        file->add("," + csvCell(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
     file->add("\r\n");
     file->write();
     file_ = std::move(file);

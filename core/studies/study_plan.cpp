@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
@@ -84,8 +85,7 @@ void appendTo(std::vector<InputProblem>& all, const std::vector<InputProblem>& s
 /// What is wrong with the given case as it stands.
 void checkGiven(CaseDocument& given)
 {
-    for (const CaseProblem& problem : checkCombinations(given.value))
-        given.problems.push_back({given.name, 0, problem.key, problem.message});
+    for (const CaseProblem& problem : checkCombinations(given.value)) given.problems.push_back(problem.in(given.name));
 }
 
 StudyPlan planStudy(const std::string& kind, Source source, const std::vector<std::string>& settings,
@@ -181,7 +181,7 @@ bool isFile(const std::string& name)
 CaseDocument openSample(const std::string& kind, const std::string& name)
 {
     CaseDocument document = openCase(name);
-    if (document.valid() || !document.problems.front().message.starts_with("is neither a file")) return document;
+    if (document.valid() || document.problems.front().kind != ProblemKind::NotFound) return document;
     std::vector<std::string> names = sampleStudyNames(kind);
     for (const SampleCase& each : sampleCases()) names.push_back(each.name);
     std::string& message = document.problems.front().message;

@@ -28,6 +28,7 @@
 
 #include "core/case/fields.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "core/formats/units.h"
 #include "core/numerics/cvode.h"
 #include "core/simulation/run.h"

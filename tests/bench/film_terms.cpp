@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_settings.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/bench/node_film.h"

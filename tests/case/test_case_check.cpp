@@ -119,6 +119,14 @@ private slots:
         QVERIFY2(QString::fromStdString(found->message).contains(part), found->message.c_str());
     }
 
+    void aProblemConcernsItsKeysAndTheirGroups()
+    {
+        const CaseProblem problem{"run.step", "must be at most run.duration", {"run.duration", "disk.surface"}};
+        for (const char* key : {"run.step", "run.duration", "run", "disk.surface.rms", "disk"})
+            QVERIFY2(problem.concerns(key), key);
+        for (const char* key : {"run.step_error", "disk.speed", "model", "ru"}) QVERIFY2(!problem.concerns(key), key);
+    }
+
     /// Those of the surface under the key of their rail or wall.
     void surfaces()
     {

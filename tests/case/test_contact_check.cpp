@@ -29,7 +29,7 @@ private slots:
             "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
         row("their like in another contact", {"meniscus.breaking_length=0.4 nm"}, "", "");
         row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length",
-            "is no whole number of cells; the nearest length is 20 um");
+            "is not a whole number of cells; the nearest length is 20 um");
         row("a pad of one cell", {"pad.width=0.25 um"}, "pad.width", "makes 1 cells; from 2 to 2048 are possible");
         row("a pad of too many cells", {"elastic.cell=0.005 um"}, "pad.length", "makes 4000 cells");
         row("cells of a statistical surface", {"contact=asperity", "pad.length=20.1 um"}, "", "");
@@ -50,7 +50,7 @@ private slots:
             "must be at most a quarter of the shortest wave");
         row("no file", {"disk.surface.kind=file"}, "disk.surface.file", "must name");
         row("a combination of nothing", {"disk.surface.kind=combined", "disk.surface.rms=0"}, "disk.surface.kind",
-            "no part of it is given");
+            "no part is given");
         row("too many snapshots", {"run.field_snapshots=10000", "pad.length=200 um", "pad.width=200 um"},
             "run.field_snapshots", "at most 4 GB are possible");
         row("samples apart by more than the run", {"run.sample_interval=3 ms"}, "run.sample_interval",
@@ -78,8 +78,7 @@ private slots:
         row("its like without contact",
             film + QStringList{"contact=none", "disk.surface.kind=rough", "elastic.cell=0.5 um"}, "", "");
         row("a surface that moves with a disk that does not",
-            film + QStringList{"disk.surface.kind=rough", "disk.speed=0"}, "disk.surface.motion",
-            "allowed is \"still\" then");
+            film + QStringList{"disk.surface.kind=rough", "disk.speed=0"}, "disk.surface.motion", "take \"still\"");
         row("a surface that is still on a disk that is, too",
             film + QStringList{"contact=none", "disk.surface.kind=rough", "disk.surface.motion=still", "disk.speed=0"},
             "", "");

@@ -129,7 +129,7 @@ private slots:
                                                  << "4 is out of range: allowed is at least 2, at most 3";
         QTest::newRow("half a degree of freedom") << "degrees_of_freedom"
                                                   << "1.5"
-                                                  << "1.5 is no whole number";
+                                                  << "1.5 is not a whole number";
         QTest::newRow("an endless integer") << "degrees_of_freedom"
                                             << "1e30"
                                             << "1e30 is out of range: allowed is at least 2, at most 3";

@@ -2,6 +2,8 @@
 #include "core/case_files/case_file.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
 
@@ -138,7 +140,7 @@ private slots:
             "a.toml:2: contact: must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
             "multi-asperity belong to model \"contact\"");
         row("springs that roll", "degrees_of_freedom = 3",
-            "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch alone");
+            "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch only");
         row("a number for a list", "[film]\nnodes = 97",
             "a.toml:2: film.nodes: is a number; a list such as [193, 193] is needed");
         row("a text for a list", "[steady]\nradii = '20 mm'",
@@ -218,7 +220,7 @@ private slots:
         out.close();
         QCOMPARE(std::filesystem::file_size(file), std::uintmax_t{100} << 20);
         QCOMPARE(problemsOf(readCaseFile(file)), QStringList(QString::fromStdString(file.string()) +
-                                                             ": is larger than 1024 KiB, so it is no case file"));
+                                                             ": is larger than 1024 KiB, so it is not a case file"));
         std::filesystem::remove(file);
     }
     /// Noise of every length that is read: one sentence, whatever the bytes.
@@ -266,6 +268,7 @@ private slots:
         QCOMPARE(problemsOf(openCase("fig10x")),
                  QStringList("fig10x: is neither a file nor a sample case; did you mean fig10a?"));
         QCOMPARE(problemsOf(openCase("banana")), QStringList("banana: is neither a file nor a sample case"));
+        QVERIFY(openCase("banana").problems.front().kind == ProblemKind::NotFound);
     }
 
     void settings_data()
@@ -302,7 +305,7 @@ private slots:
             << QStringList("--set: film.nodes: has 1 number: allowed is 2 numbers, each 17, 33, 49 and so on to 2049");
         QTest::newRow("list without commas")
             << QStringList("film.nodes=97 193")
-            << QStringList("--set: film.nodes: \"97 193\" is no number; commas part the numbers of a list");
+            << QStringList("--set: film.nodes: \"97 193\" is not a number; separate the numbers of a list by commas");
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(
@@ -322,6 +325,13 @@ private slots:
         // The text says so too, for whoever stores it.
         QVERIFY(document.text.starts_with("title = 'x' # kept\n"));
         QVERIFY(parseCase(document.text, "").value.springs.flyingHeight == 8e-9);
+    }
+    /// A value that could not be read has its default, which a combination must not blame on the others.
+    void combinationsWaitForTheirValues()
+    {
+        QCOMPARE(parseCase("[run]\nduration = 'x'\nsample_interval = '3 ms'\n", "a.toml").problems.size(),
+                 std::size_t{1});
+        QCOMPARE(parseCase("[run]\nstep = 'x'\nsample_interval = '3 ms'\n", "a.toml").problems.size(), std::size_t{2});
     }
     void aSettingMendsACombination()
     {

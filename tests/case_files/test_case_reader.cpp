@@ -2,6 +2,7 @@
 //
 // What a case says without effect.
 #include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 
 #include <QTest>
 

@@ -2,6 +2,7 @@
 #include "core/case_files/case_file.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
 

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
 #include "core/formats/quotation.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"
@@ -167,8 +168,8 @@ private slots:
         QVERIFY(document.valid());
         QVERIFY(document.value.surface == cmlSurface());
         QCOMPARE(joined(document.warnings, folder),
-                 QByteArray("slider/rail.dat: stands without a run.dat or a dynamics.def; "
-                            "all but the slider's surface has its default"));
+                 QByteArray("slider/rail.dat: has no run.dat or dynamics.def beside it; everything but the slider's "
+                            "surface has its default"));
         Case expected = defaultsOf(ModelKind::Film);
         expected.slider.length = 1.25e-3;
         expected.slider.width = 1e-3;
@@ -184,13 +185,12 @@ private slots:
         folder.put("slider/dynamics.def", cmlDynamicsText());
         const CaseDocument both = readCmlCase(folder.path("slider"));
         QVERIFY(both.valid());
-        QCOMPARE(joined(both.warnings, folder),
-                 QByteArray("slider: dynamics.def stands there as well, and is not read"));
+        QCOMPARE(joined(both.warnings, folder), QByteArray("slider: there is also a dynamics.def, which is not read"));
         QCOMPARE(both.value.initial.nominalTrailingEdgeHeight, 8e-9);
         const CaseDocument dynamic = readCmlCase(folder.path("slider/dynamics.def"));
         QVERIFY(dynamic.valid());
         QCOMPARE(joined(dynamic.warnings, folder),
-                 QByteArray("slider/dynamics.def: run.dat stands there as well, and is not read"));
+                 QByteArray("slider/dynamics.def: there is also a run.dat, which is not read"));
         QCOMPARE(dynamic.value.initial.nominalTrailingEdgeHeight, 1e-8);
         QCOMPARE(dynamic.value.slider.mass, 1.6e-6);
         fs::remove(folder.path("slider/run.dat"));
@@ -251,8 +251,8 @@ private slots:
             return joined(document.problems, folder);
         };
         QCOMPARE(problem("none.cml"), QByteArray("none.cml: does not exist"));
-        QCOMPARE(problem("runs/run.dat"), QByteArray("runs/run.dat: stands without a rail.dat"));
-        QVERIFY(problem("old.cml").startsWith("old.cml: is no archive of version 7 or 8; the binary files"));
+        QCOMPARE(problem("runs/run.dat"), QByteArray("runs/run.dat: has no rail.dat beside it"));
+        QVERIFY(problem("old.cml").startsWith("old.cml: is not an archive of version 7 or 8; the binary files"));
         QCOMPARE(problem("empty.cml"), QByteArray("empty.cml: is empty"));
         QVERIFY(problem("large.cml").startsWith("large.cml: is larger than 16384 KiB"));
         QCOMPARE(problem("folder.cml"), QByteArray("folder.cml: is a directory, not a file"));

@@ -2,7 +2,11 @@
 #include "core/case_files/surface_text.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml/cml_rail_file.h"
+#include "core/case_files/surface_format.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -133,9 +137,9 @@ private slots:
         row("a table instead of tables", "[abs.rail]\nrecess = 0",
             "2: abs.rail: is one table; write [[abs.rail]] for each rail");
         row("a value instead of tables", "[abs]\nwall = 3",
-            "3: abs.wall: is no table; write [[abs.wall]] for each wall");
+            "3: abs.wall: is not a table; write [[abs.wall]] for each wall");
         row("a list instead of tables", "[abs]\nrail = [1, 2]",
-            "3: abs.rail: is no table; write [[abs.rail]] for each rail");
+            "3: abs.rail: is not a table; write [[abs.rail]] for each rail");
         row("an unknown key", rail + "reces = 0", "4: abs.rail[1].reces: unknown key; did you mean recess?");
         row("an unknown key of a wall", wall + "depth = 0", "5: abs.wall[1].depth: unknown key");
         row("a table in a rail", rail + "[abs.rail.form]\nx = 1", "4: abs.rail[1].form: unknown table");
@@ -162,7 +166,7 @@ private slots:
             "4: abs.rail[1].points: a point is a list of two, such as [\"0.1 mm\", \"0.5 mm\"]");
         row("points in one list", "[[abs.rail]]\npoints = [0,0,1e-3,0,0,1e-3]",
             "3: abs.rail[1].points: a point is a list of two, such as [\"0.1 mm\", \"0.5 mm\"]");
-        row("a point that is no number", "[[abs.rail]]\npoints = [[0,0],[1e-3,0],[0,inf]]",
+        row("a point that is not a number", "[[abs.rail]]\npoints = [[0,0],[1e-3,0],[0,inf]]",
             "3: abs.rail[1].points: is not a finite number");
         row("a wrong unit of a point", "[[abs.rail]]\npoints = [[0,0],[1e-3,0],\n[0,'1 deg']]",
             "4: abs.rail[1].points: \"1 deg\" has the wrong unit; a length such as nm, um or mm is needed");
@@ -181,7 +185,7 @@ private slots:
         row("fewer recesses than distances", "[[abs.wall]]\ndistance = [0, 1e-6]\nrecess = [0]",
             "4: abs.wall[1].recess: has 1 number for 2 distances");
         row("a word among distances", "[[abs.wall]]\ndistance = [0, 'far']\nrecess = [0, 1]",
-            "3: abs.wall[1].distance: \"far\" is no number");
+            "3: abs.wall[1].distance: \"far\" is not a number");
         row("distances that go back", "[[abs.wall]]\ndistance = [1e-6, 0]\nrecess = [0, 1e-6]",
             "2: abs.wall[1]: Wall profile 1: the distances must ascend; point 2 lies before the point ahead of it");
         row("a rail that crosses itself", rail + "[[abs.rail]]\npoints = [[0,0],[1e-3,1e-3],[1e-3,0],[0,1e-3]]",
@@ -191,7 +195,7 @@ private slots:
         row("too many points of interest", "[abs]\npoints_of_interest = [" + QByteArray("[0,0],").repeated(101) + "]",
             "3: abs.points_of_interest: 101 points are too many; at most 100 are possible");
         row("rails from nowhere", "[abs]\nrails = 'rail.dat'",
-            "3: abs.rails: names a file, but this text stands in no folder");
+            "3: abs.rails: names a file, but this text has no folder");
         row("a number of rails", "[abs]\nrails = 3",
             "3: abs.rails: has the wrong type; the name of a file in quotation marks is needed");
         row("rails from both", "[abs]\nrails = 'rail.dat'\n" + rail,

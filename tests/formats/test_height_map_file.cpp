@@ -164,7 +164,7 @@ private slots:
         row("a matrix of seconds", "# Width: 3 um\n# Height: 1 um\n# Value units: s\n1 2 3 4\n",
             "map.txt: Value units must be a unit of length, as \"nm\", not \"s\"");
         row("no y in wave.def", "0 1 5\n1e-6 2 6\n2e-6 3 7\n",
-            "wave.def:3: the last line must hold the y [m] of each profile alone, 2 numbers", "wave.def");
+            "wave.def:3: the last line must hold only the y [m] of each profile, 2 numbers", "wave.def");
         row("too few y in wave.def", "0 1 5 6\n1e-6 2 6 7\n2e-6 3 7 8\n0 1e-6\n",
             "wave.def:4: the last line must hold the y [m] of each profile, 3 numbers, not 2", "wave.def");
         row("y of wave.def that fall", "0 1 5\n1 2 6\n2 3 7\n3 3 7\n1 0\n",

@@ -38,7 +38,7 @@ private slots:
         QCOMPARE(writeTextFile(file, std::string(1024, 'a')), std::string());
         QCOMPARE(problemOf(file), QString());
         QCOMPARE(writeTextFile(file, std::string(1025, 'a')), std::string());
-        QCOMPARE(problemOf(file), QString("is larger than 1 KiB, so it is no case file"));
+        QCOMPARE(problemOf(file), QString("is larger than 1 KiB, so it is not a case file"));
     }
     /// A terabyte that takes no room on the disk: it would never be read in time.
     void aHugeFileIsNotRead()
@@ -46,7 +46,7 @@ private slots:
         const auto file = path("huge");
         QCOMPARE(writeTextFile(file, "x"), std::string());
         std::filesystem::resize_file(file, std::uintmax_t(1) << 40);
-        QCOMPARE(problemOf(file), QString("is larger than 1 KiB, so it is no case file"));
+        QCOMPARE(problemOf(file), QString("is larger than 1 KiB, so it is not a case file"));
     }
     void whatIsNoFileIsNamed()
     {

@@ -166,8 +166,8 @@ private slots:
                                        << "is not TOML: cannot redefine existing table 'a'" << 3;
         QTest::newRow("a missing value") << QByteArray("a = 1\nb =\n") << "is not TOML: expected value, saw '\\n'" << 2;
         QTest::newRow("a unit without quotation marks") << QByteArray("\n\na = 7 nm\n")
-                                                        << "is not TOML: expected a comment or whitespace, saw 'n'; a "
-                                                           "value with a unit stands in quotation marks, as \"7 nm\""
+                                                        << "is not TOML: expected a comment or whitespace, saw 'n'; "
+                                                           "write a value with a unit in quotation marks, as \"7 nm\""
                                                         << 3;
         QTest::newRow("a zero byte") << QByteArray("a = 1\0\n", 7) << "is not a text file" << 0;
         QTest::newRow("Latin-1") << QByteArray("a = 1\nb = '\xb5m'\n") << "is not valid UTF-8 text" << 2;

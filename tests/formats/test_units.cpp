@@ -119,7 +119,7 @@ private slots:
                                << "is empty; a number is needed";
         QTest::newRow("no number") << "nm"
                                    << "m"
-                                   << "\"nm\" is no number";
+                                   << "\"nm\" is not a number";
         QTest::newRow("not a number") << "nan nm"
                                       << "m"
                                       << "\"nan nm\" is not a finite number";

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "core/numerics/cvode.h"
 #include "tests/support/test_program.h"
 

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSettings>
 
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 
 namespace touchdown {

@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/case_files/case_reader.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {

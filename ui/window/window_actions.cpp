@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "ui/runs/run_controller.h"
 #include "ui/style/icons.h"
 

@@ -34,7 +34,7 @@ private:
     zip_error_t error_{};
 };
 
-/// What stands behind the last slash of either kind, in lower case.
+/// The name behind the last slash or backslash, in lower case.
 std::string baseName(std::string_view name)
 {
     std::string base(name.substr(name.find_last_of("/\\") + 1));
@@ -62,7 +62,7 @@ bool leadsOutside(std::string_view name)
 
 struct Entry {
     zip_uint64_t index = 0;
-    std::string name; // as it stands in the archive
+    std::string name; // as in the archive
 };
 
 std::variant<std::string, FileProblem> readMember(zip_t* archive, const Entry& entry)
@@ -132,7 +132,7 @@ std::variant<CmlArchive, FileProblem> readCmlArchive(std::string_view bytes)
     if (bytes.empty()) return FileProblem{"is empty"};
     if (!bytes.starts_with("PK"))
         return FileProblem{
-            "is no archive of version 7 or 8; the binary files of earlier versions are not read, but the "
+            "is not an archive of version 7 or 8; the binary files of earlier versions are not read, but the "
             "established program can save them anew"};
     Error error;
     Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, error.get()), zip_source_free);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// .cml archives of the established program, versions 7 and 8: PKZIP files that hold its text files. All is read and
-// written in memory, and bounded: an archive is a file from somewhere.
+// .cml archives of the established program, versions 7 and 8: PKZIP files that hold its text files. They are read and
+// written in memory, and all sizes are limited, because an archive may come from an untrusted source.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct CmlArchive {
     std::vector<std::string> warnings; // sentences
 };
 
-/// The text files that stand in the folder of the rail.dat that lies highest.
+/// The text files in the folder of the topmost rail.dat.
 std::variant<CmlArchive, FileProblem> readCmlArchive(std::string_view bytes);
 
 /// The bytes of an archive.

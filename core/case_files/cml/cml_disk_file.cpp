@@ -23,7 +23,7 @@ bool isOn(CmlPart& part)
     return !numbers.empty() && numbers.front().value != 0.0;
 }
 
-/// Where a wave stands on the disk: over the slider, beside it, or ending under it.
+/// Position of a wave on the disk: under the whole slider, beside it, or ending under it.
 enum class Cover : std::uint8_t { All, None, Part };
 
 Cover coverOf(const Case& c, double start, double end)
@@ -45,7 +45,7 @@ void readWaves(CmlPart& part, std::span<const CmlNumber> numbers)
         const std::string name = "wave " + std::to_string(at / waveNumbers + 1);
         const Cover cover = coverOf(part.fields().value(), wave[7].value, wave[8].value);
         if (wave[0].value != 0.0) {
-            part.leaveOut(name + ", which is no sine (type " + std::string(wave[0].text) + ")");
+            part.leaveOut(name + ", which is not a sine (type " + std::string(wave[0].text) + ")");
         } else if (!(wave[3].value > 0.0) || wave[4].value != 0.0) {
             part.leaveOut(name + ", which does not have the one wavelength x");
         } else if (cover == Cover::Part) {
@@ -98,7 +98,7 @@ void readAsperities(CmlPart& part, std::span<const CmlNumber> numbers)
     fields.setNumbers("disk.surface.bump_widths", widths, line);
     fields.setNumbers("disk.surface.bump_x", x, line);
     fields.setNumbers("disk.surface.bump_y", y, line);
-    // They come back after a turn of the disk, and stand alone across the slider.
+    // The bumps return after one turn of the disk and do not repeat across the slider.
     const Case& c = fields.value();
     const double turn = 2.0 * std::numbers::pi * c.disk.radius;
     fields.setNumber("disk.surface.track", std::min(turn, 1.0), line);

@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// Puts what a dynamics.def says into a film case that has the slider of its rail.dat.
+/// Puts the values of a dynamics.def into a film case that has the slider of its rail.dat.
 void readCmlDynamics(std::string_view text, CmlFields& fields);
 
 } // namespace touchdown

@@ -10,6 +10,7 @@
 #include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -32,13 +33,6 @@ double inSi(const CmlNumber& number, const Field& field, std::string_view unit)
     const auto value = parseQuantity(quantity, field.unit);
     if (const auto* problem = std::get_if<UnitProblem>(&value)) throw CmlError(number.line, problem->message);
     return std::get<double>(value);
-}
-
-std::string lowerCase(std::string_view text)
-{
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 std::string titleOf(const CmlSection& section)
@@ -118,7 +112,7 @@ void CmlFields::checkCombinations()
     for (const CaseProblem& problem : touchdown::checkCombinations(value_)) {
         const auto place = places_.find(problem.key);
         const InputProblem at = place != places_.end() ? place->second : InputProblem{file_, 0, "", ""};
-        problems.push_back({at.file, at.line, problem.key, problem.message});
+        problems.push_back(problem.in(at.file, at.line));
     }
 }
 
@@ -156,7 +150,7 @@ std::vector<CmlNumber> CmlPart::sequence(std::size_t count) const
         all.insert(all.end(), each.numbers.begin(), each.numbers.end());
         if (each.numbers.empty()) continue;
         if (stop.empty()) line = each.numbers.back().line;
-        // A word behind a number on its line stands perhaps for the next one.
+        // A word behind a number on the same line may name the next number.
         if (stop.empty() && each.afterLine == line) stop = "; " + inQuotes(each.after) + " is none";
     }
     if (all.size() >= count) return all;

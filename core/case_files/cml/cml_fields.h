@@ -16,14 +16,14 @@
 
 namespace touchdown {
 
-/// A case that CML files fill, with what was wrong and what they say that it does not model.
+/// A case that CML files fill, with the problems and the warnings about values that are not modelled.
 class CmlFields {
 public:
     /// `value` outlives this.
     explicit CmlFields(Case& value) : value_(value) {}
 
     const Case& value() const { return value_; }
-    /// The file of what follows.
+    /// The file of the following values.
     void beginFile(std::string file) { file_ = std::move(file); }
 
     /// The slider's size and its surface.
@@ -41,7 +41,7 @@ public:
     bool wasSet(std::string_view key) const { return places_.contains(std::string(key)); }
     /// 0 for a key that no file set.
     int lineOf(std::string_view key) const;
-    /// Combinations of values that make no sense, at the line of the first of them.
+    /// Adds values that contradict each other, at the line of the first of them.
     void checkCombinations();
 
     std::vector<InputProblem> problems;
@@ -56,7 +56,7 @@ private:
     std::map<std::string, InputProblem> places_; // where each key was set
 };
 
-/// A number with the word that stands above it, in lower case.
+/// A number with the word above it, in lower case.
 struct CmlNamedNumber {
     std::string name;
     CmlNumber number;
@@ -76,7 +76,7 @@ public:
     /// A number; `what` names it in the error.
     const CmlNumber& number(std::size_t list, std::size_t index, std::string_view what) const;
     int whole(std::size_t list, std::size_t index, std::string_view what, int lowest, int highest) const;
-    /// All numbers of the section, `count` or more, whatever lines and headings part them.
+    /// All numbers of the section, `count` or more, across lines and headings.
     std::vector<CmlNumber> sequence(std::size_t count) const;
     /// The first `count` numbers of a list.
     std::span<const CmlNumber> numbers(std::size_t list, std::size_t count, std::string_view what) const;
@@ -85,7 +85,7 @@ public:
     /// All numbers, each with its word of the heading above.
     std::vector<CmlNamedNumber> namedNumbers() const;
 
-    /// Something that is switched on and not modelled.
+    /// Notes a feature that is switched on but not modelled.
     void leaveOut(const std::string& what) { leftOut_ += (leftOut_.empty() ? "" : ", ") + what; }
     /// The one warning of the section.
     void finish();
@@ -96,7 +96,7 @@ private:
     std::string leftOut_;
 };
 
-/// How one kind of section is read. `name` is a part of its title, in lower case; an empty one fits all.
+/// The reader of one kind of section. `name` is a part of its title, in lower case; an empty one fits all.
 struct CmlSectionReader {
     std::string_view name;
     std::string_view title; // as the established program writes it
@@ -108,8 +108,8 @@ struct CmlSectionReader {
 /// section do not keep the others from being read.
 void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlFields& fields);
 
-/// Sets film.nodes to the nearest number of grid lines that fits, with a warning if it is another one; `extra` lines
-/// are the established program's own.
+/// Sets film.nodes to the nearest possible number of grid lines, with a warning if it differs; the established program
+/// has `extra` additional lines.
 void setCmlNodes(CmlPart& part, const CmlNumber& nx, const CmlNumber& ny, int extra);
 
 } // namespace touchdown

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the established program's files have no place for, kept in the comments of a run.dat, which that program does
-// not read:
+// Values that the established program's files cannot hold. They are kept in the comments of a run.dat, which that
+// program does not read:
 //
 //   touchdown: film.scheme = { was = "power-law", is = "limited" }
 //
-// `was` is what the files say without the comment, so that a value that somebody has changed in the files since is not
-// undone.
+// `was` is the value of the files without the comment, so that a value that was changed in the files later is not
+// overwritten.
 #pragma once
 
 #include <string>
@@ -18,13 +18,13 @@ namespace touchdown {
 
 struct CmlKeptValues {
     std::string comments;          // lines of a run.dat
-    std::vector<std::string> keys; // that the model of the case uses, but for its title and what it says of itself
+    std::vector<std::string> keys; // that the model of the case uses, except title and [about]
 };
 
-/// What is needed to make `wanted` of `read`.
+/// The values and comments that turn `read` into `wanted`.
 CmlKeptValues keepValues(const Case& wanted, const Case& read);
 
-/// Puts the values that the comments of a file keep into the case, and takes their lines out of the comments.
+/// Puts the values kept in the comments of a file into the case, and removes their lines from the comments.
 void applyKeptValues(CmlFields& fields);
 
 } // namespace touchdown

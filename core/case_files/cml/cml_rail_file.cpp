@@ -18,7 +18,7 @@ constexpr int mostPointsInAll = 100000; // of all rails
 constexpr int mostWalls = 1000;
 constexpr int mostWallPoints = 1000;
 constexpr std::size_t mostPointsOfInterest = 250; // those of the established program
-constexpr double largest = 1.0;                   // of a coordinate [m]; more tells that a count or a unit is wrong
+constexpr double largest = 1.0;                   // of a coordinate [m]; beyond it a count or a unit is wrong
 
 class RailReader {
 public:

@@ -22,7 +22,7 @@
 
 namespace touchdown {
 
-/// What a rail.dat says.
+/// The content of a rail.dat.
 struct CmlRails {
     double length = 0.0;    // of the slider [m]
     double width = 0.0;     // [m]
@@ -31,13 +31,13 @@ struct CmlRails {
     std::map<std::string, int> lines;   // line of the file of each number that is a field of a case, by its key
     std::vector<int> railLines;         // line on which each rail begins
     std::vector<int> wallLines;         // and each profile's distances
-    std::vector<InputProblem> problems; // what was read is of use only if there are none
+    std::vector<InputProblem> problems; // the values are valid only if there are none
     std::vector<InputProblem> warnings;
     bool valid() const { return problems.empty(); }
 };
 
-/// `file` appears in the problems. Checks numbers and counts; of the shape of rails, see
-/// core/physics/slider/surface_check.h.
+/// `file` appears in the problems. Checks numbers and counts; core/physics/slider/surface_check.h checks the shape of
+/// the rails.
 CmlRails readCmlRails(std::string_view text, const std::string& file);
 
 /// The text of a rail.dat that reads back as the same surface, to the last bit.

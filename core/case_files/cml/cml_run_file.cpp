@@ -31,7 +31,7 @@ void readSolution(CmlPart& part)
     fields.choose("steady.stiffness", stiffness != 0 ? "true" : "false", line);
     fields.choose("steady.fixed_attitude", solution == 0 ? "true" : "false", line);
     fields.choose("film.grid", adapt != 0 ? "adapted" : "uniform", line);
-    if (solution > 1) part.leaveOut("geometry alone or its extrapolation (isolv = " + std::to_string(solution) + ")");
+    if (solution > 1) part.leaveOut("geometry only or its extrapolation (isolv = " + std::to_string(solution) + ")");
     if (oldGrid != 0) part.leaveOut("an existing grid (ioldg)");
 }
 
@@ -182,15 +182,16 @@ constexpr std::array<CmlSectionReader, 13> readers{{
     {"additional", "Additional Parameters", false, readAdditional},
 }};
 
-/// The established program heeds altitudes with its standard air alone; one altitude is then that of the atmosphere.
+/// The established program uses altitudes only with its standard air; a single altitude is then that of the atmosphere.
 void settleAir(CmlFields& fields)
 {
     const bool standard = fields.value().air.source == AirSource::EstablishedStandard;
     const bool series = !fields.value().steady.altitudes.empty();
     const int line = fields.lineOf(series ? "steady.altitudes" : "air.altitude");
     if (!fields.wasSet("air.source") && fields.wasSet("air.pressure"))
-        fields.addWarning(fields.lineOf("air.pressure"),
-                          "Air Parameters: the file's air is taken, as the file says nothing of use_standard_air");
+        fields.addWarning(
+            fields.lineOf("air.pressure"),
+            "Air Parameters: the air of the file is used, because the file does not contain use_standard_air");
     if (!series && fields.value().air.altitude == 0.0) return;
     if (standard) {
         if (!series) fields.choose("air.source", "atmosphere", line);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// run.dat, the established static program's file of what is computed: attitude, runs, air, load, grid, scheme. Its
-// kilograms of load are 9.80665 N. What it does with a file that matters for a comparison:
+// run.dat, the input file of the established static program: attitude, runs, air, load, grid, scheme. One kilogram of
+// load is 9.80665 N. For comparisons, note two of its conventions:
 //
-//   with use_standard_air it takes its own standard air, whatever the file says; altitudes count only then
+//   with use_standard_air it uses its own standard air instead of the file's values; altitudes count only then
 //   the arm of the air's shear is the slider's full thickness
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace touchdown {
 
-/// Puts what a run.dat says into a film case.
+/// Puts the values of a run.dat into a film case.
 void readCmlRun(std::string_view text, CmlFields& fields);
 
-/// A run.dat of the case. What it has no place for has the nearest value that it has, or its default; `comments` go to
-/// the end.
+/// A run.dat of the case. Values that it cannot hold are replaced by the nearest possible value or the default;
+/// `comments` are appended.
 std::string formatCmlRun(const Case& c, std::string_view comments);
 
 } // namespace touchdown

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -15,19 +16,11 @@ constexpr std::size_t mostSections = 1000;
 constexpr std::size_t mostHeadings = 20000;
 constexpr std::size_t mostNumbers = 200000;
 
-std::string_view trimmed(std::string_view text, std::string_view what)
-{
-    const auto first = text.find_first_not_of(what);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(what) - first + 1);
-}
-
-bool isStarLine(std::string_view line) { return trimmed(line, " \t").starts_with('*'); }
+bool isStarLine(std::string_view line) { return trimmed(line, blanks).starts_with('*'); }
 
 bool isComments(std::string_view name)
 {
-    std::string lower(name);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = lowerCase(name);
     return lower.starts_with("comment");
 }
 
@@ -95,7 +88,7 @@ CmlSections splitCmlSections(std::string_view text)
     while (!lines.atEnd()) {
         const int number = lines.line();
         line = lines.takeLine();
-        if (!trimmed(line, " \t").empty()) result.lastLine = number;
+        if (!trimmed(line, blanks).empty()) result.lastLine = number;
         if (comments || !isStarLine(line)) continue;
         endBody(line.data());
         if (result.sections.size() == mostSections) throw CmlError(number, "holds more sections than any such file");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// run.dat and dynamics.def: sections, each a line that begins with a star and bears the section's name, then lists of
-// numbers, each below a heading line. A heading may be any text that does not begin with a number; only the order of
-// the lists counts.
+// run.dat and dynamics.def: sections. A section is a line that begins with a star and holds the section's name, then
+// lists of numbers, each below a heading line. A heading is any text that does not begin with a number; only the order
+// of the lists counts.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace touchdown {
 
-/// The numbers below one heading, up to the next word that is none.
+/// The numbers below one heading, up to the next word that is not a number.
 struct CmlList {
     std::string_view heading{};
     int line = 0; // of the heading
@@ -34,7 +34,7 @@ struct CmlSections {
     int lastLine = 0; // that is not blank
 };
 
-/// `text` outlives the result. A section of comments, by its name, takes all the rest of the file. Throws CmlError.
+/// `text` outlives the result. A section named comments takes the rest of the file. Throws CmlError.
 CmlSections splitCmlSections(std::string_view text);
 
 } // namespace touchdown

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "core/case_files/case_file.h"
-#include "core/formats/csv_field.h"
+#include "core/case_files/case_text.h"
+#include "core/formats/csv_cell.h"
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
 #include "core/formats/text_file.h"
@@ -184,7 +185,7 @@ std::string writeStudyCsv(const std::filesystem::path& path, const StudyReport& 
     std::string text;
     const auto addRow = [&](const auto& cells, const auto& of) {
         std::string row;
-        for (const auto& cell : cells) row += (&cell == &cells.front() ? "" : ",") + csvField(of(cell));
+        for (const auto& cell : cells) row += (&cell == &cells.front() ? "" : ",") + csvCell(of(cell));
         text += row + "\r\n";
     };
     addRow(table.columns, [](const StudyColumn& column) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/case_files/case_settings.h"
 #include "core/formats/quotation.h"
 
 namespace touchdown {

@@ -92,10 +92,11 @@ private slots:
         const std::string good = packed({{"rail.dat", cmlRailText()}, {"run.dat", cmlRunText()}});
         row("empty", "", "is empty");
         row("binary of an early version", std::string("\x01\0CML 4.0\0", 10),
-            "is no archive of version 7 or 8; the binary files of earlier versions are not read, but the established "
+            "is not an archive of version 7 or 8; the binary files of earlier versions are not read, but the "
+            "established "
             "program "
             "can save them anew");
-        row("a text file", cmlRailText(), "is no archive of version 7 or 8");
+        row("a text file", cmlRailText(), "is not an archive of version 7 or 8");
         row("two letters", "PK", "is a damaged archive: ");
         row("noise behind the mark", "PK\x03\x04" + std::string(5000, '\x55'), "is a damaged archive: ");
         row("cut at a half", good.substr(0, good.size() / 2), "is a damaged archive: ");

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml_case.h"
 #include "tests/support/cml_sample.h"

@@ -127,7 +127,8 @@ private slots:
         row("waves of other forms",
             withValues("nwave", "3 0 0 0 0 0\n1 1e-9 0 1e-4 0 1e-5 1e-5 0 0\n"
                                 "0 1e-9 0 1e-4 1e-4 0 0 0 0\n0 1e-9 0 1e-4 0 0 0 0.02 0.023"),
-            "dynamics.def:44: Disk Surface Menu: not modelled: wave 1, which is no sine (type 1), wave 2, which does "
+            "dynamics.def:44: Disk Surface Menu: not modelled: wave 1, which is not a sine (type 1), wave 2, which "
+            "does "
             "not "
             "have the one wavelength x, wave 3, which begins or ends under the slider");
         row("asperities of other forms",

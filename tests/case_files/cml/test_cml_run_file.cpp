@@ -204,7 +204,7 @@ private slots:
             QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(warning);
         };
         row("geometry only", withValues("istiff", "0 2 0 0 1"),
-            "run.dat:3: Solution Control: not modelled: geometry alone or its extrapolation (isolv = 2)");
+            "run.dat:3: Solution Control: not modelled: geometry only or its extrapolation (isolv = 2)");
         row("an existing grid", withValues("istiff", "0 1 1 0 1"),
             "run.dat:3: Solution Control: not modelled: an existing grid (ioldg)");
         row("grid sections and symmetry", withValues("nsx  ", "3 1 1"),
@@ -238,7 +238,8 @@ private slots:
                      "***Air***\np0 al vis\n99000 65e-9 1.82e-5\n***************Sens"),
             "run.dat:68: Air: is there twice; the last one counts");
         row("no word on the air", cmlRunText().substr(0, cmlRunText().find("***********************Additional")),
-            "run.dat:22: Air Parameters: the file's air is taken, as the file says nothing of use_standard_air");
+            "run.dat:22: Air Parameters: the air of the file is used, because the file does not contain "
+            "use_standard_air");
     }
     void notModelled()
     {

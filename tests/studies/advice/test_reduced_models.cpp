@@ -2,6 +2,8 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_text.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"

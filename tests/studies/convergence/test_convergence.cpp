@@ -108,14 +108,14 @@ private slots:
         QCOMPARE(reason.empty(), says.isEmpty());
         QVERIFY2(QString::fromStdString(reason).contains(says), reason.c_str());
     }
-    /// A pad of 9 um is no whole number of cells of 4 x 0.5 um.
+    /// A pad of 9 um is not a whole number of cells of 4 x 0.5 um.
     void refusesCellsThatDoNotFit()
     {
         Case c = sample("contact_rough");
         c.elastic.cell = 0.5e-6;
         c.pad.length = 9e-6;
         const std::string reason = reasonNotToConverge(c, {.levels = 4});
-        QVERIFY2(reason.starts_with("pad.length: 9 um with elastic.cell = 2 um is no whole number"), reason.c_str());
+        QVERIFY2(reason.starts_with("pad.length: 9 um with elastic.cell = 2 um is not a whole number"), reason.c_str());
         QCOMPARE(reasonNotToConverge(c, {.levels = 3}), std::string());
     }
 };

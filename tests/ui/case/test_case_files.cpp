@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Import and export of the established program's cases; the rest of CaseFiles is tested with the window.
+#include "core/case_files/case_text.h"
 #include "ui/case/case_files.h"
 
 #include <memory>

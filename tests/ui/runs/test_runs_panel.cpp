@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 #include "tests/support/test_program.h"
 #include "ui/case/case_difference.h"
 #include "ui/runs/run_delegate.h"

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_text.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
 #include "ui/style/theme.h"

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case_files/case_settings.h"
+
+#include "core/case/disk_setup.h"
+#include "core/case/fields.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_text.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/formats/words.h"
+
+#include <optional>
+
+namespace touchdown {
+
+namespace {
+
+std::string_view keyOf(std::string_view setting) { return trimmed(setting.substr(0, setting.find('=')), blanks); }
+
+/// Applies one "key=value"; returns its problem.
+std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
+{
+    const auto problem = [](std::string_view key, std::string message) {
+        return InputProblem{"--set", 0, shortenedKey(key), std::move(message)};
+    };
+    const auto equals = setting.find('=');
+    if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
+    const std::string_view key = keyOf(setting);
+    const std::string_view written = trimmed(setting.substr(equals + 1), blanks);
+    const Field* field = findField(key);
+    if (field == nullptr)
+        return problem(key.empty() ? inQuotes(setting) : std::string(key), "unknown key" + didYouMean(nearestKey(key)));
+
+    const std::string_view value = withoutQuotes(written);
+    const bool quoted = value.size() < written.size();
+    const auto message = quoted && field->kind == FieldKind::Number ? setFromToml(target, *field, std::string(value))
+                                                                    : setFromText(target, *field, value);
+    if (!message) return {};
+    return problem(key, *message);
+}
+
+} // namespace
+
+void applySettings(CaseDocument& document, const std::vector<std::string>& settings)
+{
+    // A setting may remove a contradiction of the file, or make one.
+    std::erase_if(document.problems, [](const InputProblem& problem) {
+        return problem.kind == ProblemKind::Combination || problem.kind == ProblemKind::MeasuredDisk;
+    });
+    const bool readable = document.valid();
+    for (const std::string& setting : settings)
+        if (auto problem = applySetting(document.value, setting)) document.problems.push_back(std::move(*problem));
+    if (!document.valid()) return;
+    for (const CaseProblem& problem : checkCombinations(document.value))
+        document.problems.push_back(problem.in(document.name));
+    if (document.valid())
+        for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
+    // A value without effect in the file may have one now; a setting may have none.
+    std::erase_if(document.unused,
+                  [&](const InputProblem& unused) { return findField(unused.key)->used(document.value); });
+    for (const std::string& setting : settings) {
+        const std::string key(keyOf(setting));
+        if (const std::string message = unusedMessage(document.value, *findField(key)); !message.empty())
+            document.unused.push_back({"--set", 0, key, message});
+    }
+    if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
+}
+
+} // namespace touchdown
