@@ -267,7 +267,7 @@ private slots:
         std::vector<double> out(pad.size());
         std::array<std::vector<double>, 3> columns;
         problem.film.linearise(problem.p, out);
-        problem.film.attitudeColumns(problem.p, columns);
+        problem.film.attitudeColumns(problem.p, columns, problem.attitudeWork);
         const std::array<double, 3> steps{0.05e-9, 0.05e-9 / L, 0.05e-9 / W};
         for (std::size_t k = 0; k < 3; ++k) {
             std::vector<double> slope(pad.size(), 0.0), r(pad.size());
