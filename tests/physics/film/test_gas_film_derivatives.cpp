@@ -112,9 +112,9 @@ void addSettings()
         QTest::addRow("%s, backwards", name) << setting << 0.0;
         setting.disk.skew = 0.2;
     }
-    for (std::size_t model = 0; model < slipModelNames().size(); ++model) {
+    for (std::size_t model = 0; model < slipLaws().size(); ++model) {
         setting.slip = {.model = static_cast<SlipModel>(model), .switchGap = 40e-9, .blendWidth = 30e-9};
-        QTest::addRow("complete flux, %s", slipModelNames()[model].data()) << setting << 0.0;
+        QTest::addRow("complete flux, %s", slipLaws()[model].name.data()) << setting << 0.0;
     }
     setting.slip = {};
     setting.scheme = Exponential;
