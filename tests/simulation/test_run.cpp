@@ -226,7 +226,7 @@ private slots:
         }
         c.run.sampleInterval = 1e-6;
 
-        QFile file(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/tests/simulation/scipy_reference_%1.csv").arg(name));
+        QFile file(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/tests/simulation/springs/scipy_reference_%1.csv").arg(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
         std::vector<std::array<double, 3>> reference;
         std::vector<double> switches;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An independent integration of the 2-DOF spring model with located switches (SciPy's DOP853), in nm, us and urad (forces in SI).
 
-Writes tests/simulation/scipy_reference_<name>.csv: time [us], flying height [nm], pitch [urad] and, as comments,
+Writes tests/simulation/springs/scipy_reference_<name>.csv: time [us], flying height [nm], pitch [urad] and, as comments,
 the switches. Run from the project's folder; needs python3-scipy. The tests compare with the stored files.
 """
 import sys
@@ -97,7 +97,7 @@ def run(p):
 
 for name, parameters in CASES.items():
     rows, switches = run(parameters)
-    with open(f"tests/simulation/scipy_reference_{name}.csv", "w") as out:
+    with open(f"tests/simulation/springs/scipy_reference_{name}.csv", "w") as out:
         for t, mode in switches:
             print(f"# switch at {t:.6f} us to {mode}", file=out)
         print("time [us],flying_height [nm],pitch [urad]", file=out)

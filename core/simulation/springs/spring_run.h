@@ -3,10 +3,11 @@
 // A run of the model "springs": the case's integrator, its samples, and what follows from them.
 #pragma once
 
-#include "core/numerics/switched_system.h"
 #include "core/simulation/springs/spring_recorder.h"
 
 namespace touchdown {
+
+struct IntegrationResult;
 
 /// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a
 /// fixed-step one.

@@ -10,6 +10,7 @@
 #include "core/case/fields.h"
 #include "core/case_files/case_file.h"
 #include "core/physics/contact/elastic_pair.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
