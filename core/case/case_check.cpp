@@ -85,14 +85,6 @@ void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
     checkTimes(c, problems);
 }
 
-/// The kinetic values and the second-order model assume diffuse reflection.
-bool knowsAccommodation(SlipModel model)
-{
-    using enum SlipModel;
-    return model == Continuum || model == FirstOrder || model == OnePointFiveOrder || model == NewFirstOrder ||
-           model == NewSecondOrder;
-}
-
 void checkSeries(const SteadyCase& steady, std::vector<CaseProblem>& problems)
 {
     if (!steady.skews.empty() && steady.skews.size() != steady.radii.size())
@@ -122,7 +114,7 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
 
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
-    if (!knowsAccommodation(c.air.slip.model) && c.air.slip.accommodation != 1.0)
+    if (!slipLaw(c.air.slip.model).knowsAccommodation && c.air.slip.accommodation != 1.0)
         problems.push_back(
             {"air.accommodation",
              "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) + "), which assumes diffuse walls",

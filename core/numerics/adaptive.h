@@ -46,10 +46,9 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     constexpr double roundOff = 4.0 * std::numeric_limits<double>::epsilon();
 
     State y = start.y;
-    auto mode = start.mode;
     const State inverseScale = system.scale().cwiseInverse() / options.tolerance;
-    GuardWatch<System> watch(system, mode);
-    ChatterWatch chatter;
+    GuardWatch<System> watch(system, start.mode);
+    const auto& mode = watch.mode();
     IntegrationResult result;
 
     std::array<State, 7> k;
@@ -144,15 +143,9 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
         t = t1;
         y = y1;
 
-        if (crossing) {
-            const auto before = mode;
-            mode = system.beyond(mode, crossing->guard, crossing->upper);
-            watch.enter(mode);
-            recorder.event(t, crossing->guard, crossing->upper, before, mode);
-            if (chatter.tooMany(t, system.period(y, mode))) {
-                result.end = IntegrationEnd::Chattering;
-                break;
-            }
+        if (crossing && !watch.cross(t, crossing->guard, crossing->upper, y, recorder)) {
+            result.end = IntegrationEnd::Chattering;
+            break;
         }
         if (h < fullLength) { // cut short: the last stage is not the next step's first
             k[0] = derivative(y);

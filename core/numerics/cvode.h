@@ -39,7 +39,6 @@ using Memory = std::unique_ptr<void, decltype([](void* m) { CVodeFree(&m); })>;
 template <SwitchedSystem System>
 struct View {
     const System& system;
-    typename System::Mode mode;
     GuardWatch<System> watch;
 };
 
@@ -73,13 +72,13 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
     const cvode::Memory memory(CVodeCreate(CV_ADAMS, context.get()));
     void* const cv = memory.get();
 
-    cvode::View<System> view{system, start.mode, GuardWatch<System>(system, start.mode)};
+    cvode::View<System> view{system, GuardWatch<System>(system, start.mode)};
     cvode::map<State>(y.get()) = start.y;
     cvode::map<State>(tolerance.get()) = options.tolerance * system.scale();
 
     const CVRhsFn derivative = [](realtype, N_Vector at, N_Vector rate, void* data) {
         const auto& v = *static_cast<cvode::View<System>*>(data);
-        cvode::map<State>(rate) = v.system.derivative(cvode::map<State>(at), v.mode);
+        cvode::map<State>(rate) = v.system.derivative(cvode::map<State>(at), v.watch.mode());
         return cvode::map<State>(rate).allFinite() ? 0 : 1; // 1: try a shorter step
     };
     const CVRootFn ends = [](realtype, N_Vector at, realtype* inside, void* data) {
@@ -98,7 +97,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         Eigen::Map<Eigen::Matrix<double, size, size>> out(SUNDenseMatrix_Data(j));
         out.setZero();
         out.template topRightCorner<size / 2, size / 2>().setIdentity();
-        out.template bottomRows<size / 2>() = v.system.jacobian(cvode::map<State>(at), v.mode);
+        out.template bottomRows<size / 2>() = v.system.jacobian(cvode::map<State>(at), v.watch.mode());
         return 0;
     };
 
@@ -118,7 +117,6 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
     CVodeSetMaxNumSteps(cv, -1);
     CVodeSetStopTime(cv, until);
 
-    ChatterWatch chatter;
     // CVODE's own counts begin anew at each switch.
     const auto count = [&] {
         long evaluations = 0;
@@ -149,7 +147,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
             CVodeGetDky(cv, s, 0, work.get());
             return State(cvode::map<State>(work.get()));
         };
-        if (t > begin && !recorder.step(t, y1, view.mode, at)) {
+        if (t > begin && !recorder.step(t, y1, view.watch.mode(), at)) {
             result.end = IntegrationEnd::Stopped;
             break;
         }
@@ -168,16 +166,12 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         bool tooMany = false;
         for (int i = 0; i < guardEnds; ++i) {
             if (found[static_cast<std::size_t>(i)] == 0) continue;
-            const auto before = view.mode;
-            view.mode = system.beyond(view.mode, i / 2, i % 2 == 1);
-            recorder.event(t, i / 2, i % 2 == 1, before, view.mode);
-            tooMany = chatter.tooMany(t, system.period(y1, view.mode)) || tooMany;
+            tooMany = !view.watch.cross(t, i / 2, i % 2 == 1, y1, recorder) || tooMany;
         }
         if (tooMany) {
             result.end = IntegrationEnd::Chattering;
             break;
         }
-        view.watch.enter(view.mode);
         count();
         CVodeReInit(cv, t, y.get());
     }

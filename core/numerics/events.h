@@ -52,17 +52,20 @@ private:
     std::size_t next_ = 0;
 };
 
-/// The intervals of the present mode, and how far round-off may carry a guard beyond them.
+/// The mode of a run and its intervals, and how far round-off may carry a guard beyond them.
 template <SwitchedSystem System>
 class GuardWatch {
 public:
     static constexpr int half = System::State::RowsAtCompileTime / 2;
     using State = typename System::State;
+    using Mode = typename System::Mode;
 
-    GuardWatch(const System& system, typename System::Mode mode) : system_(system) { enter(mode); }
+    GuardWatch(const System& system, Mode mode) : system_(system) { enter(mode); }
 
-    void enter(typename System::Mode mode)
+    const Mode& mode() const { return mode_; }
+    void enter(Mode mode)
     {
+        mode_ = mode;
         for (int i = 0; i < System::guardCount; ++i)
             intervals_[static_cast<std::size_t>(i)] = system_.interval(i, mode);
     }
@@ -132,9 +135,22 @@ public:
         return found;
     }
 
+    /// Enters the mode beyond a crossing at `time` [s] and state y, and reports it; false if the switches follow each
+    /// other without end.
+    template <class Recorder>
+    bool cross(double time, int guard, bool upper, const State& y, Recorder& recorder)
+    {
+        const Mode before = mode_;
+        enter(system_.beyond(before, guard, upper));
+        recorder.event(time, guard, upper, before, mode_);
+        return !chatter_.tooMany(time, system_.period(y, mode_));
+    }
+
 private:
     const System& system_;
+    Mode mode_;
     std::array<Interval, System::guardCount> intervals_;
+    ChatterWatch chatter_;
 };
 
 /// Shortens a step that begins at `time` [s] until it ends on a crossing to round-off.

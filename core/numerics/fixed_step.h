@@ -122,9 +122,8 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
     using State = typename System::State;
     constexpr int half = GuardWatch<System>::half;
     State y = start.y;
-    auto mode = start.mode;
-    GuardWatch<System> watch(system, mode);
-    ChatterWatch chatter;
+    GuardWatch<System> watch(system, start.mode);
+    const auto& mode = watch.mode();
     IntegrationResult result;
     const long long count = stepCount(until, options.step);
 
@@ -181,13 +180,8 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
                 y = y1;
                 t = t1;
                 onGrid = !(t < gridTime);
-                if (crossing) {
-                    const auto before = mode;
-                    mode = system.beyond(mode, crossing->guard, crossing->upper);
-                    watch.enter(mode);
-                    recorder.event(t, crossing->guard, crossing->upper, before, mode);
-                    if (chatter.tooMany(t, system.period(y, mode))) return IntegrationEnd::Chattering;
-                }
+                if (crossing && !watch.cross(t, crossing->guard, crossing->upper, y, recorder))
+                    return IntegrationEnd::Chattering;
             }
             ++result.steps;
         }

@@ -73,12 +73,14 @@ void caseRows(const std::string& name, const Case& c, int repeats)
 struct MovingFilm {
     FilmGaps gaps;
     GasFilm film;
+    FilmLoads loads;
     Attitude rest;
     std::vector<double> pressure; // padded [Pa]
 
     MovingFilm(const Case& c, const SteadyResult& steady)
         : gaps(Recess(c.surface, c.slider.length, c.slider.width), steady.grid),
           film(gaps, filmSetting(c)),
+          loads(film),
           rest(steady.attitude),
           pressure(gaps.pad.size(), film.ambient())
     {
@@ -110,7 +112,7 @@ struct MovingFilm {
             result.iterations += step.iterations;
             result.solves += step.solves;
             result.linearisations += step.linearisations;
-            if (k % stride == 0) result.load.push_back(film.load(stepper.pressure())[0]);
+            if (k % stride == 0) result.load.push_back(loads.load(stepper.pressure())[0]);
         }
         result.end.assign(stepper.pressure().begin(), stepper.pressure().end());
         return result;
@@ -161,10 +163,12 @@ void partRow(const std::string& name, Case c, int repeats)
     c.steady.stiffness = c.steady.sensitivities = c.steady.allEquilibria = false;
     MovingFilm moving(c, steady(c));
     GasFilm& film = moving.film;
+    FilmLoads& loads = moving.loads;
+    GasFilm::AttitudeWork work(film);
     const std::vector<double>& p = moving.pressure;
     std::vector<double> residual(p.size());
     std::array<std::vector<double>, 3> columns;
-    GasFilm::ForceDerivatives slopes;
+    FilmLoads::Derivatives slopes;
     FilmEnergy energy(film);
     const auto tell = [repeats](const auto& part) {
         double least = 1e9;
@@ -178,11 +182,11 @@ void partRow(const std::string& name, Case c, int repeats)
     std::printf("%s", name.c_str());
     tell([&] { film.setAttitude(moving.rest); });
     tell([&] { film.residual(p, residual); });
-    tell([&] { film.loadAndShear(p); });
+    tell([&] { loads.loadAndShear(p); });
     tell([&] { energy.at(p); });
     tell([&] { film.linearise(p, residual); });
-    tell([&] { film.forceDerivatives(p, slopes); });
-    tell([&] { film.attitudeColumns(p, columns); });
+    tell([&] { loads.derivatives(p, slopes); });
+    tell([&] { film.attitudeColumns(p, columns, work); });
     std::printf("\n");
     std::fflush(stdout);
 }

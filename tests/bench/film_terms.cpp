@@ -63,7 +63,7 @@ public:
         FilmLevel level(c, recess_, spacing_, std::move(cells));
         level.film.setAttitude(attitude_);
         const bool converged = level.flying.solveFilm(level.pressure, {.tolerance = 1e-8}).converged;
-        return converged ? level.film.load(level.pressure)[0] / gramForce : NAN;
+        return converged ? level.loads.load(level.pressure)[0] / gramForce : NAN;
     }
 
     double ours(int lines, GridKind grid) const

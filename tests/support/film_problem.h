@@ -9,6 +9,7 @@
 
 #include "core/physics/film/film_gaps.h"
 #include "core/physics/film/film_grid.h"
+#include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/film/gas_film.h"
 
@@ -17,11 +18,17 @@ namespace touchdown::test {
 struct FilmProblem {
     FilmGaps gaps;
     GasFilm film;
+    FilmLoads loads;
+    GasFilm::AttitudeWork attitudeWork;
     std::vector<double> p; // padded [Pa]
 
     FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid,
                 const FilmSetting& setting, const Attitude& attitude)
-        : gaps(Recess(surface, length, width), std::move(grid)), film(gaps, setting), p(gaps.pad.size(), film.ambient())
+        : gaps(Recess(surface, length, width), std::move(grid)),
+          film(gaps, setting),
+          loads(film),
+          attitudeWork(film),
+          p(gaps.pad.size(), film.ambient())
     {
         film.setAttitude(attitude);
     }
@@ -33,7 +40,7 @@ struct FilmProblem {
     /// Highest and lowest pressure of the cells [Pa].
     double peak() const { return *std::max_element(p.begin(), p.end()); }
     double lowest() const { return *std::min_element(p.begin(), p.end()); }
-    double load() const { return film.load(p)[0]; } // [N]
+    double load() { return loads.load(p)[0]; } // [N]
     /// What is known for an adapted grid.
     KnownFilm known() const
     {

@@ -120,7 +120,7 @@ FilmEnergyState FilmEnergy::at(std::span<const double> p)
     }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmFaces& faces = film_.faces()[axis];
-        const std::span<const double> speed = film_.halfSpeeds(axis);
+        const std::span<const double> speed = film_.axes()[axis].speed;
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
             const std::size_t first = pad.at(0, j);
             state.dissipation +=

@@ -21,8 +21,9 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
-    film.attitudeColumns(p, columns_);
-    film.attitudeStorageColumns(p, storage_);
+    GasFilm::AttitudeWork work(film);
+    film.attitudeColumns(p, columns_, work);
+    film.attitudeStorageColumns(p, storage_, work);
     for (auto& response : response_) response.assign(film.pad().size(), Complex{});
 }
 

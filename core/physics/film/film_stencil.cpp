@@ -58,6 +58,8 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     sum.assign(pad.size(), 0.0f);
     for (auto* pair : {&storedBelow, &storedAbove})
         for (auto& field : *pair) field.assign(pad.size(), 0.0f);
+    rows.assign(12 * pad.stride(), 0.0);
+    width.assign(pad.stride(), 0.0);
 }
 
 void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume,

@@ -37,6 +37,10 @@ struct FilmStencil {
     std::vector<float> sum;                   // of the nine [m^3/s]
     // Shares of what the cells below and above a face store that it passes on, by axis; padded [-].
     std::array<std::vector<float>, 2> storedBelow, storedAbove;
+
+    // Work space of GasFilm::setStencil.
+    std::vector<double> rows;  // slopes of four rows, by three cells each [m^2/s]
+    std::vector<double> width; // of a row [1/m]
 };
 
 } // namespace touchdown

@@ -73,13 +73,12 @@ TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluateFit(std::size_t n, const double* w
 } // namespace
 
 Mobility::Mobility(SlipModel model, double accommodation, const Air& air)
-    : model_(model), unit_(air.pressure * air.meanFreePath)
+    : law_(slipLaw(model)), first_(law_.firstOrder(accommodation)), unit_(air.pressure * air.meanFreePath)
 {
     assert(model != SlipModel::Combination && unit_ > 0.0);
     const int octave = std::ilogb(unit_);
     smallest_ = std::ldexp(1.0, octave - octavesBelow);
-    if (model == SlipModel::FukuiKanekoFit) return;
-    if (model != SlipModel::FukuiKaneko) expansion_ = slipExpansion(model, accommodation);
+    if (!law_.tabulated) return;
 
     firstPiece_ = std::bit_cast<std::uint64_t>(smallest_) >> pieceShift;
     const std::uint64_t end = std::bit_cast<std::uint64_t>(std::ldexp(1.0, octave + octavesAbove)) >> pieceShift;
@@ -105,7 +104,7 @@ void Mobility::at(std::span<const double> w, std::span<double> mobility, std::sp
     if (!pieces_.empty())
         outside = evaluate<pieceShift>(w.size(), w.data(), &pieces_[0].c0, firstPiece_, pieces_.size(), mobility.data(),
                                        derivative.data());
-    else if (model_ == SlipModel::FukuiKanekoFit)
+    else if (law_.rate == fittedFlowRate)
         outside = evaluateFit(w.size(), w.data(), inverseKnudsen(1.0) / unit_, perFlowRate(), mobility.data(),
                               derivative.data());
     if (outside == 0) return;
@@ -121,13 +120,12 @@ Mobility::Value Mobility::direct(double w) const
     if (std::isnan(w)) return {w, w};
     // Beyond 1e-100 and 1e100 all are alike, so that nothing leaves the numbers' range.
     w = w > 0.0 ? std::clamp(w, 1e-100 * unit_, 1e100 * unit_) : smallest_;
-    if (model_ == SlipModel::FukuiKaneko || model_ == SlipModel::FukuiKanekoFit) {
-        const double d = inverseKnudsen(unit_ / w);
-        const FlowRate q = model_ == SlipModel::FukuiKaneko ? kineticFlowRate(d) : fittedFlowRate(d);
+    if (law_.rate) {
+        const FlowRate q = law_.rate(inverseKnudsen(unit_ / w));
         return {perFlowRate() * q.value, perFlowRate() * q.logSlope / w};
     }
     const double knudsen = unit_ / w;
-    return {w + unit_ * (expansion_.first + expansion_.second * knudsen), 1.0 - expansion_.second * knudsen * knudsen};
+    return {w + unit_ * (first_ + law_.second * knudsen), 1.0 - law_.second * knudsen * knudsen};
 }
 
 FlowTable::FlowTable(const Slip& slip, const Air& air)

@@ -2,242 +2,56 @@
 #include "core/physics/film/gas_film.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/numerics/vector_clones.h"
 
 namespace touchdown {
 
-namespace {
-
-/// Gaps at a row of places, none below zero, where the lift is base - pitch x.
-TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x,
-                                     const double* recess, double* gap)
+FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
 {
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
+    for (auto* row : {&product, &mobility, &mobilityByProduct, &mobilityByGap, &width, &length, &share})
+        row->assign(gaps.pad.stride(), 0.0);
 }
-
-/// Change of the gap along each path of a row against the gap; lift falls by slope times length.
-TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise,
-                                      const double* gap, double* tilt)
-{
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const bool open = gap[k] > closedGap;
-        const double change = (rise[k] - slope * length[k]) / (open ? gap[k] : 1.0);
-        tilt[k] = open ? std::min(1.0, std::max(-1.0, change)) : 0.0;
-    }
-}
-
-} // namespace
 
 GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
-    : gaps_(gaps), setting_(setting), table_(setting.slip, setting.air), cutWork_(gaps)
+    : FilmGeometry(gaps, setting.disk), setting_(setting), table_(setting.slip, setting.air), row_(gaps)
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const CellGrid& grid = gaps_.grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        AxisState& a = axes_[axis];
-        for (auto* field : {&a.gap, &a.tilt, &a.speed}) field->assign(pad.size(), 0.0);
         FilmFaces& f = faces_[axis];
         for (auto* field : {&f.flow, &f.inflow, &f.lower, &f.upper, &f.share, &f.inflowShare, &f.below, &f.above,
                             &f.ownLower, &f.ownUpper, &f.diffusion, &f.effective, &f.convection, &slope_[axis]})
-            field->assign(pad.size(), 0.0);
+            field->assign(pad().size(), 0.0);
         for (FaceMoments& m : rows_.moments[axis])
             for (auto* row : {&m.below, &m.above, &m.belowByMean, &m.aboveByMean, &m.inflowByLower, &m.inflowByUpper})
-                row->assign(pad.stride(), 0.0);
-        for (auto* rows : {&rows_.flow[axis], &rows_.slope[axis]}) rows->assign(2 * pad.stride(), 0.0);
-        const int along = axis == 0 ? pad.nx : pad.ny, across = axis == 0 ? pad.ny : pad.nx;
-        for (int k = 0; k < across; ++k) a.width.push_back(axis == 0 ? grid.widthY(k) : grid.widthX(k));
-        for (int k = 0; k < along; ++k) a.perWidth.push_back(1.0 / (axis == 0 ? grid.widthX(k) : grid.widthY(k)));
+                row->assign(pad().stride(), 0.0);
+        for (auto* rows : {&rows_.flow[axis], &rows_.slope[axis]}) rows->assign(2 * pad().stride(), 0.0);
+        cutFlows_[axis].resize(gaps.faces[axis].cut.size());
+        cutFlowsByPressure_[axis].resize(gaps.faces[axis].cut.size());
     }
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i <= pad.nx; ++i) {
-            const double x = grid.x[static_cast<std::size_t>(i)];
-            const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, x, grid.centreY(j));
-            axes_[0].speed[pad.at(i, j)] = 0.5 * v.x;
-        }
-    for (int j = 0; j <= pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) {
-            const double y = grid.y[static_cast<std::size_t>(j)];
-            const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, grid.centreX(i), y);
-            axes_[1].speed[pad.at(i, j)] = 0.5 * v.y;
-        }
-    const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
-    const double square = v.x * v.x + v.y * v.y;
-    if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
-    rows_.stored.assign(2 * pad.stride(), 0.0);
-    stencilRows_.assign(12 * pad.stride(), 0.0);
-    noStorage_.assign(pad.stride(), 0.0);
-    for (int j = 0; j <= pad.ny + 1; ++j) {
-        const std::size_t row = pad.at(-PaddedGrid::rings, j);
-        const std::vector<std::size_t>& stepped = gaps_.steppedCells;
+    rows_.stored.assign(2 * pad().stride(), 0.0);
+    noStorage_.assign(pad().stride(), 0.0);
+    for (int j = 0; j <= pad().ny + 1; ++j) {
+        const std::size_t row = pad().at(-PaddedGrid::rings, j);
+        const std::vector<std::size_t>& stepped = gaps.steppedCells;
         steppedRows_.push_back(
             static_cast<std::size_t>(std::lower_bound(stepped.begin(), stepped.end(), row) - stepped.begin()));
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
+            const std::vector<CutPlace>& cut = gaps.faces[axis].cut;
             const auto isBefore = [](const CutPlace& place, std::size_t at) { return place.at < at; };
             cutRows_[axis].push_back(
                 static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), row, isBefore) - cut.begin()));
         }
     }
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        cutPaths_[axis] = CutPaths(gaps_, axis, axes_[axis].speed);
-        const FilmGaps::Faces& faces = gaps_.faces[axis];
-        axes_[axis].cutSurface.assign(faces.cut.size(), 0.0);
-        cutFlows_[axis].resize(faces.cut.size());
-        cutFlowsByPressure_[axis].resize(faces.cut.size());
-        for (const CutPlace& place : faces.cut) {
-            const int i = pad.column(place.at), j = pad.row(place.at);
-            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
-            const double x = axis == 0 ? middle : grid.centreX(i), y = axis == 0 ? grid.centreY(j) : middle;
-            axes_[axis].cutArms.push_back({0.5 * gaps_.length - x, 0.5 * gaps_.width - y});
-        }
-    }
-    for (auto* row : {&mobility_, &mobilityByProduct_, &rowProduct_, &rowWidth_, &rowLength_, &rowShare_, &rowRecess_,
-                      &rowRise_, &rowByGap_})
-        row->assign(pad.stride(), 0.0);
-    volume_.assign(pad.size(), 0.0);
-    area_.assign(pad.size(), 0.0);
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) area_[pad.at(i, j)] = grid.widthX(i) * grid.widthY(j);
-    for (int i = 0; i < pad.nx; ++i) centreX_.push_back(grid.centreX(i));
-    for (const CutPlace& place : gaps_.cutCells) {
-        CutCell& cell = cutCells_.emplace_back();
-        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
-            const GapPiece& piece = gaps_.pieces[k];
-            cell.area += piece.extent;
-            cell.recess += piece.extent * piece.recess;
-            cell.x += piece.extent * piece.x;
-            cell.y += piece.extent * piece.y;
-            cell.lowest = std::min(cell.lowest, piece.recess);
-            cell.x0 = std::min(cell.x0, piece.x);
-            cell.x1 = std::max(cell.x1, piece.x);
-            cell.y0 = std::min(cell.y0, piece.y);
-            cell.y1 = std::max(cell.y1, piece.y);
-        }
-    }
-    setCouettePlaces();
-    setAttitude({});
 }
 
-void GasFilm::setRowOverSurface(std::size_t axis, int j)
+double GasFilm::flowScale() const
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const FilmGaps::Faces& faces = gaps_.faces[axis];
-    const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx),
-                      step = pad.step(static_cast<int>(axis));
-    const auto set = [&](std::size_t k, double below, double above) {
-        rowRecess_[k] = faces.recess[first + k] - 0.5 * (below + above);
-        rowRise_[k] = faces.rise[first + k] - (above - below);
-    };
-    const bool lowest = axis == 1 && j == 0, highest = axis == 1 && j == pad.ny;
-    const double *above = surface_.data() + (highest ? first - step : first),
-                 *below = lowest ? above : surface_.data() + first - step;
-    for (std::size_t k = 0; k < nx; ++k) set(k, below[k], above[k]);
-    if (axis == 1) return;
-    set(0, surface_[first], surface_[first]);
-    set(nx, surface_[first + nx - 1], surface_[first + nx - 1]);
-}
-
-void GasFilm::setCutSurface(std::size_t axis)
-{
-    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
-    std::vector<double>& heights = axes_[axis].cutSurface;
-    std::fill(heights.begin(), heights.end(), 0.0);
-    for (std::size_t n = 0; !surface_.empty() && n < cut.size(); ++n) {
-        // The rings' cells have no area.
-        const std::size_t above = cut[n].at, below = above - step;
-        heights[n] =
-            0.5 * (surface_[area_[below] > 0.0 ? below : above] + surface_[area_[above] > 0.0 ? above : below]);
-    }
-}
-
-void GasFilm::setAttitude(const Attitude& attitude)
-{
-    attitude_ = attitude;
-    const PaddedGrid& pad = gaps_.pad;
-    const CellGrid& grid = gaps_.grid;
-    const double base = gaps_.lift(attitude, 0.0, 0.0);
-    const std::size_t nx = static_cast<std::size_t>(pad.nx);
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const FilmGaps::Faces& faces = gaps_.faces[axis];
-        AxisState& a = axes_[axis];
-        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
-            const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
-            const double y = axis == 0 ? grid.centreY(j) : faces.pathMid[line];
-            if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
-            if (!surface_.empty()) setRowOverSurface(axis, j);
-            setGaps(base - attitude.roll * y, attitude.pitch, nx + (axis == 0),
-                    axis == 0 ? faces.pathMid.data() : centreX_.data(),
-                    surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
-            setTilts(axis == 0 ? attitude.pitch : attitude.roll, nx + (axis == 0),
-                     axis == 0 ? faces.pathLength.data() : rowLength_.data(),
-                     surface_.empty() ? &faces.rise[at] : rowRise_.data(), &a.gap[at], &a.tilt[at]);
-        }
-        for (const CutPlace& place : faces.cut) a.gap[place.at] = 0.0;
-        setCutSurface(axis);
-    }
-    for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t at = pad.at(0, j);
-        const double* recess = &gaps_.meanRecess[at];
-        if (!surface_.empty()) {
-            for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
-            recess = rowRecess_.data();
-        }
-        setGaps(base - attitude.roll * grid.centreY(j), attitude.pitch, nx, centreX_.data(), recess, &volume_[at]);
-        for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
-    }
-    // Where part of a cut cell is closed, the rest holds the air.
-    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
-        CutCell& cell = cutCells_[n];
-        const CutPlace& place = gaps_.cutCells[n];
-        const double surface = surfaceAt(place.at), lift = base - surface;
-        double volume = cell.recess + lift * cell.area - attitude.pitch * cell.x - attitude.roll * cell.y;
-        const double lowest = cell.lowest + lift - std::max(attitude.pitch * cell.x0, attitude.pitch * cell.x1) -
-                              std::max(attitude.roll * cell.y0, attitude.roll * cell.y1);
-        cell.open = lowest > 0.0;
-        if (!cell.open) {
-            volume = 0.0;
-            for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
-                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf(gaps_.pieces[k], surface));
-        }
-        volume_[place.at] = volume;
-    }
-    std::array<double, 8> sums{}; // side by side: one after the other each addition would wait for the last
-    const std::size_t whole = volume_.size() / 8 * 8;
-    for (std::size_t at = 0; at < whole; at += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += volume_[at + k];
-    for (std::size_t at = whole; at < volume_.size(); ++at) sums[0] += volume_[at];
-    totalVolume_ = ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-    const Velocity v = diskVelocity(setting_.disk, gaps_.length, gaps_.width, 0.5 * gaps_.length, 0.5 * gaps_.width);
-    const double speed = std::max(std::hypot(v.x, v.y), 1e-3);
-    flowScale_ =
-        0.5 * ambient() * speed * std::max(totalVolume_, gaps_.length * gaps_.width * closedGap) / gaps_.length;
+    const double length = gaps().length, volume = std::max(totalVolume(), length * gaps().width * closedGap);
+    return 0.5 * ambient() * std::max(speed(), 1e-3) * volume / length;
 }
 
 void GasFilm::setStorage(double perTime, std::span<const double> history)
 {
     storagePerTime_ = perTime;
     history_ = history;
-}
-
-double GasFilm::meanGap(int i, int j) const
-{
-    const std::size_t at = gaps_.pad.at(i, j);
-    return gaps_.meanRecess[at] - surfaceAt(at) + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
-}
-
-void GasFilm::clearRings(std::span<double> field) const
-{
-    const PaddedGrid& pad = gaps_.pad;
-    for (int j = -PaddedGrid::rings; j < pad.ny + PaddedGrid::rings; ++j) {
-        const bool inside = j >= 0 && j < pad.ny;
-        for (int i = -PaddedGrid::rings; i < 0; ++i) field[pad.at(i, j)] = field[pad.at(pad.nx - 1 - i, j)] = 0.0;
-        for (int i = 0; !inside && i < pad.nx; ++i) field[pad.at(i, j)] = 0.0;
-    }
 }
 
 } // namespace touchdown

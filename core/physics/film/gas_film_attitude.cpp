@@ -21,18 +21,18 @@ void GasFilm::AttitudeWork::resize(std::size_t size)
 void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap,
                             const std::vector<double>& byRise, std::vector<double>& out) const
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const FilmGaps::Faces& paths = gaps_.faces[axis];
-    const double* x = axis == 0 ? paths.pathMid.data() : centreX_.data();
+    const PaddedGrid& pad = gaps().pad;
+    const FilmGaps::Faces& paths = gaps().faces[axis];
+    const double* x = axis == 0 ? paths.pathMid.data() : centresX().data();
     const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
     for (int j = 0; j < pad.ny + (axis == 1); ++j) {
         const std::size_t line = static_cast<std::size_t>(j), first = pad.at(0, j);
-        const double y = axis == 0 ? gaps_.grid.centreY(j) : paths.pathMid[line];
-        const double lift = k == 0 ? 1.0 : 0.5 * gaps_.width - y; // of height, of roll
+        const double y = axis == 0 ? gaps().grid.centreY(j) : paths.pathMid[line];
+        const double lift = k == 0 ? 1.0 : 0.5 * gaps().width - y; // of height, of roll
         const double *gap = byGap.data() + first, *rise = byRise.data() + first;
         double* to = out.data() + first;
         if (k == 1)
-            for (std::size_t i = 0; i < count; ++i) to[i] += (gaps_.length - x[i]) * gap[i];
+            for (std::size_t i = 0; i < count; ++i) to[i] += (gaps().length - x[i]) * gap[i];
         else
             for (std::size_t i = 0; i < count; ++i) to[i] += lift * gap[i];
         if (k == 1 && axis == 0)
@@ -42,57 +42,27 @@ void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<d
     }
 }
 
-void GasFilm::setAttitudeStorage(std::size_t k, std::span<const double> p, double perTime,
-                                 std::vector<double>& out) const
+void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out,
+                              AttitudeWork& work) const
 {
-    const PaddedGrid& pad = gaps_.pad;
-    out.resize(p.size());
-    for (int j = 0; j < pad.ny; ++j)
-        for (int i = 0; i < pad.nx; ++i) {
-            const std::size_t at = pad.at(i, j);
-            const double area = volume_[at] > 0.0 ? area_[at] : 0.0;
-            out[at] = perTime * p[at] * area *
-                      liftDirections(centreX_[static_cast<std::size_t>(i)], gaps_.grid.centreY(j))[k];
-        }
-    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
-        const CutCell& cell = cutCells_[n];
-        const CutPlace& place = gaps_.cutCells[n];
-        double area = cell.area, x = cell.x, y = cell.y;
-        if (!cell.open) {
-            area = x = y = 0.0;
-            for (std::uint32_t i = gaps_.rows[place.rows].pieces; i < gaps_.rows[place.rows].pieceEnd; ++i) {
-                const GapPiece& piece = gaps_.pieces[i];
-                if (!(gapOf(piece, surfaceAt(place.at)) > 0.0)) continue;
-                area += piece.extent;
-                x += piece.extent * piece.x;
-                y += piece.extent * piece.y;
-            }
-        }
-        const std::array<double, 3> lift{area, gaps_.length * area - x, 0.5 * gaps_.width * area - y};
-        out[place.at] = perTime * p[place.at] * lift[k];
-    }
-}
-
-void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
-{
-    attitudeWork_.resize(p.size());
-    auto& [slopes, flows, cutFlows] = attitudeWork_;
-    setGapSlopes(p, slopes);
+    work.resize(p.size());
+    auto& [row, slopes, flows, cutFlows] = work;
+    setGapSlopes(p, work);
     for (std::size_t axis = 0; axis < 2; ++axis)
-        cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_,
-                              cutFlows[axis]);
+        axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, row.cut,
+                                    cutFlows[axis]);
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+            const std::size_t step = gaps().pad.step(static_cast<int>(axis));
             std::fill(flows.flow[axis].begin(), flows.flow[axis].end(), 0.0);
             addByAttitude(axis, k, slopes[axis].flowByGap, slopes[axis].flowByRise, flows.flow[axis]);
             for (std::size_t n = 0; n < cutFlows[axis].size(); ++n) {
-                const std::size_t at = gaps_.faces[axis].cut[n].at;
+                const std::size_t at = gaps().faces[axis].cut[n].at;
                 flows.flow[axis][at] = cutFlows[axis][n].A.by[k] * p[at - step] - cutFlows[axis][n].B.by[k] * p[at];
             }
         }
         if (storagePerTime_ != 0.0)
-            setAttitudeStorage(k, p, storagePerTime_, flows.stored);
+            setVolumeSlopes(k, storagePerTime_, p, flows.stored);
         else
             flows.stored.clear();
         if (complete()) {
@@ -112,23 +82,24 @@ void GasFilm::addCutCorrections(std::size_t axis, std::size_t k, std::span<const
                                 const std::vector<PathFlow<ByAttitude>>& cutFlows, std::vector<double>& out) const
 {
     const FilmFaces& f = faces_[axis];
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    const std::size_t step = gaps().pad.step(static_cast<int>(axis));
     for (std::size_t n = 0; n < cutFlows.size(); ++n) {
-        const std::size_t at = gaps_.faces[axis].cut[n].at;
+        const std::size_t at = gaps().faces[axis].cut[n].at;
         const PathFlow<ByAttitude>& flow = cutFlows[n];
-        const double inflow = axes_[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
+        const double inflow = axes()[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
         out[at] -= f.share[at] * (slope_[axis][at - step] * flow.below.by[k] + slope_[axis][at] * flow.above.by[k]) +
                    f.inflowShare[at] * inflow;
     }
 }
 
-void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out) const
+void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out,
+                                     AttitudeWork& work) const
 {
-    attitudeWork_.resize(p.size());
-    FaceFlows<double>& flows = attitudeWork_.flows;
+    work.resize(p.size());
+    FaceFlows<double>& flows = work.flows;
     for (std::size_t k = 0; k < 3; ++k) {
         for (auto& flow : flows.flow) std::fill(flow.begin(), flow.end(), 0.0);
-        setAttitudeStorage(k, p, 1.0, flows.stored);
+        setVolumeSlopes(k, 1.0, p, flows.stored);
         if (complete()) {
             setSlopes(flows);
             completeChanges(flows);

@@ -78,18 +78,18 @@ template <typename T>
 void GasFilm::setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
                         T* slopeY) const
 {
-    setSlopeRow(static_cast<std::size_t>(gaps_.pad.nx), axes_[0].perWidth.data(),
-                axes_[1].perWidth[static_cast<std::size_t>(j)], motionShare_[0], motionShare_[1], flowX, flowY,
+    setSlopeRow(static_cast<std::size_t>(gaps().pad.nx), axes()[0].perWidth.data(),
+                axes()[1].perWidth[static_cast<std::size_t>(j)], motionShare()[0], motionShare()[1], flowX, flowY,
                 flowYAbove, stored, slopeX, slopeY);
     // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
-    const std::size_t first = gaps_.pad.at(0, j), row = static_cast<std::size_t>(j);
+    const std::size_t first = gaps().pad.at(0, j), row = static_cast<std::size_t>(j);
     for (std::size_t n = steppedRows_[row]; n < steppedRows_[row + 1]; ++n)
-        slopeX[gaps_.steppedCells[n] - first] = slopeY[gaps_.steppedCells[n] - first] = T{};
+        slopeX[gaps().steppedCells[n] - first] = slopeY[gaps().steppedCells[n] - first] = T{};
 }
 
 void GasFilm::setSlopes(FaceFlows<double>& flows) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
         const double* flowY = &flows.flow[1][at];
@@ -100,7 +100,7 @@ void GasFilm::setSlopes(FaceFlows<double>& flows) const
 
 void GasFilm::completeChanges(FaceFlows<double>& flows) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmFaces& f = faces_[axis];
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
@@ -116,15 +116,15 @@ template <typename T>
 void GasFilm::divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
                          std::span<T> out) const
 {
-    divergeRow(static_cast<std::size_t>(gaps_.pad.nx), flowX, flowY, flowYAbove, stored, &out[gaps_.pad.at(0, j)]);
+    divergeRow(static_cast<std::size_t>(gaps().pad.nx), flowX, flowY, flowYAbove, stored, &out[gaps().pad.at(0, j)]);
 }
 
 void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) const
 {
-    for (int j = 0; j < gaps_.pad.ny; ++j) {
-        const std::size_t at = gaps_.pad.at(0, j);
+    for (int j = 0; j < gaps().pad.ny; ++j) {
+        const std::size_t at = gaps().pad.at(0, j);
         const double* flowY = &flows.flow[1][at];
-        divergence(j, &flows.flow[0][at], flowY, flowY + gaps_.pad.stride(), storedRow(flows, j), out);
+        divergence(j, &flows.flow[0][at], flowY, flowY + gaps().pad.stride(), storedRow(flows, j), out);
     }
 }
 
@@ -138,7 +138,7 @@ template void GasFilm::divergence(int, const double*, const double*, const doubl
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx), ring = PaddedGrid::rings;
     // Of the last rows: their places in the work space are used again and again.
     const auto row = [&](std::vector<T>& field, int j) {
@@ -167,7 +167,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
             const std::size_t at = pad.at(0, j);
             start(0, j);
             start(1, j + 1);
-            setStoredRow(nx, perTime, &volume_[at], &v[at], row(work.stored, j));
+            setStoredRow(nx, perTime, &volumes()[at], &v[at], row(work.stored, j));
             if (complete())
                 setSlopes(j, row(work.flow[0], j), row(work.flow[1], j), row(work.flow[1], j + 1), row(work.stored, j),
                           row(work.slope[0], j), row(work.slope[1], j));
@@ -189,7 +189,7 @@ template void GasFilm::applyJacobian(std::span<const std::complex<double>>, std:
 void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const
 {
     // Backwards through applyJacobian: a face's flow leaves the cell below and enters the one above.
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     std::fill(out.begin(), out.end(), 0.0);
     for (auto& slope : work.slope) std::fill(slope.begin(), slope.end(), 0.0);
     const auto forFaces = [&](auto&& visit) {
@@ -212,25 +212,25 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
         out[before] += f.ownLower[at] * drop;
         out[at] += f.ownUpper[at] * drop;
     });
-    for (const std::size_t at : gaps_.steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
+    for (const std::size_t at : gaps().steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
     if (complete())
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
                 const std::size_t at = pad.at(i, j), up = pad.stride();
-                const double alongX = work.slope[0][at] * axes_[0].perWidth[static_cast<std::size_t>(i)];
-                const double alongY = work.slope[1][at] * axes_[1].perWidth[static_cast<std::size_t>(j)];
+                const double alongX = work.slope[0][at] * axes()[0].perWidth[static_cast<std::size_t>(i)];
+                const double alongY = work.slope[1][at] * axes()[1].perWidth[static_cast<std::size_t>(j)];
                 work.flow[1][at] += alongX;
                 work.flow[1][at + up] -= alongX;
                 work.flow[0][at] += alongY;
                 work.flow[0][at + 1] -= alongY;
-                out[at] -= storagePerTime_ * volume_[at] * (motionShare_[0] * alongX + motionShare_[1] * alongY);
+                out[at] -= storagePerTime_ * volumes()[at] * (motionShare()[0] * alongX + motionShare()[1] * alongY);
             }
     forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
         const FilmFaces& f = faces_[axis];
         out[before] += f.lower[at] * work.flow[axis][at];
         out[at] += f.upper[at] * work.flow[axis][at];
     });
-    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volume_[at] * v[at];
+    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volumes()[at] * v[at];
     clearRings(out);
     for (auto& slope : work.slope) clearRings(slope);
 }

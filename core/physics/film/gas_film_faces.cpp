@@ -119,16 +119,16 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& fa
 
 } // namespace
 
-GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const double> p) const
+GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const double> p, FaceWork& work) const
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const AxisState& a = axes_[axis];
-    const FilmGaps::Faces& paths = gaps_.faces[axis];
+    const PaddedGrid& pad = gaps().pad;
+    const Axis& a = axes()[axis];
+    const FilmGaps::Faces& paths = gaps().faces[axis];
     const std::size_t step = pad.step(static_cast<int>(axis));
     const std::size_t first = pad.at(0, j), count = static_cast<std::size_t>(pad.nx + (axis == 0));
     const double *gap = a.gap.data() + first, *below = p.data() + first - step, *above = p.data() + first;
-    setProducts(count, below, above, gap, rowProduct_.data());
-    table_.at({rowProduct_.data(), count}, {gap, count}, mobility_, mobilityByProduct_);
+    setProducts(count, below, above, gap, work.product.data());
+    table_.at({work.product.data(), count}, {gap, count}, work.mobility, work.mobilityByProduct);
     FaceRow row{first,
                 count,
                 step,
@@ -139,17 +139,17 @@ GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const dou
                 paths.pathLength,
                 paths.upperShare,
                 a.width,
-                mobility_,
-                mobilityByProduct_,
+                work.mobility,
+                work.mobilityByProduct,
                 setting_.air.viscosity};
     if (axis == 0) {
-        std::fill(rowWidth_.begin(), rowWidth_.end(), a.width[static_cast<std::size_t>(j)]);
-        row.width = rowWidth_;
+        std::fill(work.width.begin(), work.width.end(), a.width[static_cast<std::size_t>(j)]);
+        row.width = work.width;
     } else {
-        std::fill(rowLength_.begin(), rowLength_.end(), paths.pathLength[static_cast<std::size_t>(j)]);
-        std::fill(rowShare_.begin(), rowShare_.end(), paths.upperShare[static_cast<std::size_t>(j)]);
-        row.length = rowLength_;
-        row.lowerShare = rowShare_;
+        std::fill(work.length.begin(), work.length.end(), paths.pathLength[static_cast<std::size_t>(j)]);
+        std::fill(work.share.begin(), work.share.end(), paths.upperShare[static_cast<std::size_t>(j)]);
+        row.length = work.length;
+        row.lowerShare = work.share;
     }
     return row;
 }
@@ -159,8 +159,8 @@ void GasFilm::setCutFlows(std::span<const double> p)
 {
     const auto set = [&](auto& flows) {
         for (std::size_t axis = 0; axis < 2; ++axis)
-            cutPaths_[axis].flows(p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity, cutWork_,
-                                  flows[axis]);
+            axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, row_.cut,
+                                        flows[axis]);
     };
     if constexpr (std::is_same_v<Number, double>)
         set(cutFlows_);
@@ -172,12 +172,12 @@ template <ConvectionScheme scheme, typename Number>
 void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
 {
     FaceMoments& moments = rows_.moments[axis][static_cast<std::size_t>(j % 2)];
-    const FaceRow row = smoothRow(axis, j, p);
+    const FaceRow row = smoothRow(axis, j, p, row_);
     setSmoothFaces<scheme, Number>(faces_[axis], moments, row);
     const std::vector<std::size_t>& rows = cutRows_[axis];
     const auto setCut = [&](const auto& flows) {
         for (std::size_t n = rows[static_cast<std::size_t>(j)]; n < rows[static_cast<std::size_t>(j) + 1]; ++n) {
-            const std::size_t at = gaps_.faces[axis].cut[n].at;
+            const std::size_t at = gaps().faces[axis].cut[n].at;
             setFace(faces_[axis], moments, at, at - row.first, flows[n], row.speed[at] < 0.0, p[at - row.step], p[at]);
         }
     };
@@ -206,25 +206,27 @@ template void GasFilm::setFaceRow<double>(std::size_t, int, std::span<const doub
 template void GasFilm::setFaceRow<Dual<1>>(std::size_t, int, std::span<const double>);
 
 template <ConvectionScheme scheme>
-void GasFilm::setGapSlopes(std::size_t axis, std::span<const double> p, GapSlopes& out) const
+void GasFilm::setGapSlopes(std::size_t axis, std::span<const double> p, AttitudeWork& work) const
 {
-    for (int j = 0; j < gaps_.pad.ny + (axis == 1); ++j) {
-        const FaceRow row = smoothRow(axis, j, p);
-        const double* gap = axes_[axis].gap.data() + row.first;
-        for (std::size_t k = 0; k < row.count; ++k) rowByGap_[k] = table_.gapDerivative(rowProduct_[k], gap[k]);
-        setSmoothSlopes<scheme>(out, faces_[axis], slope_[axis].data() + row.first, rowByGap_.data(), row);
+    FaceWork& w = work.row;
+    for (int j = 0; j < gaps().pad.ny + (axis == 1); ++j) {
+        const FaceRow row = smoothRow(axis, j, p, w);
+        const double* gap = axes()[axis].gap.data() + row.first;
+        for (std::size_t k = 0; k < row.count; ++k) w.mobilityByGap[k] = table_.gapDerivative(w.product[k], gap[k]);
+        setSmoothSlopes<scheme>(work.slopes[axis], faces_[axis], slope_[axis].data() + row.first,
+                                w.mobilityByGap.data(), row);
     }
 }
 
-void GasFilm::setGapSlopes(std::span<const double> p, std::array<GapSlopes, 2>& out) const
+void GasFilm::setGapSlopes(std::span<const double> p, AttitudeWork& work) const
 {
     for (std::size_t axis = 0; axis < 2; ++axis) switch (setting_.scheme) {
             using enum ConvectionScheme;
-        case Upwind: setGapSlopes<Upwind>(axis, p, out[axis]); break;
-        case Hybrid: setGapSlopes<Hybrid>(axis, p, out[axis]); break;
-        case PowerLaw: setGapSlopes<PowerLaw>(axis, p, out[axis]); break;
-        case Exponential: setGapSlopes<Exponential>(axis, p, out[axis]); break;
-        case CompleteFlux: setGapSlopes<CompleteFlux>(axis, p, out[axis]); break;
+        case Upwind: setGapSlopes<Upwind>(axis, p, work); break;
+        case Hybrid: setGapSlopes<Hybrid>(axis, p, work); break;
+        case PowerLaw: setGapSlopes<PowerLaw>(axis, p, work); break;
+        case Exponential: setGapSlopes<Exponential>(axis, p, work); break;
+        case CompleteFlux: setGapSlopes<CompleteFlux>(axis, p, work); break;
         }
 }
 

@@ -60,7 +60,7 @@ template <typename Number>
 void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {
     constexpr bool derived = !std::is_same_v<Number, double>;
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
     const auto row = [&](std::vector<double>& rows, int j) {
         return rows.data() + static_cast<std::size_t>((j + 2) % 2) * pad.stride() + PaddedGrid::rings;
@@ -88,7 +88,7 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
             setFaceRow<Number>(0, j, p);
             setFaceRow<Number>(1, j + 1, p);
             if (storagePerTime_ != 0.0)
-                setStored(nx, storagePerTime_, &volume_[first], &p[first], &history_[first], stored(j));
+                setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
             const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
             if (complete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
             finish(0, j);

@@ -90,10 +90,10 @@ TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, doub
 
 void GasFilm::setStencil(FilmStencil& out) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps().pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx);
     const auto rows = [&](std::size_t place) {
-        double* first = stencilRows_.data() + 3 * place * up + PaddedGrid::rings;
+        double* first = out.rows.data() + 3 * place * up + PaddedGrid::rings;
         return SlopeRow{first, first + up, first + 2 * up};
     };
     const auto along = [&](std::size_t axis, int j) {
@@ -107,20 +107,20 @@ void GasFilm::setStencil(FilmStencil& out) const
             return;
         }
         const FilmFaces &f = faces_[axis], &across = faces_[1 - axis];
-        if (axis == 1) std::fill(rowWidth_.begin(), rowWidth_.end(), axes_[1].perWidth[line]);
-        const double* perWidth = axis == 0 ? axes_[0].perWidth.data() : rowWidth_.data();
+        if (axis == 1) std::fill(out.width.begin(), out.width.end(), axes()[1].perWidth[line]);
+        const double* perWidth = axis == 0 ? axes()[0].perWidth.data() : out.width.data();
         const std::size_t step = pad.step(static_cast<int>(axis));
         setSlopeRow(nx, pad.step(axis == 0 ? 1 : 0), &across.lower[at], &across.upper[at], perWidth, row);
-        setPassed(nx, step, motionShare_[axis], perWidth, &f.below[at], &f.above[at], &out.storedBelow[axis][at],
+        setPassed(nx, step, motionShare()[axis], perWidth, &f.below[at], &f.above[at], &out.storedBelow[axis][at],
                   &out.storedAbove[axis][at]);
         // These have no slopes.
         for (std::size_t n = steppedRows_[line]; n < steppedRows_[line + 1]; ++n) {
-            const std::size_t cell = gaps_.steppedCells[n];
+            const std::size_t cell = gaps().steppedCells[n];
             for (double* part : {row.before, row.here, row.after}) part[cell - at] = 0.0;
             out.storedAbove[axis][cell] = out.storedBelow[axis][cell + step] = 0.0f;
         }
     };
-    std::fill(stencilRows_.begin(), stencilRows_.end(), 0.0); // below the first row and beside all of them
+    std::fill(out.rows.begin(), out.rows.end(), 0.0); // below the first row and beside all of them
     setSlopes(1, 0);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);

@@ -10,14 +10,15 @@
 //   Fukui-Kaneko         6 Q_P(D)/D                      Fukui & Kaneko 1988, 1990: kinetic values, or their fit
 //   new first order      1 + 4 a Kn                      Wu & Bogy 2003
 //   new second order     1 + 4 a Kn + 3 Kn^2             Wu & Bogy 2003
-//   combination          Fukui-Kaneko above a gap of 0.3 nm, new second order below (Chen & Bogy, section 2); hard, as
-//   there, or
-//                        blended over a stated width
+//   combination          Fukui-Kaneko above a gap of 0.3 nm, new second order below (Chen & Bogy, section 2); a hard
+//                        switch, as there, or blended over a given width
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string_view>
+
+#include "core/physics/film/kinetic_flow_rate.h"
 
 namespace touchdown {
 
@@ -33,9 +34,6 @@ enum class SlipModel : std::uint8_t {
     Combination,
 };
 
-/// Their names in case files, in the order of the enumerators.
-std::span<const std::string_view> slipModelNames();
-
 struct Slip {
     SlipModel model = SlipModel::FukuiKaneko;
     double accommodation = 1.0; // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
@@ -43,12 +41,22 @@ struct Slip {
     double blendWidth = 0.0;    // combination: width of the blend about the switch [m]; 0: the paper's hard switch
 };
 
-/// Q = 1 + first Kn + second Kn^2.
-struct SlipExpansion {
-    double first = 0.0, second = 0.0; // [-]
+/// A model: its kinetic flow rate, or else the expansion Q = 1 + first Kn + second Kn^2.
+struct SlipLaw {
+    std::string_view name;              // in case files
+    bool knowsAccommodation;            // else walls are diffuse, alpha = 1
+    double first = 0.0, second = 0.0;   // `first` times a where the model knows accommodation [-]
+    FlowRate (*rate)(double) = nullptr; // Q_P(D)
+    bool tabulated = true;              // else evaluated directly: a table would smooth its jumps
+
+    double firstOrder(double accommodation) const
+    {
+        return knowsAccommodation ? first * ((2.0 - accommodation) / accommodation) : first;
+    }
 };
-/// Of a model that is one: not Fukui-Kaneko, its fit, nor the combination.
-SlipExpansion slipExpansion(SlipModel model, double accommodation);
+/// All models, in the order of the enumerators.
+std::span<const SlipLaw> slipLaws();
+const SlipLaw& slipLaw(SlipModel model);
 
 /// Q(Kn) of a model other than the combination; Kn > 0.
 double flowFactor(const Slip& slip, double knudsen);

@@ -47,12 +47,13 @@ Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, 
 CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
                                const CoupledStepOptions& options)
     : film_(film),
+      loads_(film),
       body_(body),
       contact_(contact),
       disk_(disk),
       options_(options),
       stepper_(film, options.film),
-      response_(film, body)
+      response_(film, loads_, body)
 {
     for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
 }
@@ -87,7 +88,7 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
 {
     const Stopwatch watch(cost_.forceSeconds);
-    const std::array<double, 5> force = film_.loadAndShear(p);
+    const std::array<double, 5> force = loads_.loadAndShear(p);
     shear_ = {force[3], force[4]};
     return {force[0], force[1] - body_.shearArm() * force[3], force[2] - body_.shearArm() * force[4]};
 }

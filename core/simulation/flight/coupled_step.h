@@ -126,6 +126,7 @@ private:
     void setTimeError(double dt, CoupledStepResult& result);
 
     GasFilm& film_;
+    FilmLoads loads_;
     const SliderBody& body_;
     SliderContact* contact_;
     DiskUnderFilm* disk_;

@@ -13,7 +13,8 @@ constexpr int mostIterations = 40;
 
 } // namespace
 
-FilmResponse::FilmResponse(const GasFilm& film, const SliderBody& body) : film_(film), body_(body)
+FilmResponse::FilmResponse(const GasFilm& film, FilmLoads& loads, const SliderBody& body)
+    : film_(film), loads_(loads), body_(body), attitudeWork_(film)
 {
     for (auto* fields : {&columns_, &responses_})
         for (auto& field : *fields) field.assign(film.pad().size(), 0.0);
@@ -37,10 +38,10 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
     const auto ask = [&] { return goesOn = goesOn && (!goOn || goOn()); };
     forget();
     const double halfLength = 0.5 * film_.gaps().length;
-    film_.attitudeColumns(p, columns_);
+    film_.attitudeColumns(p, columns_, attitudeWork_);
     // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
     for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= halfLength * columns_[0][at];
-    film_.forceDerivatives(p, forces_);
+    loads_.derivatives(p, forces_);
     int iterations = 0;
     const std::size_t count = body_.holdsRoll() ? 2 : 3;
     for (std::size_t m = 0; m < count; ++m) {

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/simulation/static_state/slider_body.h"
 
@@ -21,8 +22,8 @@ public:
     static constexpr double tolerance = 0.03; // of X [-]
     static constexpr int oldest = 200;        // steps
 
-    /// Film and body must last.
-    FilmResponse(const GasFilm& film, const SliderBody& body);
+    /// All must last; the loads are those of the film.
+    FilmResponse(const GasFilm& film, FilmLoads& loads, const SliderBody& body);
 
     bool known() const { return perTime_ > 0.0; }
     void forget();
@@ -44,9 +45,11 @@ public:
 
 private:
     const GasFilm& film_;
+    FilmLoads& loads_;
     const SliderBody& body_;
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
-    GasFilm::ForceDerivatives forces_;
+    FilmLoads::Derivatives forces_;
+    GasFilm::AttitudeWork attitudeWork_;
     Matrix3 stiffness_{};
     double perTime_ = 0.0; // of the film's storage that they belong to; zero: none yet [1/s]
     int age_ = 0;          // in accepted steps

@@ -84,7 +84,7 @@ double FilmBalance::netContactForce(ContactRegion region)
 
 Vector3 FilmBalance::force(ContactRegion region)
 {
-    const std::array<double, 5> film = level_->film.loadAndShear(level_->pressure);
+    const std::array<double, 5> film = level_->loads.loadAndShear(level_->pressure);
     const bool apart = region == ContactRegion::Apart;
     Vector3 sum = apart ? SliderBody(case_, body_.attitude(q_)).load() : body_.suspension(q_, {});
     const Vector3 touch = contactForce(region);

@@ -24,8 +24,8 @@ FilmModes::FilmModes(const Case& c, const SteadyResult& state)
     std::vector<double> residual(level_.pressure.size());
     level_.film.linearise(level_.pressure, residual);
     oscillation_ = std::make_unique<FilmOscillation>(level_.film, level_.pressure);
-    GasFilm::ForceDerivatives forces;
-    level_.film.forceDerivatives(level_.pressure, forces);
+    FilmLoads::Derivatives forces;
+    level_.loads.derivatives(level_.pressure, forces);
     // The torques of the shear are part of what the static state balances.
     for (std::size_t k = 0; k < 3; ++k) {
         byPressure_[k] = forces.byPressure[k];
@@ -143,9 +143,9 @@ std::vector<FilmModes::Mode> FilmModes::find(const std::function<bool(std::size_
     return known;
 }
 
-Vector3 FilmModes::forces() const
+Vector3 FilmModes::forces()
 {
-    const std::array<double, 5> all = level_.film.loadAndShear(level_.pressure);
+    const std::array<double, 5> all = level_.loads.loadAndShear(level_.pressure);
     return {all[0], all[1] - shearArm_ * all[3], all[2] - shearArm_ * all[4]};
 }
 

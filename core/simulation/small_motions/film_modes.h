@@ -92,7 +92,7 @@ private:
         Vector3 force{};                   // about the slider's centre [N], [N m]
     };
     SurfaceAnswer surfaceAnswer(std::span<const double> height);
-    Vector3 forces() const;
+    Vector3 forces();
 
     const Case& case_;
     const SteadyResult& state_;

@@ -33,8 +33,8 @@ public:
         level.film.linearise(level.pressure, residual);
         oscillation_.emplace(level.film, level.pressure);
         oscillation_->ask(goOn);
-        GasFilm::ForceDerivatives forces;
-        level.film.forceDerivatives(level.pressure, forces);
+        FilmLoads::Derivatives forces;
+        level.loads.derivatives(level.pressure, forces);
         for (std::size_t k = 0; k < 3; ++k) {
             byPressure_[k] = forces.byPressure[k];
             byAttitude_[k] = forces.byAttitude[k];

@@ -39,7 +39,8 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
 FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
     : gaps(std::move(filmGaps)),
       film(gaps, filmSetting(c)),
-      flying(film, sliderLoad(c), spacing),
+      loads(film),
+      flying(film, loads, sliderLoad(c), spacing),
       pressure(gaps.pad.size(), film.ambient())
 {}
 

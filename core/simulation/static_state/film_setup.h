@@ -29,6 +29,7 @@ struct FilmLevel {
 
     FilmGaps gaps;
     GasFilm film;
+    FilmLoads loads;
     FlyingAttitude flying;
     std::vector<double> pressure; // padded, ambient at first [Pa]
 

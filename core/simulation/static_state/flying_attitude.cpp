@@ -61,11 +61,13 @@ SliderLoad sliderLoad(const Case& c)
     return load;
 }
 
-FlyingAttitude::FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing)
+FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad& load, const MinimumSpacing& spacing)
     : film_(film),
+      loads_(loads),
       load_(load),
       spacing_(spacing),
       newton_(film),
+      attitudeWork_(film),
       residual_(film.pad().size()),
       right_(film.pad().size()),
       filmStep_(film.pad().size()),
@@ -89,10 +91,10 @@ Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const A
                                   load_.shearArm * forces[4]};
 }
 
-Vector3 FlyingAttitude::imbalance(std::span<const double> p) const
+Vector3 FlyingAttitude::imbalance(std::span<const double> p)
 {
-    const std::array<double, 3> load = film_.load(p);
-    const std::array<double, 2> shear = film_.shear(p);
+    const std::array<double, 3> load = loads_.load(p);
+    const std::array<double, 2> shear = loads_.shear(p);
     return imbalanceOf({load[0], load[1], load[2], shear[0], shear[1]}, film_.attitude());
 }
 
@@ -106,8 +108,8 @@ double FlyingAttitude::linearise(std::span<const double> p, const Attitude& atti
 {
     film_.setAttitude(attitude);
     film_.linearise(p, residual_);
-    film_.forceDerivatives(p, forces_);
-    film_.attitudeColumns(p, columns_);
+    loads_.derivatives(p, forces_);
+    film_.attitudeColumns(p, columns_, attitudeWork_);
     imbalance_ = imbalanceOf(forces_.value, attitude);
     for (std::size_t k = 0; k < 3; ++k) {
         balanceRows_[k] = forces_.byPressure[k];

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/case/case.h"
+#include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/slider/minimum_spacing.h"
 
@@ -56,7 +57,8 @@ using AttitudeMonitor = std::function<bool(int, double, double, const Attitude&)
 
 class FlyingAttitude {
 public:
-    FlyingAttitude(GasFilm& film, const SliderLoad& load, const MinimumSpacing& spacing);
+    /// All must last; the loads are those of the film.
+    FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad& load, const MinimumSpacing& spacing);
 
     /// Solves the film at the film's attitude; by Newton's method unless another way is set.
     using FilmSolve = std::function<FilmSolution(std::span<double>, const FilmOptions&, const FilmMonitor&)>;
@@ -88,7 +90,7 @@ public:
     Adjoint adjoint(std::span<const double> p);
 
     /// G at p and the film's attitude.
-    Vector3 imbalance(std::span<const double> p) const;
+    Vector3 imbalance(std::span<const double> p);
     double loadError(const Vector3& imbalance) const;
 
 private:
@@ -105,11 +107,13 @@ private:
               std::span<const double> filmStep) const;
 
     GasFilm& film_;
+    FilmLoads& loads_;
     SliderLoad load_;
     const MinimumSpacing& spacing_;
     FilmNewton newton_;
     FilmSolve solveFilm_;
-    GasFilm::ForceDerivatives forces_;
+    FilmLoads::Derivatives forces_;
+    GasFilm::AttitudeWork attitudeWork_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
     Vector3 imbalance_{};

@@ -91,7 +91,8 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
             std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
             pad.pad<double>(pad.unpad<double>(level.pressure), pressure);
             film.residual(pressure, residual);
-            FlyingAttitude flying(film, sliderLoad(moved), spacing);
+            FilmLoads loads(film);
+            FlyingAttitude flying(film, loads, sliderLoad(moved), spacing);
             const Vector3 balance = flying.imbalance(pressure);
             for (std::size_t k = 0; k < 3; ++k) {
                 double sum = 0.0;

@@ -151,7 +151,7 @@ private:
 
     LevelSummary summary() const
     {
-        const FilmForces forces = level_->film.forces(level_->pressure);
+        const FilmForces forces = level_->loads.forces(level_->pressure);
         return {attitude_, spacing_.at(attitude_).spacing, forces.net, forces.positive};
     }
 
@@ -178,7 +178,7 @@ private:
         const MinimumSpacing::Place nearest = spacing_.at(attitude_);
         result_.minimumSpacing = nearest.spacing;
         result_.minimumAt = nearest.at;
-        result_.forces = level.film.forces(level.pressure);
+        result_.forces = level.loads.forces(level.pressure);
         const double arm = sliderLoad(case_).shearArm;
         result_.shearPitchTorque = -arm * result_.forces.shearX;
         result_.shearRollTorque = -arm * result_.forces.shearY;

@@ -52,7 +52,7 @@ std::vector<WedgePoint> pressuresInWedge(const Case& c, SlipModel model)
 {
     FilmSetting setting = filmSetting(c);
     setting.slip.model = model;
-    if (model == SlipModel::FukuiKaneko || model == SlipModel::FukuiKanekoFit || model == SlipModel::SecondOrder)
+    if (!slipLaw(model).knowsAccommodation && model != SlipModel::Combination)
         setting.slip.accommodation = 1.0;
     const double speed = std::abs(c.disk.speed * c.disk.radius);
     setting.disk = {.speed = speed, .radius = 1.0, .skew = 0.0, .field = VelocityField::Uniform};
@@ -113,10 +113,10 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
                       {"growth", "", "", "From 0.1 nm to 0.01 nm"}},
                      {}};
     constexpr double bounded = 1.5; // growth over a decade of gap
-    for (std::size_t k = 0; k < slipModelNames().size(); ++k) {
+    for (std::size_t k = 0; k < slipLaws().size(); ++k) {
         if (goOn && !goOn()) return false;
         const SlipModel model = static_cast<SlipModel>(k);
-        const std::string slip(slipModelNames()[k]);
+        const std::string slip(slipLaws()[k].name);
         const std::vector<WedgePoint> points = pressuresInWedge(c, model);
         if (points.empty()) {
             picture.warnings.push_back("The pressure in a closing gap was not found with the slip model " + slip + ".");

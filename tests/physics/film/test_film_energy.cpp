@@ -171,7 +171,7 @@ private slots:
             FilmEnergyState last = energy.at(film.p);
             const double start = last.stored, dt = 1.3e-5 / count;
             double gained = 0.0, work = 0.0, workApart = 0.0;
-            std::array<double, 3> load = film.film.load(film.p);
+            std::array<double, 3> load = film.loads.load(film.p);
             dissipated = 0.0;
             for (int k = 1; k <= count; ++k) {
                 diskBefore = disk;
@@ -183,7 +183,7 @@ private slots:
                 dissipated += 0.5 * dt * (last.dissipation + now.dissipation);
                 work += energy.volumeWork(before, stepper.pressure(), volumes, film.film.volumes());
                 workApart += energy.surfaceWork(before, stepper.pressure(), diskBefore, disk);
-                const std::array<double, 3> loadBefore = std::exchange(load, film.film.load(stepper.pressure()));
+                const std::array<double, 3> loadBefore = std::exchange(load, film.loads.load(stepper.pressure()));
                 const Attitude from = moved((k - 1) * dt), to = moved(k * dt);
                 const double pitched = to.pitch - from.pitch;
                 const std::array<double, 3> motion{to.height - from.height + 0.5 * L * pitched, pitched,

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/physics/film/film_grid.h"
+#include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_oscillation.h"
 #include "tests/support/test_program.h"
 
@@ -30,16 +31,17 @@ struct Plates {
           film(gaps, {.air = {},
                       .slip = {.model = SlipModel::Continuum},
                       .disk = {.speed = speed / 25e-3, .radius = 25e-3, .field = VelocityField::Uniform}}),
+          loads(film),
           pressure(gaps.pad.size(), film.ambient()),
           residual(pressure.size())
     {
         film.setAttitude({gap, pitch, 0.0});
         film.linearise(pressure, residual);
-        GasFilm::ForceDerivatives forces;
-        film.forceDerivatives(pressure, forces);
+        FilmLoads::Derivatives forces;
+        loads.derivatives(pressure, forces);
         take(forces);
     }
-    void take(const GasFilm::ForceDerivatives& forces)
+    void take(const FilmLoads::Derivatives& forces)
     {
         for (std::size_t k = 0; k < 3; ++k) {
             byPressure[k] = forces.byPressure[k];
@@ -61,6 +63,7 @@ struct Plates {
     Recess recess;
     FilmGaps gaps;
     GasFilm film;
+    FilmLoads loads;
     std::vector<double> pressure, residual;
     std::array<std::vector<double>, 3> byPressure;
     std::array<std::array<double, 3>, 3> byAttitude{};
@@ -120,8 +123,8 @@ void TestFilmOscillation::slowMotionIsTheStaticStiffness()
     FilmNewton newton(plates.film);
     QVERIFY(newton.solve(plates.pressure, {.tolerance = 1e-12}).converged);
     plates.film.linearise(plates.pressure, plates.residual);
-    GasFilm::ForceDerivatives forces;
-    plates.film.forceDerivatives(plates.pressure, forces);
+    FilmLoads::Derivatives forces;
+    plates.loads.derivatives(plates.pressure, forces);
     plates.take(forces);
     const std::complex<double> slow = plates.heave({0.0, 1e-3});
     constexpr double step = 1e-10; // [m]
@@ -130,7 +133,7 @@ void TestFilmOscillation::slowMotionIsTheStaticStiffness()
         std::vector<double> p = plates.pressure;
         plates.film.setAttitude({gap + (side == 0 ? -step : step), 1e-3, 0.0});
         QVERIFY(newton.solve(p, {.tolerance = 1e-13}).residual < 1e-11);
-        load[side] = plates.film.load(p)[0];
+        load[side] = plates.loads.load(p)[0];
     }
     const double expected = -(load[1] - load[0]) / (2.0 * step);
     QVERIFY2(std::abs(slow.real() - expected) < 1e-5 * expected,

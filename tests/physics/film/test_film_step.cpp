@@ -64,7 +64,7 @@ struct Moving : FilmProblem {
             stepper.step(dt, moved(t));
             if (!stepper.accept()) return std::nan("");
         }
-        return film.load(stepper.pressure())[0];
+        return loads.load(stepper.pressure())[0];
     }
 };
 

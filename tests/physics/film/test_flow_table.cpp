@@ -23,8 +23,8 @@ constexpr Slip blend{.model = SlipModel::Combination, .accommodation = 0.9, .swi
 void eachModel()
 {
     QTest::addColumn<SlipModel>("model");
-    const auto names = slipModelNames();
-    for (std::size_t i = 0; i + 1 < names.size(); ++i) QTest::newRow(names[i].data()) << SlipModel(i);
+    const auto laws = slipLaws();
+    for (std::size_t i = 0; i + 1 < laws.size(); ++i) QTest::newRow(laws[i].name.data()) << SlipModel(i);
 }
 
 void compareValues(FlowTable::Value a, FlowTable::Value b)

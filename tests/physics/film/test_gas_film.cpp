@@ -121,7 +121,7 @@ private slots:
             for (int i = 0; i < 30; ++i)
                 QVERIFY2(std::abs(a.at(i, j) / b.at(i, 25 - j) - 1.0) < 1e-8,
                          qPrintable(QString::number(a.at(i, j) / b.at(i, 25 - j) - 1.0)));
-        const FilmForces f = a.film.forces(a.p), g = b.film.forces(b.p);
+        const FilmForces f = a.loads.forces(a.p), g = b.loads.forces(b.p);
         QVERIFY2(std::abs(f.net / g.net - 1.0) < 1e-8, qPrintable(QString::number(f.net / g.net - 1.0)));
         QVERIFY2(std::abs(f.pitchTorque / g.pitchTorque - 1.0) < 1e-8,
                  qPrintable(QString::number(f.pitchTorque / g.pitchTorque - 1.0)));

@@ -112,9 +112,9 @@ void addSettings()
         QTest::addRow("%s, backwards", name) << setting << 0.0;
         setting.disk.skew = 0.2;
     }
-    for (std::size_t model = 0; model < slipModelNames().size(); ++model) {
+    for (std::size_t model = 0; model < slipLaws().size(); ++model) {
         setting.slip = {.model = static_cast<SlipModel>(model), .switchGap = 40e-9, .blendWidth = 30e-9};
-        QTest::addRow("complete flux, %s", slipModelNames()[model].data()) << setting << 0.0;
+        QTest::addRow("complete flux, %s", slipLaws()[model].name.data()) << setting << 0.0;
     }
     setting.slip = {};
     setting.scheme = Exponential;
@@ -267,7 +267,7 @@ private slots:
         std::vector<double> out(pad.size());
         std::array<std::vector<double>, 3> columns;
         problem.film.linearise(problem.p, out);
-        problem.film.attitudeColumns(problem.p, columns);
+        problem.film.attitudeColumns(problem.p, columns, problem.attitudeWork);
         const std::array<double, 3> steps{0.05e-9, 0.05e-9 / L, 0.05e-9 / W};
         for (std::size_t k = 0; k < 3; ++k) {
             std::vector<double> slope(pad.size(), 0.0), r(pad.size());

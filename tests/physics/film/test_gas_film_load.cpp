@@ -115,7 +115,7 @@ private slots:
                                 adaptedGrid(planeSurface(), planeLength, planeWidth, n, n, known), planeSetting(),
                                 planeAttitude);
             if (!problem.solve().converged) return std::array{std::nan(""), 0.0, 0.0};
-            const FilmForces forces = problem.film.forces(problem.p);
+            const FilmForces forces = problem.loads.forces(problem.p);
             return std::array{forces.net / gramForce, 0.5 - forces.pitchTorque / forces.net / planeLength,
                               forces.maximumPressure / known.ambient - 1.0};
         };
@@ -132,15 +132,15 @@ private slots:
     {
         const double L = 1e-3, W = 0.8e-3;
         FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, 10, 8), planeSetting(), planeAttitude);
-        const std::array<double, 3> none = problem.film.load(problem.p);
+        const std::array<double, 3> none = problem.loads.load(problem.p);
         for (const double force : none) QVERIFY(std::abs(force) < 1e-18);
         problem.p[problem.gaps.pad.at(7, 1)] += 2e5;
-        const std::array<double, 3> load = problem.film.load(problem.p);
+        const std::array<double, 3> load = problem.loads.load(problem.p);
         const double force = 2e5 * 1e-8;
         QVERIFY(std::abs(load[0] - force) < 1e-12 * force);
         QVERIFY(std::abs(load[1] + force * 0.25e-3) < 1e-12 * force * L); // behind the centre: nose down
         QVERIFY(std::abs(load[2] - force * 0.25e-3) < 1e-12 * force * W); // inside the centre: inner edge up
-        const FilmForces forces = problem.film.forces(problem.p);
+        const FilmForces forces = problem.loads.forces(problem.p);
         QVERIFY(std::abs(forces.maximumAt.x - 0.75e-3) < 1e-15 && std::abs(forces.maximumAt.y - 0.15e-3) < 1e-15);
         QVERIFY(std::abs(forces.centreOfPositive.x - 0.75e-3) < 1e-15);
         QCOMPARE(forces.negative, 0.0);
@@ -154,7 +154,7 @@ private slots:
         setting.slip = {.model = SlipModel::FirstOrder, .accommodation = 0.8};
         setting.disk = uniformMotion(12.0, 0.3);
         FilmProblem problem(planeSurface(), L, W, uniformGrid(L, W, 10, 8), setting, {h, 0.0, 0.0});
-        const std::array<double, 2> shear = problem.film.shear(problem.p);
+        const std::array<double, 2> shear = problem.loads.shear(problem.p);
         const double stress = 1.806e-5 * 12.0 / (h + 3.0 * 63.5e-9);
         QVERIFY(std::abs(shear[0] / (stress * L * W * std::cos(0.3)) - 1.0) < 1e-12);
         QVERIFY(std::abs(shear[1] / (-stress * L * W * std::sin(0.3)) - 1.0) < 1e-12);
@@ -179,7 +179,7 @@ private slots:
                     problem.p[pad.at(i, j)] += above;
                     load += above * (i == 0 || i == 19 ? 0.75 : 1.0) * L / 20 * W / 8;
                 }
-            QVERIFY(std::abs(problem.film.shear(problem.p)[0] + 0.5 * pitch * load) < 1e-11 * 100e-6 * load);
+            QVERIFY(std::abs(problem.loads.shear(problem.p)[0] + 0.5 * pitch * load) < 1e-11 * 100e-6 * load);
         }
     }
 
@@ -211,11 +211,11 @@ private slots:
         for (std::size_t at = 0; at < disk.size(); ++at) disk[at] = waves * std::sin(2.1 * static_cast<double>(at));
         if (waves > 0.0) problem.film.setSurface(disk);
         problem.film.setAttitude(attitude);
-        GasFilm::ForceDerivatives exact;
-        problem.film.forceDerivatives(problem.p, exact);
+        FilmLoads::Derivatives exact;
+        problem.loads.derivatives(problem.p, exact);
         const auto values = [&] {
-            const std::array<double, 3> load = problem.film.load(problem.p);
-            const std::array<double, 2> shear = problem.film.shear(problem.p);
+            const std::array<double, 3> load = problem.loads.load(problem.p);
+            const std::array<double, 2> shear = problem.loads.shear(problem.p);
             return std::array{load[0], load[1], load[2], shear[0], shear[1]};
         };
         const std::array<double, 5> now = values();
@@ -224,13 +224,13 @@ private slots:
         std::array<std::vector<double>, 3> columns;
         std::vector<double> residual(pad.size());
         problem.film.linearise(problem.p, residual);
-        problem.film.attitudeColumns(problem.p, columns);
+        problem.film.attitudeColumns(problem.p, columns, problem.attitudeWork);
         const long long before = allocations;
         problem.film.setAttitude(attitude);
-        const std::array<double, 5> both = problem.film.loadAndShear(problem.p);
+        const std::array<double, 5> both = problem.loads.loadAndShear(problem.p);
         QCOMPARE(values(), now);
-        problem.film.attitudeColumns(problem.p, columns);
-        problem.film.forceDerivatives(problem.p, exact);
+        problem.film.attitudeColumns(problem.p, columns, problem.attitudeWork);
+        problem.loads.derivatives(problem.p, exact);
         QCOMPARE(allocations.load(), before);
         for (std::size_t k = 0; k < 5; ++k) QVERIFY(std::abs(both[k] - now[k]) < 1e-15 * std::abs(now[0]));
         std::array<double, 5> largest{};

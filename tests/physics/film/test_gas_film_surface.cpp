@@ -189,23 +189,23 @@ private slots:
                 history[pad.at(i, j)] = 1e5 * lower->p[pad.at(i, j)] * lower->film.volumes()[pad.at(i, j)];
             }
         std::array<std::vector<double>, 2> residuals;
-        std::array<GasFilm::ForceDerivatives, 2> forces;
+        std::array<FilmLoads::Derivatives, 2> forces;
         std::array<std::array<std::vector<double>, 3>, 2> columns;
         for (std::size_t k = 0; k < 2; ++k) {
             FilmProblem& problem = k == 0 ? *over : *lower;
             residuals[k].resize(pad.size());
             problem.film.setStorage(3e5, history);
             problem.film.linearise(problem.p, residuals[k]);
-            problem.film.forceDerivatives(problem.p, forces[k]);
-            problem.film.attitudeColumns(problem.p, columns[k]);
+            problem.loads.derivatives(problem.p, forces[k]);
+            problem.film.attitudeColumns(problem.p, columns[k], problem.attitudeWork);
         }
         QVERIFY(near(residuals[0], residuals[1]));
         for (std::size_t axis = 0; axis < 2; ++axis) {
             QVERIFY(near(over->film.faces()[axis].lower, lower->film.faces()[axis].lower));
             QVERIFY(near(over->film.faces()[axis].upper, lower->film.faces()[axis].upper));
         }
-        QVERIFY(near(over->film.load(over->p), lower->film.load(lower->p)));
-        QVERIFY(near(over->film.shear(over->p), lower->film.shear(lower->p)));
+        QVERIFY(near(over->loads.load(over->p), lower->loads.load(lower->p)));
+        QVERIFY(near(over->loads.shear(over->p), lower->loads.shear(lower->p)));
         for (std::size_t k = 0; k < 5; ++k) {
             QVERIFY(near(forces[0].byPressure[k], forces[1].byPressure[k]));
             QVERIFY(near(forces[0].byAttitude[k], forces[1].byAttitude[k]));
@@ -215,7 +215,7 @@ private slots:
         over->film.setSurface({});
         over->film.setAttitude(lower->film.attitude());
         QVERIFY(over->film.volumes() == lower->film.volumes());
-        QVERIFY(near(over->film.load(over->p), lower->film.load(lower->p)));
+        QVERIFY(near(over->loads.load(over->p), lower->loads.load(lower->p)));
     }
 
     /// Waves of a tenth of the gap, two and a half over the length, that stand still: the ordinary equation with the

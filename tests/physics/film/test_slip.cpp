@@ -75,14 +75,14 @@ private slots:
 
     void namesFollowTheEnumerators()
     {
-        const auto names = slipModelNames();
-        QCOMPARE(names.size(), std::size_t{9});
-        QCOMPARE(names[std::size_t(SlipModel::Continuum)], std::string_view("continuum"));
-        QCOMPARE(names[std::size_t(SlipModel::OnePointFiveOrder)], std::string_view("1.5-order"));
-        QCOMPARE(names[std::size_t(SlipModel::FukuiKaneko)], std::string_view("fukui-kaneko"));
-        QCOMPARE(names[std::size_t(SlipModel::FukuiKanekoFit)], std::string_view("fukui-kaneko-fit"));
-        QCOMPARE(names[std::size_t(SlipModel::NewSecondOrder)], std::string_view("new-second-order"));
-        QCOMPARE(names[std::size_t(SlipModel::Combination)], std::string_view("combination"));
+        const auto laws = slipLaws();
+        QCOMPARE(laws.size(), std::size_t{9});
+        QCOMPARE(slipLaw(SlipModel::Continuum).name, std::string_view("continuum"));
+        QCOMPARE(slipLaw(SlipModel::OnePointFiveOrder).name, std::string_view("1.5-order"));
+        QCOMPARE(slipLaw(SlipModel::FukuiKaneko).name, std::string_view("fukui-kaneko"));
+        QCOMPARE(slipLaw(SlipModel::FukuiKanekoFit).name, std::string_view("fukui-kaneko-fit"));
+        QCOMPARE(slipLaw(SlipModel::NewSecondOrder).name, std::string_view("new-second-order"));
+        QCOMPARE(slipLaw(SlipModel::Combination).name, std::string_view("combination"));
     }
 };
 

@@ -42,8 +42,8 @@ double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& 
     level.film.setAttitude(rest.attitude);
     std::vector<double> residual(level.pressure.size());
     level.film.linearise(level.pressure, residual);
-    GasFilm::ForceDerivatives forces;
-    level.film.forceDerivatives(level.pressure, forces);
+    FilmLoads::Derivatives forces;
+    level.loads.derivatives(level.pressure, forces);
     std::array<std::vector<double>, 3> byPressure;
     std::array<std::array<double, 3>, 3> byAttitude{};
     for (std::size_t k = 0; k < 3; ++k) {

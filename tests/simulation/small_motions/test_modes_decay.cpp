@@ -92,8 +92,8 @@ public:
 private:
     Eigen::Vector3d forces() const
     {
-        const std::array<double, 3> load = level_.film.load(stepper_.pressure());
-        const std::array<double, 2> shear = level_.film.shear(stepper_.pressure());
+        const std::array<double, 3> load = level_.loads.load(stepper_.pressure());
+        const std::array<double, 2> shear = level_.loads.shear(stepper_.pressure());
         const double arm = sliderLoad(case_).shearArm;
         return {load[0], load[1] - arm * shear[0], load[2] - arm * shear[1]};
     }

@@ -105,7 +105,7 @@ void TestFlyingAttitude::stiffnessAgreesWithDifferences()
             std::vector<double> p = solved.level.pressure;
             solved.level.film.setAttitude(moved);
             QVERIFY(solved.level.flying.solveFilm(p, {.tolerance = 1e-13, .maximumIterations = 30}).residual < 1e-11);
-            loads[static_cast<std::size_t>(side)] = solved.level.film.load(p);
+            loads[static_cast<std::size_t>(side)] = solved.level.loads.load(p);
         }
         for (std::size_t k = 0; k < 3; ++k) {
             const double difference = -(loads[1][k] - loads[0][k]) / (2.0 * step);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/film_loads.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,24 +75,48 @@ TOUCHDOWN_VECTOR_CLONES void setGapsOfVolumes(std::size_t count, const double* v
 
 } // namespace
 
-/// Couette's weights: viscosity times area times the disk's velocity under the cell's centre.
-void GasFilm::setCouettePlaces()
+FilmLoads::FilmLoads(const GasFilm& film) : film_(film), cutWork_(film.gaps())
 {
-    const PaddedGrid& pad = gaps_.pad;
+    for (auto* field : {&gap_, &pressure_, &byGap_, &byPressure_})
+        field->assign(std::max(film.pad().stride(), groupSize), 0.0);
+    rowWidth_.assign(film.pad().stride(), 0.0);
+    setCouetteWeights();
+    setCutArms();
+}
+
+void FilmLoads::setCutArms()
+{
+    const PaddedGrid& pad = film_.pad();
+    const CellGrid& grid = film_.gaps().grid;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const FilmGaps::Faces& faces = film_.gaps().faces[axis];
+        for (const CutPlace& place : faces.cut) {
+            const int i = pad.column(place.at), j = pad.row(place.at);
+            const double middle = faces.pathMid[static_cast<std::size_t>(axis == 0 ? i : j)];
+            const double x = axis == 0 ? middle : grid.centreX(i), y = axis == 0 ? grid.centreY(j) : middle;
+            cutArms_[axis].push_back({0.5 * film_.gaps().length - x, 0.5 * film_.gaps().width - y});
+        }
+    }
+}
+
+/// Couette's weights: viscosity times area times the disk's velocity under the cell's centre.
+void FilmLoads::setCouetteWeights()
+{
+    const PaddedGrid& pad = film_.gaps().pad;
     const auto weights = [&](int i, int j) {
-        const Velocity v =
-            diskVelocity(setting_.disk, gaps_.length, gaps_.width, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
-        return std::array{setting_.air.viscosity * v.x, setting_.air.viscosity * v.y};
+        const Velocity v = diskVelocity(film_.disk(), film_.gaps().length, film_.gaps().width,
+                                        film_.gaps().grid.centreX(i), film_.gaps().grid.centreY(j));
+        return std::array{film_.air().viscosity * v.x, film_.air().viscosity * v.y};
     };
     for (auto& field : couette_) field.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i)
             for (std::size_t axis = 0; axis < 2; ++axis)
-                couette_[axis][pad.at(i, j)] = weights(i, j)[axis] * area_[pad.at(i, j)];
-    for (const CutPlace& place : gaps_.cutCells) {
+                couette_[axis][pad.at(i, j)] = weights(i, j)[axis] * film_.areas()[pad.at(i, j)];
+    for (const CutPlace& place : film_.gaps().cutCells) {
         const std::array<double, 2> weight = weights(pad.column(place.at), pad.row(place.at));
-        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
-            const GapPiece& piece = gaps_.pieces[k];
+        for (std::uint32_t k = film_.gaps().rows[place.rows].pieces; k < film_.gaps().rows[place.rows].pieceEnd; ++k) {
+            const GapPiece& piece = film_.gaps().pieces[k];
             cutPieces_.recess.push_back(piece.recess);
             cutPieces_.x.push_back(piece.x);
             cutPieces_.y.push_back(piece.y);
@@ -100,80 +126,79 @@ void GasFilm::setCouettePlaces()
         }
         for (auto& field : couette_) field[place.at] = 0.0;
     }
-    for (auto* field : {&forceWork_.gap, &forceWork_.pressure, &forceWork_.byGap, &forceWork_.byPressure})
-        field->assign(std::max(pad.stride(), ForceWork::pieces), 0.0);
 }
 
-double GasFilm::slipLength() const
+double FilmLoads::slipLength() const
 {
-    return 2.0 * (2.0 - setting_.slip.accommodation) / setting_.slip.accommodation * setting_.air.meanFreePath *
-           ambient();
+    return 2.0 * (2.0 - film_.slip().accommodation) / film_.slip().accommodation * film_.air().meanFreePath *
+           film_.ambient();
 }
 
-void GasFilm::setCellRow(int j, std::span<const double> p) const
+void FilmLoads::setCellRow(int j, std::span<const double> p)
 {
-    const std::size_t first = gaps_.pad.at(0, j), count = static_cast<std::size_t>(gaps_.pad.nx);
-    setGapsOfVolumes(count, &volume_[first], axes_[0].perWidth.data(), axes_[1].perWidth[static_cast<std::size_t>(j)],
-                     forceWork_.gap.data());
-    std::copy_n(&p[first], count, forceWork_.pressure.begin());
+    const std::size_t first = film_.gaps().pad.at(0, j), count = static_cast<std::size_t>(film_.gaps().pad.nx);
+    setGapsOfVolumes(count, &film_.volumes()[first], film_.axes()[0].perWidth.data(),
+                     film_.axes()[1].perWidth[static_cast<std::size_t>(j)], gap_.data());
+    std::copy_n(&p[first], count, pressure_.begin());
 }
 
-std::size_t GasFilm::setCutPieces(std::size_t first, std::span<const double> p) const
+std::size_t FilmLoads::setCutPieces(std::size_t first, std::span<const double> p)
 {
-    const double base = gaps_.lift(attitude_, 0.0, 0.0);
-    const std::size_t count = std::min(ForceWork::pieces, cutPieces_.at.size() - first);
+    const double base = film_.gaps().lift(film_.attitude(), 0.0, 0.0);
+    const std::size_t count = std::min(groupSize, cutPieces_.at.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t n = first + k, at = cutPieces_.at[n];
-        const double lift = base - attitude_.pitch * cutPieces_.x[n] - attitude_.roll * cutPieces_.y[n];
-        forceWork_.gap[k] = cutPieces_.recess[n] - surfaceAt(at) + lift;
-        forceWork_.pressure[k] = p[at];
+        const double lift = base - film_.attitude().pitch * cutPieces_.x[n] - film_.attitude().roll * cutPieces_.y[n];
+        gap_[k] = cutPieces_.recess[n] - film_.surfaceAt(at) + lift;
+        pressure_[k] = p[at];
     }
     return count;
 }
 
-void GasFilm::addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const
+void FilmLoads::addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const
 {
-    for (int j = 0; j < gaps_.pad.ny; ++j) {
-        const std::array<double, 2> row = rowLoad(static_cast<std::size_t>(gaps_.pad.nx), &p[gaps_.pad.at(0, j)],
-                                                  ambient(), axes_[1].width.data(), centreX_.data());
-        const double width = gaps_.grid.widthY(j), force = width * row[0];
+    for (int j = 0; j < film_.gaps().pad.ny; ++j) {
+        const std::array<double, 2> row =
+            rowLoad(static_cast<std::size_t>(film_.gaps().pad.nx), &p[film_.gaps().pad.at(0, j)], film_.ambient(),
+                    film_.axes()[1].width.data(), film_.centresX().data());
+        const double width = film_.gaps().grid.widthY(j), force = width * row[0];
         sum[0] += force;
-        sum[1] += 0.5 * gaps_.length * force - width * row[1];
-        sum[2] += (0.5 * gaps_.width - gaps_.grid.centreY(j)) * force;
+        sum[1] += 0.5 * film_.gaps().length * force - width * row[1];
+        sum[2] += (0.5 * film_.gaps().width - film_.gaps().grid.centreY(j)) * force;
     }
 }
 
 /// A step across the motion's path makes a layer that may be thinner than a cell; where none is, kinks at edges and
 /// bends between cells cancel in the sum of cells. So of the excess only the part along the motion counts.
-void GasFilm::addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum) const
+void FilmLoads::addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum)
 {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const bool hasLayers = layers && motionShare_[axis] > 0.0;
+        const bool hasLayers = layers && film_.motionShare()[axis] > 0.0;
         if (!hasLayers && !drags) continue;
-        cutPaths_[axis].forces(hasLayers, p, attitude_, axes_[axis].cutSurface, table_, setting_.air.viscosity,
-                               cutWork_, cutForces_);
+        film_.axes()[axis].cutPaths.forces(hasLayers, p, film_.attitude(), film_.axes()[axis].cutSurface,
+                                           film_.flowTable(), film_.air().viscosity, cutWork_, cutForces_);
         double drag = 0.0;
         std::array<double, 3> load{};
         for (std::size_t n = 0; n < cutForces_.size(); ++n) {
-            const std::array<double, 2>& arms = axes_[axis].cutArms[n];
+            const std::array<double, 2>& arms = cutArms_[axis][n];
             load[0] += cutForces_[n].excess;
             load[1] += cutForces_[n].excess * arms[0];
             load[2] += cutForces_[n].excess * arms[1];
             drag += cutForces_[n].drag;
         }
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += motionShare_[axis] * load[k];
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += film_.motionShare()[axis] * load[k];
         sum[3 + axis] += drag;
     }
 }
 
-void GasFilm::addShear(std::span<const double> p, std::array<double, 5>& sum) const
+void FilmLoads::addShear(std::span<const double> p, std::array<double, 5>& sum)
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = film_.gaps().pad;
     const double slip = slipLength();
     const auto addCouette = [&](const std::array<std::vector<double>, 2>& weights, std::size_t first,
                                 std::size_t count) {
-        const std::array<double, 2> drag = couette(count, forceWork_.gap.data(), forceWork_.pressure.data(),
-                                                   &weights[0][first], &weights[1][first], slip);
+        const std::array<double, 2> drag =
+            couette(count, gap_.data(), pressure_.data(), &weights[0][first], &weights[1][first], slip);
         sum[3] += drag[0];
         sum[4] += drag[1];
     };
@@ -181,21 +206,22 @@ void GasFilm::addShear(std::span<const double> p, std::array<double, 5>& sum) co
         setCellRow(j, p);
         addCouette(couette_, pad.at(0, j), static_cast<std::size_t>(pad.nx));
     }
-    for (std::size_t first = 0; first < cutPieces_.at.size(); first += ForceWork::pieces)
+    for (std::size_t first = 0; first < cutPieces_.at.size(); first += groupSize)
         addCouette(cutPieces_.couette, first, setCutPieces(first, p));
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const std::size_t step = pad.step(static_cast<int>(axis)),
                           count = static_cast<std::size_t>(pad.nx + (axis == 0));
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
             const std::size_t first = pad.at(0, j);
-            if (axis == 0) std::fill(rowWidth_.begin(), rowWidth_.end(), axes_[0].width[static_cast<std::size_t>(j)]);
-            const double* width = axis == 0 ? rowWidth_.data() : axes_[1].width.data();
-            sum[3 + axis] -= 0.5 * rowDrop(count, &p[first - step], &p[first], &axes_[axis].gap[first], width);
+            if (axis == 0)
+                std::fill(rowWidth_.begin(), rowWidth_.end(), film_.axes()[0].width[static_cast<std::size_t>(j)]);
+            const double* width = axis == 0 ? rowWidth_.data() : film_.axes()[1].width.data();
+            sum[3 + axis] -= 0.5 * rowDrop(count, &p[first - step], &p[first], &film_.axes()[axis].gap[first], width);
         }
     }
 }
 
-std::array<double, 3> GasFilm::load(std::span<const double> p) const
+std::array<double, 3> FilmLoads::load(std::span<const double> p)
 {
     std::array<double, 5> sum{};
     addCellLoads(p, sum);
@@ -203,7 +229,7 @@ std::array<double, 3> GasFilm::load(std::span<const double> p) const
     return {sum[0], sum[1], sum[2]};
 }
 
-std::array<double, 2> GasFilm::shear(std::span<const double> p) const
+std::array<double, 2> FilmLoads::shear(std::span<const double> p)
 {
     std::array<double, 5> sum{};
     addShear(p, sum);
@@ -211,7 +237,7 @@ std::array<double, 2> GasFilm::shear(std::span<const double> p) const
     return {sum[3], sum[4]};
 }
 
-std::array<double, 5> GasFilm::loadAndShear(std::span<const double> p) const
+std::array<double, 5> FilmLoads::loadAndShear(std::span<const double> p)
 {
     std::array<double, 5> sum{};
     addCellLoads(p, sum);
@@ -220,10 +246,10 @@ std::array<double, 5> GasFilm::loadAndShear(std::span<const double> p) const
     return sum;
 }
 
-FilmForces GasFilm::forces(std::span<const double> p) const
+FilmForces FilmLoads::forces(std::span<const double> p)
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const CellGrid& grid = gaps_.grid;
+    const PaddedGrid& pad = film_.gaps().pad;
+    const CellGrid& grid = film_.gaps().grid;
     FilmForces result;
     std::array<double, 2> px{}, py{}; // moments of the positive and of the negative part
     result.maximumPressure = result.minimumPressure = p[pad.at(0, 0)];
@@ -231,7 +257,8 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
-            const double x = grid.centreX(i), y = grid.centreY(j), force = (p[at] - ambient()) * area_[at];
+            const double x = grid.centreX(i), y = grid.centreY(j),
+                         force = (p[at] - film_.ambient()) * film_.areas()[at];
             (force > 0.0 ? result.positive : result.negative) += force;
             px[force > 0.0 ? 0 : 1] += force * x;
             py[force > 0.0 ? 0 : 1] += force * y;
@@ -248,7 +275,7 @@ FilmForces GasFilm::forces(std::span<const double> p) const
     result.rollTorque = total[2];
     result.shearX = total[3];
     result.shearY = total[4];
-    result.massFlow = massFlow_;
+    result.massFlow = film_.massFlow();
     return result;
 }
 

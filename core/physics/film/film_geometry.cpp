@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/physics/film/film_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/vector_clones.h"
+
+namespace touchdown {
+
+namespace {
+
+/// Gaps at a row of places, none below zero, where the lift is base - pitch x.
+TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x,
+                                     const double* recess, double* gap)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
+}
+
+/// Change of the gap along each path of a row against the gap; lift falls by slope times length.
+TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise,
+                                      const double* gap, double* tilt)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const bool open = gap[k] > closedGap;
+        const double change = (rise[k] - slope * length[k]) / (open ? gap[k] : 1.0);
+        tilt[k] = open ? std::min(1.0, std::max(-1.0, change)) : 0.0;
+    }
+}
+
+} // namespace
+
+FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk) : gaps_(gaps)
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const CellGrid& grid = gaps_.grid;
+    const auto velocity = [&](double x, double y) { return diskVelocity(disk, gaps_.length, gaps_.width, x, y); };
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        Axis& a = axes_[axis];
+        for (auto* field : {&a.gap, &a.tilt, &a.speed}) field->assign(pad.size(), 0.0);
+        a.cutSurface.assign(gaps_.faces[axis].cut.size(), 0.0);
+        const int along = axis == 0 ? pad.nx : pad.ny, across = axis == 0 ? pad.ny : pad.nx;
+        for (int k = 0; k < across; ++k) a.width.push_back(axis == 0 ? grid.widthY(k) : grid.widthX(k));
+        for (int k = 0; k < along; ++k) a.perWidth.push_back(1.0 / (axis == 0 ? grid.widthX(k) : grid.widthY(k)));
+    }
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i <= pad.nx; ++i)
+            axes_[0].speed[pad.at(i, j)] = 0.5 * velocity(grid.x[static_cast<std::size_t>(i)], grid.centreY(j)).x;
+    for (int j = 0; j <= pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i)
+            axes_[1].speed[pad.at(i, j)] = 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).y;
+    for (std::size_t axis = 0; axis < 2; ++axis) axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed);
+    const Velocity v = velocity(0.5 * gaps_.length, 0.5 * gaps_.width);
+    const double square = v.x * v.x + v.y * v.y;
+    if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
+    speed_ = std::hypot(v.x, v.y);
+    for (auto* row : {&rowRecess_, &rowRise_, &rowLength_}) row->assign(pad.stride(), 0.0);
+    volume_.assign(pad.size(), 0.0);
+    area_.assign(pad.size(), 0.0);
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) area_[pad.at(i, j)] = grid.widthX(i) * grid.widthY(j);
+    for (int i = 0; i < pad.nx; ++i) centreX_.push_back(grid.centreX(i));
+    for (const CutPlace& place : gaps_.cutCells) {
+        CutCell& cell = cutCells_.emplace_back();
+        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
+            const GapPiece& piece = gaps_.pieces[k];
+            cell.area += piece.extent;
+            cell.recess += piece.extent * piece.recess;
+            cell.x += piece.extent * piece.x;
+            cell.y += piece.extent * piece.y;
+            cell.lowest = std::min(cell.lowest, piece.recess);
+            cell.x0 = std::min(cell.x0, piece.x);
+            cell.x1 = std::max(cell.x1, piece.x);
+            cell.y0 = std::min(cell.y0, piece.y);
+            cell.y1 = std::max(cell.y1, piece.y);
+        }
+    }
+    setAttitude({});
+}
+
+void FilmGeometry::setRowOverSurface(std::size_t axis, int j)
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx),
+                      step = pad.step(static_cast<int>(axis));
+    const auto set = [&](std::size_t k, double below, double above) {
+        rowRecess_[k] = faces.recess[first + k] - 0.5 * (below + above);
+        rowRise_[k] = faces.rise[first + k] - (above - below);
+    };
+    const bool lowest = axis == 1 && j == 0, highest = axis == 1 && j == pad.ny;
+    const double *above = surface_.data() + (highest ? first - step : first),
+                 *below = lowest ? above : surface_.data() + first - step;
+    for (std::size_t k = 0; k < nx; ++k) set(k, below[k], above[k]);
+    if (axis == 1) return;
+    set(0, surface_[first], surface_[first]);
+    set(nx, surface_[first + nx - 1], surface_[first + nx - 1]);
+}
+
+void FilmGeometry::setCutSurface(std::size_t axis)
+{
+    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
+    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    std::vector<double>& heights = axes_[axis].cutSurface;
+    std::fill(heights.begin(), heights.end(), 0.0);
+    for (std::size_t n = 0; !surface_.empty() && n < cut.size(); ++n) {
+        // The rings' cells have no area.
+        const std::size_t above = cut[n].at, below = above - step;
+        heights[n] =
+            0.5 * (surface_[area_[below] > 0.0 ? below : above] + surface_[area_[above] > 0.0 ? above : below]);
+    }
+}
+
+void FilmGeometry::setAttitude(const Attitude& attitude)
+{
+    attitude_ = attitude;
+    for (std::size_t axis = 0; axis < 2; ++axis) setFaceGaps(axis);
+    setVolumes();
+}
+
+void FilmGeometry::setFaceGaps(std::size_t axis)
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const double base = gaps_.lift(attitude_, 0.0, 0.0);
+    const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
+    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    Axis& a = axes_[axis];
+    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+        const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
+        const double y = axis == 0 ? gaps_.grid.centreY(j) : faces.pathMid[line];
+        if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
+        if (!surface_.empty()) setRowOverSurface(axis, j);
+        setGaps(base - attitude_.roll * y, attitude_.pitch, count, axis == 0 ? faces.pathMid.data() : centreX_.data(),
+                surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
+        setTilts(axis == 0 ? attitude_.pitch : attitude_.roll, count,
+                 axis == 0 ? faces.pathLength.data() : rowLength_.data(),
+                 surface_.empty() ? &faces.rise[at] : rowRise_.data(), &a.gap[at], &a.tilt[at]);
+    }
+    for (const CutPlace& place : faces.cut) a.gap[place.at] = 0.0;
+    setCutSurface(axis);
+}
+
+void FilmGeometry::setVolumes()
+{
+    const PaddedGrid& pad = gaps_.pad;
+    const double base = gaps_.lift(attitude_, 0.0, 0.0);
+    const std::size_t nx = static_cast<std::size_t>(pad.nx);
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        const double* recess = &gaps_.meanRecess[at];
+        if (!surface_.empty()) {
+            for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
+            recess = rowRecess_.data();
+        }
+        setGaps(base - attitude_.roll * gaps_.grid.centreY(j), attitude_.pitch, nx, centreX_.data(), recess,
+                &volume_[at]);
+        for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
+    }
+    // Where part of a cut cell is closed, the rest holds the air.
+    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
+        CutCell& cell = cutCells_[n];
+        const CutPlace& place = gaps_.cutCells[n];
+        const double surface = surfaceAt(place.at), lift = base - surface;
+        double volume = cell.recess + lift * cell.area - attitude_.pitch * cell.x - attitude_.roll * cell.y;
+        const double lowest = cell.lowest + lift - std::max(attitude_.pitch * cell.x0, attitude_.pitch * cell.x1) -
+                              std::max(attitude_.roll * cell.y0, attitude_.roll * cell.y1);
+        cell.open = lowest > 0.0;
+        if (!cell.open) {
+            volume = 0.0;
+            for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
+                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf(gaps_.pieces[k], surface));
+        }
+        volume_[place.at] = volume;
+    }
+    std::array<double, 8> sums{}; // side by side: one after the other each addition would wait for the last
+    const std::size_t whole = volume_.size() / 8 * 8;
+    for (std::size_t at = 0; at < whole; at += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += volume_[at + k];
+    for (std::size_t at = whole; at < volume_.size(); ++at) sums[0] += volume_[at];
+    totalVolume_ = ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+void FilmGeometry::setVolumeSlopes(std::size_t k, double scale, std::span<const double> factor,
+                                   std::vector<double>& out) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    out.resize(pad.size());
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            const double area = volume_[at] > 0.0 ? area_[at] : 0.0;
+            const std::array<double, 3> lift{1.0, gaps_.length - centreX_[static_cast<std::size_t>(i)],
+                                             0.5 * gaps_.width - gaps_.grid.centreY(j)};
+            out[at] = scale * factor[at] * area * lift[k];
+        }
+    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
+        const CutCell& cell = cutCells_[n];
+        const CutPlace& place = gaps_.cutCells[n];
+        double area = cell.area, x = cell.x, y = cell.y;
+        if (!cell.open) {
+            area = x = y = 0.0;
+            for (std::uint32_t i = gaps_.rows[place.rows].pieces; i < gaps_.rows[place.rows].pieceEnd; ++i) {
+                const GapPiece& piece = gaps_.pieces[i];
+                if (!(gapOf(piece, surfaceAt(place.at)) > 0.0)) continue;
+                area += piece.extent;
+                x += piece.extent * piece.x;
+                y += piece.extent * piece.y;
+            }
+        }
+        const std::array<double, 3> lift{area, gaps_.length * area - x, 0.5 * gaps_.width * area - y};
+        out[place.at] = scale * factor[place.at] * lift[k];
+    }
+}
+
+double FilmGeometry::meanGap(int i, int j) const
+{
+    const std::size_t at = gaps_.pad.at(i, j);
+    return gaps_.meanRecess[at] - surfaceAt(at) + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+}
+
+void FilmGeometry::clearRings(std::span<double> field) const
+{
+    const PaddedGrid& pad = gaps_.pad;
+    for (int j = -PaddedGrid::rings; j < pad.ny + PaddedGrid::rings; ++j) {
+        const bool inside = j >= 0 && j < pad.ny;
+        for (int i = -PaddedGrid::rings; i < 0; ++i) field[pad.at(i, j)] = field[pad.at(pad.nx - 1 - i, j)] = 0.0;
+        for (int i = 0; !inside && i < pad.nx; ++i) field[pad.at(i, j)] = 0.0;
+    }
+}
+
+} // namespace touchdown

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The space between slider and disk at an attitude, on cells: gaps at the faces, volumes of the cells, speeds of the
+// disk. Arrays are padded (core/numerics/padded_grid.h).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/physics/disk/disk_velocity.h"
+#include "core/physics/film/cut_paths.h"
+#include "core/physics/film/film_gaps.h"
+
+namespace touchdown {
+
+class FilmGeometry {
+public:
+    /// The gaps must last.
+    FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk);
+
+    const FilmGaps& gaps() const { return gaps_; }
+    const PaddedGrid& pad() const { return gaps_.pad; }
+    const Attitude& attitude() const { return attitude_; }
+
+    /// The disk's surface under each cell: mean height above the mean plane, less the deformation by contact [m];
+    /// padded, its rings are not read. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A
+    /// smooth face has the mean of its two cells' heights, and their difference in the tilt of its gap; all pieces of a
+    /// cut place have the height of their face, or of their cell.
+    void setSurface(std::span<const double> height) { surface_ = height; }
+    void setAttitude(const Attitude& attitude);
+
+    /// The faces across one axis.
+    struct Axis {
+        std::vector<double> gap;        // at smooth faces; zero at cut ones [m]
+        std::vector<double> tilt;       // change of the gap along the path, divided by the gap; -1 to 1 [-]
+        std::vector<double> speed;      // of the disk along the axis, halved [m/s]
+        std::vector<double> width;      // of the face by cross index [m]
+        std::vector<double> perWidth;   // 1/width of the cells by line along the axis [1/m]
+        std::vector<double> cutSurface; // height of the disk under the cut faces, in their order [m]
+        CutPaths cutPaths;
+    };
+    const std::array<Axis, 2>& axes() const { return axes_; }
+
+    /// Volume of air under each cell, at least zero [m^3]; padded.
+    const std::vector<double>& volumes() const { return volume_; }
+    /// Volume of the air under the slider [m^3].
+    double totalVolume() const { return totalVolume_; }
+    /// Area of each cell [m^2]; padded, zero in the rings.
+    const std::vector<double>& areas() const { return area_; }
+    /// Centres of the cells' columns [m].
+    const std::vector<double>& centresX() const { return centreX_; }
+    /// Mean gap over each cell [m].
+    double meanGap(int i, int j) const;
+
+    /// Speed of the disk under the slider's centre [m/s].
+    double speed() const { return speed_; }
+    /// Squares of the disk's direction along x and y under the slider's centre [-].
+    const std::array<double, 2>& motionShare() const { return motionShare_; }
+
+    /// Height of the disk under a cell [m].
+    double surfaceAt(std::size_t at) const { return surface_.empty() ? 0.0 : surface_[at]; }
+    /// d(volume)/d(height) [m^2], d/d(pitch), d/d(roll) [m^3/rad], times `factor` of each cell and `scale`; padded.
+    void setVolumeSlopes(std::size_t k, double scale, std::span<const double> factor, std::vector<double>& out) const;
+
+    /// Sets the rings of a padded array to zero.
+    void clearRings(std::span<double> field) const;
+
+private:
+    /// Sums over the pieces of a cut cell, and their bounds.
+    struct CutCell {
+        double area = 0.0, recess = 0.0, x = 0.0, y = 0.0; // [m^2], of area times recess, x, y [m^3]
+        double lowest = 1e300, x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300; // of recess, x, y [m]
+        bool open = false;                                                       // all of its pieces
+    };
+
+    /// The gap of a piece above this height of the disk [m].
+    double gapOf(const GapPiece& piece, double surface) const
+    {
+        return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y);
+    }
+    /// Subtracts the disk's height from the recess of a row of faces, and its rise along their paths from the rise of
+    /// the recess. A face on the outline has the height of the cell inside.
+    void setRowOverSurface(std::size_t axis, int j);
+    void setCutSurface(std::size_t axis);
+    void setFaceGaps(std::size_t axis);
+    void setVolumes();
+
+    const FilmGaps& gaps_;
+    Attitude attitude_;
+    std::span<const double> surface_; // [m]
+    double speed_ = 0.0, totalVolume_ = 0.0;
+    std::array<double, 2> motionShare_{};
+    std::array<Axis, 2> axes_;
+    std::vector<double> volume_, area_, centreX_;
+    std::vector<CutCell> cutCells_;
+    std::vector<double> rowRecess_, rowRise_, rowLength_; // of a row [m]
+};
+
+} // namespace touchdown
