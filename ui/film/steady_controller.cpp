@@ -21,15 +21,13 @@ void SteadyController::work(const Case& c, const std::stop_token& stop)
     try {
         result = solver_(c, [&](const SteadyProgress& progress) {
             mailbox_.post([&](Mail& mail) { mail.progress = progress; });
-            ring();
             return !stop.stop_requested();
         });
     } catch (const std::exception& problem) {
         result = {};
-        result.message = std::string("The calculation broke off: ") + problem.what();
+        result.message = std::string("The calculation stopped with an error: ") + problem.what();
     }
     mailbox_.post([&](Mail& mail) { mail.result = std::move(result); });
-    ring();
 }
 
 void SteadyController::deliver()

@@ -23,7 +23,7 @@ public:
 
 signals:
     void progressed(int number, double share, const QString& doing);
-    /// There is more to show than before.
+    /// The report so far; it has more to show than before.
     void partial(int number, const touchdown::StudyReport& report);
     void finished(int number, const touchdown::StudyReport& report);
 
@@ -43,7 +43,7 @@ private:
 
     void work(const StudyPerformance& perform, int jobs, const std::stop_token& stop);
 
-    Mailbox<Mail> mailbox_;
+    Mailbox<Mail> mailbox_{*this};
 };
 
 } // namespace touchdown

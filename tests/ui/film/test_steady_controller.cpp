@@ -181,7 +181,7 @@ void TestSteadyController::turnsAnExceptionIntoAFailure()
     controller.start(sampleCase());
     QTRY_COMPARE(controller.state(), State::Idle);
     QCOMPARE(received.result.status, SteadyStatus::Failed);
-    QCOMPARE(QString::fromStdString(received.result.message), QStringLiteral("The calculation broke off: no memory"));
+    QCOMPARE(QString::fromStdString(received.result.message), QStringLiteral("The calculation stopped with an error: no memory"));
 }
 
 void TestSteadyController::joinsWhenDestroyed()

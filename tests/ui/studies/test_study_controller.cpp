@@ -157,7 +157,7 @@ void TestStudyController::turnsAnExceptionIntoAFailure()
     controller.start([](int, const StudyCallback&) -> StudyReport { throw std::runtime_error("no memory"); }, 1);
     QTRY_COMPARE(controller.state(), State::Idle);
     QCOMPARE(received.report.status, StudyStatus::Failed);
-    QCOMPARE(received.report.message, std::string("The study broke off: no memory"));
+    QCOMPARE(received.report.message, std::string("The study stopped with an error: no memory"));
 }
 
 void TestStudyController::joinsWhenDestroyed()
