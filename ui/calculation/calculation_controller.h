@@ -20,6 +20,8 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/simulation/recording/progress.h"
+
 namespace touchdown {
 
 class CalculationController : public QObject {
@@ -43,6 +45,7 @@ public slots:
 
 signals:
     void stateChanged(touchdown::CalculationController::State state);
+    void progressed(int number, const touchdown::Progress& progress);
 
 protected:
     using Work = std::function<void(const std::stop_token&)>;

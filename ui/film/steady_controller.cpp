@@ -4,6 +4,8 @@
 #include <exception>
 #include <string>
 
+#include "core/simulation/static_state/steady_progress.h"
+
 namespace touchdown {
 
 SteadyController::SteadyController(Solver solver, QObject* parent)
@@ -33,7 +35,7 @@ void SteadyController::work(const Case& c, const std::stop_token& stop)
 void SteadyController::deliver()
 {
     const Mail mail = mailbox_.take();
-    if (mail.progress) emit progressed(current(), *mail.progress);
+    if (mail.progress) emit progressed(current(), progressOf(*mail.progress));
     if (!mail.result) return;
     end();
     emit finished(current(), *mail.result);

@@ -25,7 +25,6 @@ public:
     int start(Case c);
 
 signals:
-    void progressed(int number, const touchdown::SteadyProgress& progress);
     void finished(int number, const touchdown::SteadyResult& result);
 
 protected:

@@ -45,6 +45,8 @@ void RunController::deliver()
     mail.delivery.run = current();
     if (!mail.recordingProblem.empty()) emit recordingFailed(current(), QString::fromStdString(mail.recordingProblem));
     emit delivered(mail.delivery);
+    if (mail.delivery.duration > 0.0)
+        emit progressed(current(), runProgress(mail.delivery.time, mail.delivery.duration));
     // A solver that waits for room gets it at once: the plots draw at their own rate.
     setInterval(mail.wasFull ? 0 : shortestInterval);
     if (!mail.summary) return;

@@ -6,9 +6,9 @@
 
 #include <QObject>
 
+#include "ui/calculation/progress_strip.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/runs/run_controller.h"
-#include "ui/runs/run_progress.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_panel.h"
 
@@ -26,7 +26,7 @@ public:
     RunView* view() const { return view_; }
     RunsPanel* panel() const { return panel_; }
     CursorTable* values() const { return values_; }
-    RunProgress* progress() const { return progress_; }
+    ProgressStrip* progress() const { return progress_; }
 
     /// Another case was opened.
     void open(const Case& c);
@@ -50,7 +50,7 @@ private:
     RunView* view_;
     RunsPanel* panel_;
     CursorTable* values_;
-    RunProgress* progress_;
+    ProgressStrip* progress_;
     int number_ = -1; // in the list, of the run under way
 };
 

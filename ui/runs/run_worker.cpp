@@ -69,8 +69,8 @@ void RunWorker::work()
 void RunWorker::open()
 {
     recorder_.emplace();
-    report(recorder_->open(request_.recordTo, request_.value, request_.caseText,
-                                  recordedQuantities(request_.value), recordedFields(request_.value)));
+    report(recorder_->open(request_.recordTo, request_.value, request_.caseText, recordedQuantities(request_.value),
+                           recordedFields(request_.value)));
 }
 
 bool RunWorker::handOut(const RunUpdate& update)

@@ -127,18 +127,14 @@ QString RunsModel::changes(int row) const
 QString RunsModel::result(const RunRecord& run) const
 {
     if (!run.summary) return tr("running");
-    switch (run.summary->status) {
-    case RunStatus::Failed: return tr("failed");
-    case RunStatus::Diverged: return tr("diverged");
-    case RunStatus::Cancelled: return tr("stopped");
-    case RunStatus::Completed: break;
-    }
+    const QString status = statusText(name(run.summary->status));
+    if (run.summary->status != RunStatus::Completed) return status;
     for (const RunFigure& figure : run.summary->figures)
         if (figure.quantity.name == "largest_contact_force")
             return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
     const int index = findQuantity(run.quantities, "flying_height");
     const std::optional<double> height = run.last("flying_height");
-    return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : tr("completed");
+    return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : status;
 }
 
 QString RunsModel::toolTip(int row) const

@@ -16,7 +16,7 @@ void StudyController::work(const StudyPerformance& perform, int jobs, const std:
     StudyReport report;
     try {
         report = perform(jobs, [&](const StudyProgress& progress) {
-            Progress now{progress.share, progress.doing};
+            Progress now{progress.share, progress.doing, {}};
             std::optional<StudyReport> soFar; // copied before the mailbox is locked
             if (progress.soFar) soFar = *progress.soFar;
             mailbox_.post([&](Mail& mail) {
@@ -36,7 +36,7 @@ void StudyController::work(const StudyPerformance& perform, int jobs, const std:
 void StudyController::deliver()
 {
     const Mail mail = mailbox_.take();
-    if (mail.progress) emit progressed(current(), mail.progress->share, QString::fromStdString(mail.progress->doing));
+    if (mail.progress) emit progressed(current(), *mail.progress);
     if (mail.partial && !mail.report) emit partial(current(), *mail.partial);
     if (!mail.report) return;
     end();

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "core/studies/study/study.h"
 #include "ui/calculation/calculation_controller.h"
@@ -22,7 +21,6 @@ public:
     int start(StudyPerformance perform, int jobs);
 
 signals:
-    void progressed(int number, double share, const QString& doing);
     /// The report so far; it has more to show than before.
     void partial(int number, const touchdown::StudyReport& report);
     void finished(int number, const touchdown::StudyReport& report);
@@ -31,10 +29,6 @@ protected:
     void deliver() override;
 
 private:
-    struct Progress {
-        double share = 0.0;
-        std::string doing;
-    };
     struct Mail {
         std::optional<Progress> progress;
         std::optional<StudyReport> partial;

@@ -9,9 +9,9 @@
 
 #include <QObject>
 
+#include "ui/calculation/progress_strip.h"
 #include "ui/studies/study_controller.h"
 #include "ui/studies/study_editor.h"
-#include "ui/studies/study_progress.h"
 #include "ui/studies/study_results.h"
 
 namespace touchdown {
@@ -24,7 +24,7 @@ public:
 
     StudyEditor* editor() const { return editor_; }
     StudyResults* results() const { return results_; }
-    StudyProgressLine* progress() const { return progress_; }
+    ProgressStrip* progress() const { return progress_; }
     StudyController& controller() { return controller_; }
 
     /// The case as it is edited.
@@ -57,7 +57,7 @@ private:
     StudyController controller_;
     StudyEditor* editor_;
     StudyResults* results_;
-    StudyProgressLine* progress_;
+    ProgressStrip* progress_;
     std::map<std::string, Outcome> outcomes_; // the latest of each kind
     std::string performing_;                  // the kind of the study under way, or of the last one
     std::string shown_;                       // the kind of what is shown

@@ -35,6 +35,10 @@ QString valueText(const Case& c, const Field& field, const QLocale& locale = QLo
 QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());
 /// A read-out of a recorded quantity with as many decimals as its unit deserves.
 QString readout(double value, const Quantity& quantity, const QLocale& locale = QLocale());
+/// A number with at most this many digits and its unit; times and small lengths as below.
+QString roundedText(double value, std::string_view displayUnit, int digits, const QLocale& locale = QLocale());
+/// A status as the core names it, for reading: "cancelled" -> "stopped".
+QString statusText(std::string_view status);
 /// A force with a fitting prefix and about four figures: "3.577 mN".
 QString forceText(double newtons, const QLocale& locale = QLocale());
 /// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to three

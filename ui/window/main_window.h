@@ -61,7 +61,7 @@ public:
     LivePlots& plots() { return *runs_->view()->plots(); }
     LiveSpectrum& spectrum() { return *runs_->view()->spectrum(); }
     MessageStrip& messages() { return *messages_; }
-    RunProgress& progress() { return *runs_->progress(); }
+    ProgressStrip& progress() { return *runs_->progress(); }
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }

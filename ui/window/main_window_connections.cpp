@@ -62,8 +62,10 @@ void MainWindow::connectRuns()
     connect(actions_->step, &QAction::triggered, controller, &RunController::step);
     connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
     connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
-    connect(actions_->pace, &QComboBox::currentIndexChanged, controller,
-            [this, controller] { controller->setPace(actions_->pace->currentData().toDouble()); });
+    connect(actions_->pace, &QComboBox::currentIndexChanged, controller, [this, controller] {
+        controller->setPace(actions_->pace->currentData().toDouble());
+        progress().restartEstimate();
+    });
     connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
     connect(controller, &RunController::recordingFailed, this,
             [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
