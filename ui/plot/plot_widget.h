@@ -45,7 +45,7 @@ public:
     ~PlotWidget() override;
 
     void setTitle(const QString& title);
-    QString title() const { return title_; }
+    QString title() const override { return title_; }
     void setXLabel(const AxisLabel& label); // as made: "Time", "s"
     void setYLabel(const AxisLabel& label);
     void setYScale(AxisScale scale);

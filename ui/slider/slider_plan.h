@@ -41,7 +41,7 @@ public:
     /// [rad]; positive: air flows from the outer leading to the inner trailing edge.
     void setSkew(double skew);
     void setTitle(const QString& title);
-    QString title() const { return title_; }
+    QString title() const override { return title_; }
     /// Stands at the right of the title.
     void setReading(const QString& text);
     QString reading() const { return reading_; }

@@ -29,8 +29,7 @@ public:
 
     /// As it would be drawn now.
     const StudyChartDrawing& drawing() const;
-    /// As it is on the screen, in this theme.
-    Picture picture(const PlotTheme& theme) const;
+    QString title() const override { return QString::fromStdString(chart_.title); }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
     /// Of what the pointer, or the keyboard, is at; empty for nothing.
     QString reading() const;
@@ -40,7 +39,7 @@ public:
     int heightForWidth(int width) const override;
 
 public slots:
-    void copyPicture() const;
+    void copy();
     void chooseSave();
 
 protected:

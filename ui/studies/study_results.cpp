@@ -262,7 +262,7 @@ void StudyResults::fillSaveMenu()
     menu->clear();
     if (!charts_.empty()) {
         StudyChartView* chart = charts_[static_cast<std::size_t>(chartTabs_->currentIndex())];
-        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copyPicture);
+        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copy);
         menu->addAction(tr("Save &chart…"), chart, &StudyChartView::chooseSave);
         menu->addSeparator();
     }

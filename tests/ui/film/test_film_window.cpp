@@ -285,7 +285,7 @@ void TestFilmWindow::exportsThePage()
     const QTemporaryDir folder;
     QTRY_VERIFY(film_->view()->surface()->settled());
     const QString file = folder.filePath(QStringLiteral("page.png"));
-    QCOMPARE(savePage(*film_->view(), file), QString());
+    QCOMPARE(savePicture(*film_->view(), file), QString());
     const QImage image(file);
     QCOMPARE(image.size(), 2 * film_->view()->size());
     SurfaceView* surface = film_->view()->surface();
@@ -293,7 +293,7 @@ void TestFilmWindow::exportsThePage()
     QCOMPARE(image.pixelColor((2.0 * pad).toPoint()).rgb(), surface->scale().colour(0.0));
     for (const char* ending : {"svg", "pdf"}) {
         const QString other = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
-        QCOMPARE(savePage(*film_->view(), other), QString());
+        QCOMPARE(savePicture(*film_->view(), other), QString());
         QVERIFY(QFileInfo(other).size() > 5000);
     }
 }

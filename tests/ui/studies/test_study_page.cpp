@@ -267,7 +267,7 @@ void TestStudyPage::exportsTheCharts()
     f.perform();
     for (const char* ending : {"png", "svg", "pdf"}) {
         const QString file = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
-        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QCOMPARE(savePicture(*f.window.page(), file), QString());
         QVERIFY(QFileInfo(file).size() > 1000);
     }
 }

@@ -230,7 +230,7 @@ void TestMainWindowContact::exportsEachPage()
         f.window.runView().setPage(page);
         if (page == RunView::Page::Disk) QTRY_VERIFY_WITH_TIMEOUT(!f.window.runView().disk()->empty(), 20'000);
         const QString file = folder.filePath(QStringLiteral("page.png"));
-        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QCOMPARE(savePicture(*f.window.page(), file), QString());
         const QImage image(file);
         int coloured = 0;
         for (int y = 0; y < image.height(); y += 4)

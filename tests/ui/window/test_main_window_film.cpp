@@ -354,7 +354,7 @@ void TestMainWindowFilm::exportsThePage()
     f.solve();
     f.window.film().view()->setPage(FilmView::Page::Pressure);
     const QString file = folder.filePath(QStringLiteral("page.png"));
-    QCOMPARE(savePage(*f.window.page(), file), QString());
+    QCOMPARE(savePicture(*f.window.page(), file), QString());
     // Colours of the map and the sections on white paper.
     const QImage image(file);
     QVERIFY(image.width() == 2 * f.window.page()->width());
