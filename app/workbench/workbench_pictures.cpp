@@ -9,7 +9,15 @@
 #include <QPixmap>
 #include <QRegularExpression>
 
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_view.h"
+#include "ui/window/main_window.h"
 
 namespace touchdown {
 

@@ -16,6 +16,10 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "ui/disk/disk_statistics.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/fields_view.h"
+#include "ui/plot/plot_group.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/style/quantity_format.h"
 

@@ -6,6 +6,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/steady.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/maps_view.h"
+#include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {

@@ -3,6 +3,8 @@
 // The page of a film case: the air bearing surface as it is designed, and the fields of its static state.
 #pragma once
 
+#include <optional>
+
 #include <QAction>
 #include <QCheckBox>
 #include <QLabel>
@@ -10,11 +12,14 @@
 #include <QTabBar>
 #include <QWidget>
 
-#include "core/simulation/static_state/steady.h"
-#include "ui/maps/maps_view.h"
-#include "ui/slider/surface_view.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
+
+class MapsView;
+class SurfaceView;
+struct Case;
+struct SteadyResult;
 
 class FilmView : public QWidget {
     Q_OBJECT

@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "core/case/fields.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/film/film_view.h"
+#include "ui/slider/attitude_table.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

@@ -4,14 +4,17 @@
 // them.
 #pragma once
 
-#include <QObject>
+#include <optional>
 
-#include "ui/calculation/progress_strip.h"
-#include "ui/film/film_view.h"
+#include <QAction>
+
 #include "ui/film/steady_controller.h"
-#include "ui/slider/attitude_table.h"
 
 namespace touchdown {
+
+class AttitudeTable;
+class FilmView;
+class ProgressStrip;
 
 class FilmWindow : public QObject {
     Q_OBJECT

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 

@@ -7,16 +7,23 @@
 // cell.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QWidget>
 
-#include "ui/maps/field_map.h"
-#include "ui/maps/field_sections.h"
+#include "core/numerics/cell_grid.h"
+#include "core/physics/slider/air_bearing_surface.h"
+#include "ui/plot/min_max_pyramid.h"
 
 namespace touchdown {
+
+class FieldMap;
+class FieldSections;
+struct FieldLook;
 
 /// A field that can be shown, and how.
 struct MapKind {

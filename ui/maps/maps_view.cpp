@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/case/case.h"
+#include "core/simulation/static_state/steady.h"
+#include "ui/maps/field_map.h"
+
 namespace touchdown {
 
 namespace {

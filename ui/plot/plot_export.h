@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures and numbers of plots. Each function that saves returns an empty string or a sentence that states the problem.
+// Pictures and numbers of plots. Each function that saves returns an empty string or a sentence that states the
+// problem.
 //
 // The ending of the file name chooses the format: .png (twice the pixels of the screen), .svg and .pdf (vectors and
 // text). Files are written in the light theme, for paper; the clipboard gets the theme of the screen.

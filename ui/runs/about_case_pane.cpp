@@ -5,6 +5,8 @@
 
 #include <QEvent>
 
+#include "core/simulation/recording/run_statistics.h"
+#include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 

@@ -4,11 +4,14 @@
 #pragma once
 
 #include "core/case/case.h"
-#include "ui/runs/run_record.h"
 
 #include <QTextBrowser>
 
 namespace touchdown {
+
+struct RunFigure;
+struct RunRecord;
+struct Summary;
 
 class AboutCasePane : public QTextBrowser {
     Q_OBJECT

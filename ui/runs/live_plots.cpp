@@ -6,7 +6,11 @@
 #include <utility>
 
 #include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "ui/plot/plot_group.h"
 #include "ui/plot/plot_menu.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

@@ -7,9 +7,6 @@
 // and runs by dash. With a baseline, every other run is shown as its difference from it.
 #pragma once
 
-#include "ui/plot/plot_group.h"
-#include "ui/runs/runs_model.h"
-
 #include <QAction>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -20,7 +17,15 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
+#include "ui/plot/plot_curve.h"
+
 namespace touchdown {
+
+class PlotGroup;
+class PlotWidget;
+class RunsModel;
+struct RunRecord;
 
 class LivePlots : public QWidget {
     Q_OBJECT

@@ -8,6 +8,10 @@
 #include <set>
 
 #include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

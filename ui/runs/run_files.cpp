@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 
 #include "ui/plot/plot_export.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
 

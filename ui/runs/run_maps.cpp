@@ -9,7 +9,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/maps/field_map.h"
 #include "ui/maps/maps_view.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -133,6 +136,8 @@ void RunMaps::showEvent(QShowEvent* event)
 }
 
 /// Of the set that is shown; nothing while it has no snapshot.
+const RunRecord* RunMaps::run() const { return runs_.find(number_); }
+
 const FieldHistory* RunMaps::history() const
 {
     const RunRecord* shown = run();

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "ui/maps/map_kinds.h"
-#include "ui/runs/runs_model.h"
 
 #include <QLabel>
 #include <QSlider>
@@ -16,6 +15,10 @@
 #include <QTabBar>
 
 namespace touchdown {
+
+struct FieldHistory;
+class RunsModel;
+struct RunRecord;
 
 class RunMaps : public QWidget {
     Q_OBJECT
@@ -56,7 +59,7 @@ private:
     void refresh();
     void showField(std::size_t index);
     void showSnapshot();
-    const RunRecord* run() const { return runs_.find(number_); }
+    const RunRecord* run() const;
     const FieldHistory* history() const;
     QString whyEmpty() const;
     QString readingText(const RunRecord& run, const FieldHistory& history, std::size_t index) const;

@@ -10,7 +10,9 @@
 #include <QCoreApplication>
 
 #include "core/case_files/case_file.h"
+#include "core/results/results_file.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/run.h"
 
 namespace touchdown {
 

@@ -4,6 +4,14 @@
 #include <QVBoxLayout>
 
 #include "core/case/fields.h"
+#include "core/simulation/run.h"
+#include "ui/disk/disk_surface_view.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/side_view.h"
 
 namespace touchdown {
 

@@ -3,6 +3,17 @@
 
 #include <utility>
 
+#include "core/simulation/run.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/plot/cursor_table.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/runs/side_view.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

@@ -6,13 +6,15 @@
 
 #include <QObject>
 
-#include "ui/calculation/progress_strip.h"
-#include "ui/plot/cursor_table.h"
 #include "ui/runs/run_controller.h"
-#include "ui/runs/run_view.h"
-#include "ui/runs/runs_panel.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
+
+class CursorTable;
+class ProgressStrip;
+class RunView;
+class RunsPanel;
 
 class RunWindow : public QObject {
     Q_OBJECT

@@ -4,9 +4,16 @@
 #include <algorithm>
 
 #include "ui/case/case_difference.h"
+#include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
+
+RunsModel::RunsModel(QObject* parent) : QAbstractListModel(parent) {}
+
+RunsModel::~RunsModel() = default;
+
+CurveStyle RunsModel::style(const RunRecord& record) { return {record.number - 1, record.number - 1}; }
 
 int RunsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : count(); }
 

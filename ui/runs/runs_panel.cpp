@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 
 #include "ui/runs/run_delegate.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
 

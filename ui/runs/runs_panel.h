@@ -3,14 +3,14 @@
 // The list of runs: overlay on and off, what changed, note, baseline, save, delete, reopen.
 #pragma once
 
-#include "ui/runs/runs_model.h"
-
 #include <QCheckBox>
 #include <QListView>
 #include <QToolButton>
 #include <QWidget>
 
 namespace touchdown {
+
+class RunsModel;
 
 class RunsPanel : public QWidget {
     Q_OBJECT

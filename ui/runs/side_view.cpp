@@ -10,6 +10,8 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/slider/recess.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 

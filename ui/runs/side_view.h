@@ -7,7 +7,6 @@
 
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_theme.h"
-#include "ui/runs/runs_model.h"
 
 #include <QWidget>
 
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace touchdown {
+
+class RunsModel;
 
 class SideView : public QWidget {
     Q_OBJECT

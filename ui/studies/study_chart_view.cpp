@@ -12,6 +12,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_drawing.h"
 #include "ui/studies/study_readings.h"
 #include "ui/style/save_dialog.h"
 

@@ -10,10 +10,12 @@
 
 #include <QWidget>
 
-#include "ui/plot/plot_export.h"
-#include "ui/studies/study_chart_drawing.h"
+#include "ui/plot/picture.h"
+#include "ui/studies/study_panel.h"
 
 namespace touchdown {
+
+class StudyChartDrawing;
 
 class StudyChartView : public QWidget, public PagePart {
     Q_OBJECT

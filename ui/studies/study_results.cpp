@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 
 #include "core/studies/study/study_file.h"
+#include "ui/studies/study_chart_view.h"
+#include "ui/studies/study_table.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"

@@ -18,10 +18,11 @@
 #include <QWidget>
 
 #include "core/studies/study/study.h"
-#include "ui/studies/study_chart_view.h"
-#include "ui/studies/study_table.h"
 
 namespace touchdown {
+
+class StudyChartView;
+class StudyTableView;
 
 class StudyResults : public QWidget {
     Q_OBJECT

@@ -9,12 +9,15 @@
 
 #include <QObject>
 
-#include "ui/calculation/progress_strip.h"
+#include "core/studies/study_plan.h"
 #include "ui/studies/study_controller.h"
-#include "ui/studies/study_editor.h"
-#include "ui/studies/study_results.h"
 
 namespace touchdown {
+
+class ProgressStrip;
+class StudyEditor;
+class StudyResults;
+struct StudyCatalogue;
 
 class StudyWindow : public QObject {
     Q_OBJECT

@@ -12,11 +12,33 @@
 #include <QFileInfo>
 #include <QMimeData>
 
+#include "core/simulation/static_state/steady.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/run_files.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/studies/study_catalogue.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_window.h"
 #include "ui/style/icons.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_session.h"
 
 namespace touchdown {
+
+MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
 MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     : QMainWindow(parent),
@@ -62,6 +84,22 @@ MainWindow::~MainWindow()
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
 }
+
+void MainWindow::openResults(const QString& file) { runFiles_->openRun(file); }
+
+RunsModel& MainWindow::runs() { return runs_->runs(); }
+
+RunController& MainWindow::controller() { return runs_->controller(); }
+
+RunsPanel& MainWindow::runsPanel() { return *runs_->panel(); }
+
+RunView& MainWindow::runView() { return *runs_->view(); }
+
+LivePlots& MainWindow::plots() { return *runs_->view()->plots(); }
+
+LiveSpectrum& MainWindow::spectrum() { return *runs_->view()->spectrum(); }
+
+ProgressStrip& MainWindow::progress() { return *runs_->progress(); }
 
 bool MainWindow::readyToRun()
 {

@@ -7,6 +7,22 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/plot/cursor_table.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/window_actions.h"
+
 namespace touchdown {
 
 WindowPages::WindowPages(const Parts& parts)

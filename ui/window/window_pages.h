@@ -11,15 +11,17 @@
 
 #include <vector>
 
-#include "ui/case/case_panel.h"
-#include "ui/film/film_window.h"
-#include "ui/runs/about_case_pane.h"
-#include "ui/runs/run_window.h"
-#include "ui/studies/study_window.h"
-#include "ui/style/message_strip.h"
-#include "ui/window/window_actions.h"
+#include "core/case/case.h"
 
 namespace touchdown {
+
+class AboutCasePane;
+class CasePanel;
+class FilmWindow;
+class MessageStrip;
+class RunWindow;
+class StudyWindow;
+class WindowActions;
 
 class WindowPages : public QObject {
     Q_OBJECT

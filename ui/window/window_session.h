@@ -8,10 +8,10 @@
 #include <QSplitter>
 #include <QString>
 
-#include "ui/runs/runs_panel.h"
-#include "ui/window/window_actions.h"
-
 namespace touchdown {
+
+class RunsPanel;
+class WindowActions;
 
 class WindowSession {
 public:

@@ -15,7 +15,14 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/film/film_view.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/maps_view.h"
 #include "ui/plot/plot_export.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;

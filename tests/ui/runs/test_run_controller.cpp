@@ -10,6 +10,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/runs/run_controller.h"
 

@@ -12,6 +12,8 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
+#include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_drawing.h"
 
 using namespace touchdown;
 

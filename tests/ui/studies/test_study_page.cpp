@@ -11,10 +11,28 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_chart_view.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_table.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 using Page = MainWindow::Page;

@@ -7,11 +7,33 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/maps_view.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/runs/side_view.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 
