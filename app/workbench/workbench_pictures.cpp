@@ -61,7 +61,7 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
 {
     const QDir directory(folder);
     if (!directory.mkpath(QStringLiteral(".")))
-        return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
+        return report(QStringLiteral("The folder %1 cannot be created.").arg(folder), {});
     if (staticState) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
     bool good = report(savePicture(*window.page(), page), page);

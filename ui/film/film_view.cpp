@@ -25,7 +25,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       empty_(buildEmptyPage(solve))
 {
     for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
-    tabs_->setAccessibleName(tr("What is shown of the film"));
+    tabs_->setAccessibleName(tr("Views of the film"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
@@ -59,7 +59,7 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
 {
     auto* page = new QWidget(this);
     page->setAutoFillBackground(true);
-    page->setBackgroundRole(QPalette::Base); // as the plans and plots that will stand there
+    page->setBackgroundRole(QPalette::Base); // as the plans and plots shown later
     emptyText_ = new QLabel(page);
     auto* button = new QToolButton(page);
     button->setDefaultAction(solve);

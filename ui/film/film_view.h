@@ -33,13 +33,13 @@ public:
 
     /// The case as it is edited.
     void setCase(const Case& c);
-    /// What was solved, and of which case.
+    /// The solved case and its result.
     void setResult(const Case& solved, const SteadyResult& result);
     void clearResult();
     /// The case is no longer the one that was solved.
     void setStale(bool stale);
 
-    /// A solution is under way: says so where there is no result yet.
+    /// The solver is active: the page shows it while there is no result.
     void setSolving(bool solving);
 
     void setPage(Page page);

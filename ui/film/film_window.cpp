@@ -75,7 +75,7 @@ void FilmWindow::onFinished(const SteadyResult& result)
                    .arg(QLocale().toString(result.iterations), roundedText(result.residual, "", 2),
                         timeText(result.wallSeconds));
     progress_->conclude(name(result.status), text);
-    // What was stopped or failed before it had a field leaves the last result in its place.
+    // A solution that ended without a field does not replace the last result.
     if (!result.pressure.empty() || !result_) {
         result_ = result;
         solved_ = asked_;

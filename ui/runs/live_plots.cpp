@@ -17,7 +17,7 @@ namespace touchdown {
 
 namespace {
 
-/// Of what the user chose in the menu of a plot.
+/// Key of a choice of the user in the menu of a plot.
 std::string curveKey(const QString& plot, const QString& quantity)
 {
     return (plot + QLatin1Char('/') + quantity).toStdString();
@@ -291,7 +291,7 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     return curve;
 }
 
-/// What the user chose in the plots' menus holds for the runs that come.
+/// Choices in the plots' menus hold for later runs.
 void LivePlots::noteHiddenCurves()
 {
     for (const int number : drawn_) {
@@ -324,7 +324,7 @@ void LivePlots::updateVisibility()
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         const Entry& entry = entries_[s];
         bool recorded = false;
-        // Before there is any run, the plots of what the case will record stand ready.
+        // Before the first run, the plots of the quantities that the case will record are shown.
         for (const Spec::Curve& curve : specs()[s].curves)
             recorded = recorded || (!anyShown && std::ranges::find(ready_, curve.quantity) != ready_.end());
         for (int row = 0; row < runs_.count(); ++row)

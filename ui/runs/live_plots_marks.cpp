@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands in the plots beside the curves: events of the newest run, and heights of its case to compare with.
+// Marks of the plots beside the curves: events of the newest run and heights of its case.
 #include "ui/runs/live_plots.h"
 
 #include <algorithm>

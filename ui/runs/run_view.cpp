@@ -39,7 +39,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
         pages_->addWidget(page);
 
     for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
-    tabs_->setAccessibleName(tr("What is shown of the runs"));
+    tabs_->setAccessibleName(tr("Views of the runs"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     tabs_->setDocumentMode(true);

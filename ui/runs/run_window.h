@@ -34,7 +34,7 @@ public:
     void open(const Case& c);
     /// The case as it is edited.
     void edit(const Case& c);
-    /// A run under way ends, and says so, before the new one is in the list.
+    /// An active run ends, with its signals, before the new one is in the list.
     void start(RunRequest request);
 
 signals:
@@ -53,7 +53,7 @@ private:
     RunsPanel* panel_;
     CursorTable* values_;
     ProgressStrip* progress_;
-    int number_ = -1; // in the list, of the run under way
+    int number_ = -1; // in the list, of the active run
 };
 
 } // namespace touchdown

@@ -84,7 +84,7 @@ void RunsModel::remove(int row)
     beginRemoveRows({}, row, row);
     records_.erase(records_.begin() + row);
     endRemoveRows();
-    // What the next run is compared with has changed.
+    // The next run is compared with another run now.
     if (row < count()) emit dataChanged(index(row), index(row), {ChangesRole});
 }
 

@@ -43,7 +43,7 @@ public:
     /// A number for a run that is to be added.
     int nextNumber() const { return nextNumber_; }
     RunRecord& add(std::unique_ptr<RunRecord> record);
-    /// Not of the run that is under way.
+    /// Not the active run.
     void remove(int row);
     void append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
                 const std::vector<FieldSnapshot>& fields = {});

@@ -133,8 +133,8 @@ void SideView::paintEvent(QPaintEvent*)
     if (!state_) {
         painter.setPen(theme.mutedText);
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         number_ < 0 ? tr("There is nothing to see yet: run the case.")
-                                     : tr("The first samples come soon."));
+                         number_ < 0 ? tr("There is nothing to show yet: run the case.")
+                                     : tr("The first samples are not ready yet."));
         return;
     }
     painter.fillRect(plotArea(), theme.plotArea);

@@ -85,7 +85,7 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
              {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
-             {tr("Least pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
+             {tr("Smallest pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
              {tr("Shear along x"), milli(f.shearX)},
              {tr("Shear along y"), milli(f.shearY)},
              {tr("Pitch torque"), torque(f.pitchTorque)},

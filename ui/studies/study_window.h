@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The studies' part of the window: the pane with what is to be studied, the page with what was found, the progress, and
-// the thread between them.
+// The part of the window for studies: the pane with the study's text, the page with its results, the progress, and the
+// calculation between them.
 #pragma once
 
 #include <map>
@@ -51,7 +51,7 @@ private:
     };
 
     void onFinished(const StudyReport& report);
-    /// What is known of the kind that is chosen.
+    /// The results of the chosen kind, if there are any.
     void show();
     bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
     void updateStale();

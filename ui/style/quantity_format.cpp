@@ -188,7 +188,7 @@ QString lengthText(double metres, int digits, const QLocale& locale)
 {
     const bool micrometres = std::abs(metres) >= 0.9999995e-6;
     const double shown = metres / (micrometres ? 1e-6 : 1e-9);
-    // Of a value near zero as many decimals as of one nanometre: what is finer is no length any more.
+    // A value near zero has as many decimals as one nanometre.
     const double size = std::max(std::abs(shown), micrometres ? 0.0 : 1.0);
     const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
     QString number = locale.toString(shown, 'f', decimals);

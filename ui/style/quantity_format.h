@@ -21,12 +21,12 @@ QString unitText(std::string_view unit);
 /// A symbol as rich text: "k_f0" -> k with a subscript, "xi_f" with the Greek letter.
 QString symbolText(std::string_view symbol);
 
-/// A reason as the core writes it ("must be greater than 0 kg") as a sentence of its own.
+/// A reason as the core writes it ("must be greater than 0 kg") as a complete sentence.
 QString sentence(std::string_view reason);
 
-/// What stands in the field's editor: a number in the display unit without the unit, or the text.
+/// Text for the field's editor: a number in the display unit without the unit, or the text.
 QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
-/// What was typed, as `setFromText` reads it: with the display unit where none was typed, and a decimal point.
+/// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
 std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
 /// The value with its unit, for a sentence: "7 nm".
 QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());

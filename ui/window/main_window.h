@@ -47,9 +47,9 @@ public:
     explicit MainWindow(StudyCatalogue studies, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// What the last session left: geometry, theme, font, panes.
+    /// Geometry, theme, font and panes of the last session.
     void restoreSession();
-    /// The case that the last session left, or the default one.
+    /// The case of the last session, or the default case.
     void openLastCase();
     /// Runs the case in time.
     void startRun();

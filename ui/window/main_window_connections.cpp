@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window's actions do, and what follows from what its parts tell.
+// Connections between the actions, the parts of the window and their signals.
 #include "ui/window/main_window.h"
 
 #include <QDir>
@@ -126,8 +126,9 @@ void MainWindow::connectStudies()
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
         edits_.setAll(found, tr("apply the study: %1").arg(title));
-        messages_->show(MessageStrip::Kind::Success,
-                        tr("The parameters are those that the study found. Undo takes them back."));
+        messages_->show(
+            MessageStrip::Kind::Success,
+            tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
     });
 }
 

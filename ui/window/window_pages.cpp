@@ -38,7 +38,7 @@ WindowPages::WindowPages(const Parts& parts)
     parts_.window.statusBar()->addWidget(parts_.studies.progress(), 1);
     parts_.window.statusBar()->setSizeGripEnabled(false);
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
-    // What comes into the list is there to be seen.
+    // A run that is added to the list is shown.
     connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
 }
 
@@ -52,7 +52,7 @@ void WindowPages::buildCentre()
     tabs_->setTabVisible(static_cast<int>(Page::StaticState), false);
     tabs_->setCurrentIndex(static_cast<int>(Page::Run));
     pages_->setCurrentIndex(static_cast<int>(Page::Run));
-    tabs_->setAccessibleName(tr("What is shown of the case"));
+    tabs_->setAccessibleName(tr("Pages of the case"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window remembers from one session to the next: geometry and panes, theme and font, overlay, speed, last
-// case.
+// Settings that last from one session to the next: geometry and panes, theme and font, overlay, speed, last case.
 #pragma once
 
 #include <QMainWindow>

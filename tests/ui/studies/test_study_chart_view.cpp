@@ -97,7 +97,7 @@ void TestStudyChartView::oneLegendForAllPanels()
 {
     QCOMPARE(legendTexts(view_->drawing()),
              (QStringList{"rk4", "rk4-events", "newmark", "Pareto front", "ends in another state", "no valid answer",
-                          "default or advice"}));
+                          "default or recommended"}));
     StudyChart plain = samplePrecisionChart();
     for (ChartPanel& each : plain.panels) each.series.resize(2); // without the failed point of newmark and the front
     view_->setChart(plain);

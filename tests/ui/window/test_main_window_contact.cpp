@@ -277,7 +277,7 @@ void TestMainWindowContact::helpTellsOfContact()
 {
     HelpWindow help({});
     help.open(HelpWindow::Page::Contact);
-    for (const char* word : {"Polonsky", "Greenwood", "Lennard", "roll-off", "assumed"})
+    for (const char* word : {"Polonsky", "Greenwood", "Lennard", "roll-off", "assumptions"})
         QVERIFY2(help.text().contains(QLatin1String(word), Qt::CaseInsensitive), word);
 }
 
