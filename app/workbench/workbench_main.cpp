@@ -14,6 +14,7 @@
 #include "app/workbench/workbench_study.h"
 #include "core/case_files/case_file.h"
 #include "core/results/results_file.h"
+#include "ui/case/case_files.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 
@@ -53,7 +54,7 @@ Arguments parse(int argc, char** argv)
     const QCommandLineOption run(QStringLiteral("run"), QStringLiteral("Starts the case at once."));
     const QCommandLineOption staticState(
         QStringLiteral("static"),
-        QStringLiteral("Of a film: its static state is what starts or is pictured, not its run in time."));
+        QStringLiteral("For a film case: starts or pictures its static state instead of its run in time."));
     const QCommandLineOption exportTo(
         QStringLiteral("export"),
         QStringLiteral("Runs the case, writes its plots as PNG pictures to <folder>, prints their paths and ends."),
@@ -68,9 +69,10 @@ Arguments parse(int argc, char** argv)
                        "display, writes its "
                        "charts as PNG and SVG to the folder of --pictures, prints their paths and ends."),
         QStringLiteral("kind"));
-    const QCommandLineOption pictures(QStringLiteral("pictures"), QStringLiteral("Where the charts of --study go."),
+    const QCommandLineOption pictures(QStringLiteral("pictures"), QStringLiteral("Folder for the charts of --study."),
                                       QStringLiteral("folder"));
-    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Of the window for pictures, as 1600x1000."),
+    const QCommandLineOption size(QStringLiteral("size"),
+                                  QStringLiteral("Size of the window for pictures, as 1600x1000."),
                                   QStringLiteral("size"), QStringLiteral("1600x1000"));
     const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
                                    QStringLiteral("name"));
@@ -104,7 +106,8 @@ Arguments parse(int argc, char** argv)
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
         fail(QStringLiteral("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
     if (arguments.study.isEmpty() != arguments.pictures.isEmpty())
-        fail(QStringLiteral("--study and --pictures need each other: what to study, and where its charts go."));
+        fail(
+            QStringLiteral("--study and --pictures need each other: the kind of study and the folder for its charts."));
     return arguments;
 }
 
@@ -148,7 +151,7 @@ void checkRun(const QString& file, bool pictures)
 {
     std::string problem;
     if (pictures)
-        problem = file.toStdString() + ": is a saved run; pictures are taken of a case";
+        problem = file.toStdString() + ": is a saved run; pictures need a case";
     else
         problem = touchdown::readResults(file.toStdString()).problem;
     if (problem.empty()) return;
@@ -183,7 +186,7 @@ int main(int argc, char** argv)
     applyTheme(themeFromName(arguments.theme));
 
     MainWindow window;
-    // Pictures must not depend on what somebody did last.
+    // Pictures must not depend on the last session.
     if (!pictures) window.restoreSession();
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 

@@ -9,7 +9,15 @@
 #include <QPixmap>
 #include <QRegularExpression>
 
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_view.h"
+#include "ui/window/main_window.h"
 
 namespace touchdown {
 
@@ -44,7 +52,7 @@ bool exportFilm(MainWindow& window, const QDir& directory)
         window.film().view()->setPage(page);
         settle(window);
         const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
-        good = report(savePage(*window.page(), file), file) && good;
+        good = report(savePicture(*window.page(), file), file) && good;
     }
     return good;
 }
@@ -53,10 +61,10 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
 {
     const QDir directory(folder);
     if (!directory.mkpath(QStringLiteral(".")))
-        return report(QStringLiteral("The folder %1 cannot be made.").arg(folder), {});
+        return report(QStringLiteral("The folder %1 cannot be created.").arg(folder), {});
     if (staticState) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
-    bool good = report(savePage(*window.page(), page), page);
+    bool good = report(savePicture(*window.page(), page), page);
     for (const LivePlots::Entry& entry : window.plots().plots()) {
         if (entry.plot->isHidden()) continue;
         const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
@@ -69,7 +77,7 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
         do settle(window);
         while (window.runView().disk()->controller().busy());
         const QString file = directory.filePath(QString::fromLatin1(name) + QStringLiteral(".png"));
-        good = report(savePage(*window.page(), file), file) && good;
+        good = report(savePicture(*window.page(), file), file) && good;
     }
     window.runView().setPage(RunView::Page::Plots);
     if (window.spectrum().isHidden()) return good;

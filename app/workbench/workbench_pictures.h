@@ -3,9 +3,9 @@
 // Runs the case of a window and writes what it shows, for scripts and for the README.
 #pragma once
 
-#include "ui/window/main_window.h"
-
 namespace touchdown {
+
+class MainWindow;
 
 struct PictureRequest {
     QString exportFolder;     // of plots; empty for none

@@ -32,7 +32,7 @@ int pictureStudy(const StudyPlan& plan, const QString& folder, int width)
 {
     const QDir directory(folder);
     if (!directory.mkpath(QStringLiteral("."))) {
-        std::cerr << "The folder " << folder.toStdString() << " cannot be made.\n";
+        std::cerr << "The folder " << folder.toStdString() << " cannot be created.\n";
         return badInput;
     }
     const StudyReport report =

@@ -10,7 +10,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
 constexpr auto mailEvent = QEvent::User;
 
 } // namespace
@@ -43,7 +42,7 @@ void CalculationController::ring()
 
 void CalculationController::stop()
 {
-    if (state_ != State::Running) return;
+    if (!active() || state_ == State::Stopping) return;
     thread_.request_stop();
     setState(State::Stopping);
 }
@@ -68,12 +67,19 @@ void CalculationController::giveUp()
     if (thread_.joinable()) thread_.join();
 }
 
+bool CalculationController::setPaused(bool paused)
+{
+    if (state_ != (paused ? State::Running : State::Paused)) return false;
+    setState(paused ? State::Paused : State::Running);
+    return true;
+}
+
 void CalculationController::customEvent(QEvent* event)
 {
-    // News of a calculation before this one is harmless: a delivery takes what there is of this one.
+    // An event of an earlier calculation is harmless: the mailbox holds the mail of this one only.
     if (event->type() != mailEvent || !active() || timer_.isActive()) return;
-    const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : shortestInterval;
-    timer_.start(static_cast<int>(std::max<qint64>(0, shortestInterval - passed)));
+    const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : interval_;
+    timer_.start(static_cast<int>(std::max<qint64>(0, interval_ - passed)));
 }
 
 void CalculationController::deliverNow()
@@ -81,7 +87,7 @@ void CalculationController::deliverNow()
     if (!active()) return;
     timer_.stop();
     sinceDelivery_.start();
-    rung_ = false; // before the mail is taken: what comes after that rings again
+    rung_ = false; // before the mail is taken: later mail posts a new event
     deliver();
 }
 

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QHBoxLayout>
+
+#include "core/numerics/wall_clock.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -12,17 +16,47 @@ namespace {
 
 constexpr int barSteps = 1000;
 
+QString timeLeftText(double seconds)
+{
+    if (seconds < 1.0) return ProgressStrip::tr("less than 1 s left");
+    if (seconds < 99.5) return ProgressStrip::tr("%1 s left").arg(std::lround(seconds));
+    return ProgressStrip::tr("%1 min left").arg(std::lround(seconds / 60.0));
+}
+
+QStringList partsOf(const Progress& progress, std::optional<double> left)
+{
+    QStringList parts;
+    if (progress.share) parts << ProgressStrip::tr("%1 %").arg(std::floor(100.0 * std::min(1.0, *progress.share)));
+    if (!progress.activity.empty())
+        parts << QString::fromStdString(progress.activity).replace(QStringLiteral(" x "), QStringLiteral(" × "));
+    for (const ProgressFigure& figure : progress.figures) {
+        const auto spelled = [&](double value) { return roundedText(value, figure.displayUnit, figure.digits); };
+        const QString text = QString::fromStdString(figure.name) + QLatin1Char(' ') + spelled(figure.value);
+        parts << (figure.whole ? ProgressStrip::tr("%1 of %2").arg(text, spelled(*figure.whole)) : text);
+        if (figure.whole && left)
+            parts << ProgressStrip::tr("%1 per second").arg(spelled((*figure.whole - figure.value) / *left));
+    }
+    if (left) parts << timeLeftText(*left);
+    return parts;
+}
+
 } // namespace
 
-ProgressStrip::ProgressStrip(const QString& what, const QString& told, QWidget* parent)
-    : QWidget(parent), state_(new QLabel(tr("Ready"), this)), bar_(new QProgressBar(this)), text_(new QLabel(this))
+ProgressStrip::ProgressStrip(CalculationController& controller, const QString& calculation, QString running,
+                             QWidget* parent)
+    : QWidget(parent),
+      running_(std::move(running)),
+      state_(new QLabel(tr("Ready"), this)),
+      bar_(new QProgressBar(this)),
+      text_(new QLabel(this))
 {
     bar_->setTextVisible(false);
     bar_->setFixedHeight(10);
     bar_->setFixedWidth(180);
-    bar_->setAccessibleName(tr("Progress of the %1").arg(what));
-    state_->setAccessibleName(tr("State of the %1").arg(what));
-    text_->setAccessibleName(told);
+    bar_->setRange(0, barSteps);
+    bar_->setAccessibleName(tr("Progress of the %1").arg(calculation));
+    state_->setAccessibleName(tr("State of the %1").arg(calculation));
+    text_->setAccessibleName(tr("Progress of the %1 in words").arg(calculation));
     text_->setTextFormat(Qt::PlainText);
     text_->setMinimumWidth(1); // cut off rather than widening the window
     auto* layout = new QHBoxLayout(this);
@@ -32,37 +66,47 @@ ProgressStrip::ProgressStrip(const QString& what, const QString& told, QWidget* 
     layout->addWidget(bar_);
     layout->addWidget(text_, 1);
     bar_->hide();
+    connect(&controller, &CalculationController::stateChanged, this, &ProgressStrip::setState);
+    connect(&controller, &CalculationController::progressed, this,
+            [this](int, const Progress& progress) { advance(progress); });
 }
 
-void ProgressStrip::follow(CalculationController::State state, const QString& running)
+void ProgressStrip::setState(CalculationController::State state)
 {
-    if (state == CalculationController::State::Running)
-        begin(running);
-    else if (state == CalculationController::State::Stopping)
-        state_->setText(tr("Stopping"));
-    else
+    using State = CalculationController::State;
+    timeLeft_.restart();
+    if (state == State::Idle) {
         bar_->hide();
+        return;
+    }
+    state_->setText(state == State::Running ? running_ : state == State::Paused ? tr("Paused") : tr("Stopping"));
+    if (bar_->isHidden()) {
+        progress_ = {};
+        bar_->setRange(0, 0); // moves until a share is known
+        bar_->show();
+    }
+    showText(); // without the time left
 }
 
-void ProgressStrip::begin(const QString& state)
+void ProgressStrip::advance(const Progress& progress)
 {
-    state_->setText(state);
-    text_->clear();
-    bar_->setRange(0, barSteps);
-    bar_->setValue(0);
-    bar_->show();
+    progress_ = progress;
+    bar_->setRange(0, progress.share ? barSteps : 0);
+    if (progress.share) bar_->setValue(static_cast<int>(std::lround(std::clamp(*progress.share, 0.0, 1.0) * barSteps)));
+    showText();
 }
 
-void ProgressStrip::advance(double share, const QString& text)
+void ProgressStrip::showText()
 {
-    bar_->setRange(0, share < 0.0 ? 0 : barSteps);
-    if (share >= 0.0) bar_->setValue(static_cast<int>(std::lround(std::min(1.0, share) * barSteps)));
-    text_->setText(text);
+    const std::optional<double> left = timeLeft_.at(progress_.share, wallClock());
+    text_->setText(partsOf(progress_, left).join(QStringLiteral(" · ")));
 }
 
-void ProgressStrip::conclude(const QString& state, const QString& text)
+void ProgressStrip::conclude(std::string_view status, const QString& text)
 {
     bar_->hide();
+    QString state = statusText(status);
+    state[0] = state[0].toUpper();
     state_->setText(state);
     text_->setText(text);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The state of a calculation, a bar and a text in one line.
+// State, bar and progress of a calculation in one line: share, activity, figures, time left. At the end, its outcome.
 #pragma once
 
 #include <QLabel>
 #include <QProgressBar>
-#include <QWidget>
 
+#include "core/simulation/recording/progress.h"
 #include "ui/calculation/calculation_controller.h"
 
 namespace touchdown {
@@ -15,25 +15,26 @@ class ProgressStrip : public QWidget {
     Q_OBJECT
 
 public:
+    /// `calculation` names it for assistive programs ("run"); `running` is its state while it runs ("Solving").
+    ProgressStrip(CalculationController& controller, const QString& calculation, QString running, QWidget* parent);
+
     QString text() const { return text_->text(); }
-
-protected:
-    /// `what` is that of which it tells, "run"; `told` what the text tells.
-    ProgressStrip(const QString& what, const QString& told, QWidget* parent);
-
-    /// A calculation begins or ends; how it ended is `conclude`'s to say.
-    void follow(CalculationController::State state, const QString& running);
-    void begin(const QString& state);
-    /// A share below 0: nobody knows how far it is, and the bar moves without saying.
-    void advance(double share, const QString& text);
-    void conclude(const QString& state, const QString& text);
-    void setStateText(const QString& state) { state_->setText(state); }
-    void setText(const QString& text) { text_->setText(text); }
+    /// Shows how a calculation ended; `status` as the core names it.
+    void conclude(std::string_view status, const QString& text);
+    /// The time left is estimated anew: the rate has changed.
+    void restartEstimate() { timeLeft_.restart(); }
 
 private:
+    void setState(CalculationController::State state);
+    void advance(const Progress& progress);
+    void showText();
+
+    QString running_;
     QLabel* state_;
     QProgressBar* bar_;
     QLabel* text_;
+    Progress progress_;
+    TimeLeft timeLeft_;
 };
 
 } // namespace touchdown

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What changed from one case to another, in words.
+// The changes from one case to another, in words.
 #pragma once
 
 #include "core/case/case.h"

@@ -19,7 +19,7 @@
 
 namespace touchdown {
 
-/// What was typed into a field, and why it cannot be taken.
+/// Text typed into a field, and why it is not accepted.
 struct BadEntry {
     QString text;
     QString reason;
@@ -35,7 +35,7 @@ public:
     void open(const Case& opened);
 
     const Case& value() const { return state_.value; }
-    /// What the marks and resets compare with.
+    /// The case that marks and resets compare with.
     const Case& opened() const { return opened_; }
     QUndoStack& undoStack() { return undo_; }
 
@@ -51,7 +51,7 @@ public:
 
     /// nullptr when the field's entry was taken.
     const BadEntry* badEntry(const Field& field) const;
-    /// Of the values that were taken; each names its keys.
+    /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
     /// Why the case cannot be run, in a sentence; empty when it can.
     QString reasonNotToRun() const;

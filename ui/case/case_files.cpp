@@ -23,7 +23,7 @@ constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
 
-/// Of the archive, or of the folder: all of them hold a rail.dat.
+/// Name of the archive or of the folder; the file itself is always rail.dat.
 QString importedName(const QFileInfo& file)
 {
     if (file.isDir()) return file.fileName();

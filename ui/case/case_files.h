@@ -40,7 +40,7 @@ public:
     void save();
     void saveAs();
 
-    /// Asks about changes, if there are any, and goes on unless the answer is to stay.
+    /// Asks about unsaved changes, if there are any; continues unless the user cancels.
     void whenSettled(const std::function<void()>& next);
 
     bool modified() const;
@@ -60,7 +60,7 @@ signals:
     void opened();
     void saved();
     void resultsFileChosen(const QString& file);
-    /// After `opened`; the warnings say what is not modelled.
+    /// After `opened`; the warnings list the entries that are not modelled.
     void imported(const QString& path, const QStringList& warnings);
     /// After `opened`, of a case file that says something that is not modelled or has no effect.
     void warned(const QStringList& warnings);

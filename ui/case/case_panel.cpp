@@ -45,7 +45,7 @@ QString groupTitle(const std::string& name)
     return text;
 }
 
-/// What a case says about itself is read in its own pane, not set as a parameter.
+/// The description of the case has its own pane; it is no parameter.
 bool isParameter(const Field& field) { return field.group() != "about"; }
 
 } // namespace
@@ -103,7 +103,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
 
 CasePanel::~CasePanel()
 {
-    // An editor that loses the focus as it goes ends its edit, when there is nobody left to take it.
+    // An editor that loses the focus while it is destroyed would end its edit without a receiver.
     for (const Group& group : groups_)
         for (FieldEditor* editor : group.editors) editor->disconnect(this);
 }

@@ -161,7 +161,7 @@ void FieldEditor::describe()
     label_->setToolTip(tip);
     input()->setToolTip(tip);
     input()->setAccessibleDescription(QString::fromStdString(field_.help));
-    assumed_->setToolTip(tr("A stand-in: %1").arg(QString::fromStdString(field_.source)));
+    assumed_->setToolTip(tr("Assumed: %1").arg(QString::fromStdString(field_.source)));
 }
 
 void FieldEditor::show(const CaseEdits& edits)
@@ -190,7 +190,7 @@ void FieldEditor::show(const CaseEdits& edits)
     reset_->setVisible(changed_);
     const QString opened = valueText(edits.opened(), field_);
     reset_->setToolTip(tr("Back to %1").arg(opened));
-    // A stand-in is marked as long as it stands.
+    // The mark of an assumed value disappears when the value is changed.
     assumed_->setVisible(isStandIn(field_) && field_.get(value) == field_.get(Case{}));
     colour();
 }

@@ -22,7 +22,7 @@ class FieldEditor : public QWidget {
 public:
     /// `field` must outlive the editor, as those of `fields()` do.
     explicit FieldEditor(const Field& field, QWidget* parent = nullptr);
-    /// An input that loses the focus while it is destroyed has nobody to tell any more.
+    /// Blocks the signals: an input loses its focus while it is destroyed.
     ~FieldEditor() override { input()->disconnect(this); }
 
     const Field& field() const { return field_; }

@@ -2,34 +2,28 @@
 #include "ui/disk/disk_surface_controller.h"
 
 #include <exception>
-#include <utility>
-
-#include <QCoreApplication>
-#include <QEvent>
 
 namespace touchdown {
 
 namespace {
 
 constexpr int quiet = 250; // [ms]
-constexpr auto mailEvent = QEvent::User;
 
 } // namespace
 
-DiskSurfaceController::DiskSurfaceController(Maker maker, QObject* parent) : QObject(parent), maker_(std::move(maker))
+DiskSurfaceController::DiskSurfaceController(Maker maker, QObject* parent)
+    : CalculationController(parent), maker_(std::move(maker))
 {
     pause_.setSingleShot(true);
     pause_.setInterval(quiet);
-    connect(&pause_, &QTimer::timeout, this, &DiskSurfaceController::begin);
+    connect(&pause_, &QTimer::timeout, this, &DiskSurfaceController::make);
 }
-
-DiskSurfaceController::~DiskSurfaceController() = default;
 
 void DiskSurfaceController::request(const Case& c)
 {
     wanted_ = c;
     busy_ = true;
-    ++number_;
+    ++requested_;
     pause_.start();
 }
 
@@ -37,55 +31,37 @@ void DiskSurfaceController::cancel()
 {
     pause_.stop();
     busy_ = false;
-    ++number_;
+    ++requested_;
 }
 
-void DiskSurfaceController::begin()
+void DiskSurfaceController::make()
 {
-    {
-        const std::lock_guard lock(mailbox_);
-        order_ = {number_, wanted_};
-    }
-    asked_.notify_one();
-    if (!thread_.joinable()) thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
-}
-
-void DiskSurfaceController::work(const std::stop_token& stop)
-{
-    for (;;) {
-        std::pair<int, Case> order;
-        {
-            std::unique_lock lock(mailbox_);
-            if (!asked_.wait(lock, stop, [this] { return order_.has_value(); })) return;
-            order = std::move(*order_);
-            order_.reset();
-        }
+    if (active()) return; // `deliver` calls again
+    making_ = requested_;
+    begin([this, c = wanted_](const std::stop_token&) {
         DiskSurfacePreview preview;
         try {
-            preview = maker_(order.second);
+            preview = maker_(c);
         } catch (const std::exception& problem) { // a map that is too large for the memory
             preview = {};
             preview.problem = std::string("The surface cannot be made: ") + problem.what();
         }
-        {
-            const std::lock_guard lock(mailbox_);
-            ready_ = {order.first, std::move(preview)};
-        }
-        QCoreApplication::postEvent(this, new QEvent(mailEvent));
-    }
+        mailbox_.post([&](std::optional<DiskSurfacePreview>& mail) { mail = std::move(preview); });
+    });
 }
 
-void DiskSurfaceController::customEvent(QEvent* event)
+void DiskSurfaceController::deliver()
 {
-    if (event->type() != mailEvent) return;
-    std::optional<std::pair<int, DiskSurfacePreview>> ready;
-    {
-        const std::lock_guard lock(mailbox_);
-        ready = std::exchange(ready_, std::nullopt);
+    std::optional<DiskSurfacePreview> ready = mailbox_.take();
+    if (!ready) return;
+    end();
+    if (!busy_ || pause_.isActive()) return;
+    if (making_ != requested_) {
+        make();
+        return;
     }
-    if (!ready || ready->first != number_) return;
     busy_ = false;
-    made_ = std::move(ready->second);
+    made_ = std::move(*ready);
     emit made();
 }
 

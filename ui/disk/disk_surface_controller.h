@@ -1,66 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes the surfaces of the page of the disk beside the window: one thread, which takes the latest case that was asked
-// for. A surface that is no longer wanted when it is ready is thrown away.
+// Makes the surfaces of the disk page beside the window, always for the latest case that was requested. A surface that
+// is out of date when it is ready is discarded.
 #pragma once
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
-#include <QObject>
-#include <QTimer>
-
+#include "ui/calculation/calculation_controller.h"
 #include "ui/disk/disk_surface_preview.h"
 
 namespace touchdown {
 
-class DiskSurfaceController : public QObject {
+class DiskSurfaceController : public CalculationController {
     Q_OBJECT
 
 public:
     using Maker = std::function<DiskSurfacePreview(const Case&)>;
 
-    /// `maker` is `previewOf`, or what stands for it in a test.
+    /// `maker` is `previewOf` or a stand-in of a test.
     explicit DiskSurfaceController(Maker maker, QObject* parent = nullptr);
-    /// Waits for the surface under way.
-    ~DiskSurfaceController() override;
+    /// Waits for the surface that is being made.
+    ~DiskSurfaceController() override { giveUp(); }
 
-    /// Begins when no other case was asked for in the last quarter of a second, or in that time.
+    /// Starts after a quarter of a second without another request, once the surface that is being made is ready.
     void request(const Case& c);
     void setPause(int milliseconds) { pause_.setInterval(milliseconds); }
-    /// What was asked for is no longer wanted.
+    /// Discards the request.
     void cancel();
     bool busy() const { return busy_; }
     /// The surface that was made last.
     DiskSurfacePreview take() { return std::move(made_); }
 
 signals:
-    /// What was asked for is ready to be taken.
+    /// The requested surface can be taken.
     void made();
 
 protected:
-    void customEvent(QEvent* event) override;
+    void deliver() override;
 
 private:
-    void begin();
-    void work(const std::stop_token& stop);
+    void make();
 
     Maker maker_;
-    QTimer pause_; // until typing has come to an end
+    QTimer pause_; // until the user stops typing
     Case wanted_;
     bool busy_ = false;
-    int number_ = 0; // of what is wanted
+    int requested_ = 0, making_ = 0; // numbers of requests
     DiskSurfacePreview made_;
-
-    std::mutex mailbox_;
-    std::condition_variable_any asked_;
-    std::optional<std::pair<int, Case>> order_;
-    std::optional<std::pair<int, DiskSurfacePreview>> ready_;
-    std::jthread thread_; // last, so that it ends before what it uses
+    Mailbox<std::optional<DiskSurfacePreview>> mailbox_{*this};
 };
 
 } // namespace touchdown

@@ -16,6 +16,10 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "ui/disk/disk_statistics.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/fields_view.h"
+#include "ui/plot/plot_group.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/style/quantity_format.h"
 
@@ -26,7 +30,7 @@ namespace {
 constexpr int stepsPerPiece = 8;  // of the slider
 constexpr double faintest = 1e-9; // of the density that is shown, against its largest
 
-/// What the picture depends on.
+/// Everything that the picture depends on.
 bool sameSurface(const Case& a, const Case& b) { return a.diskSurface == b.diskSurface && a.folder == b.folder; }
 
 } // namespace
@@ -80,7 +84,7 @@ void DiskSurfaceView::build()
     statistics_->setMinimumWidth(270);
 
     place_->setAccessibleName(tr("Place along the track"));
-    place_->setToolTip(tr("Go along the track (arrow keys, Home, End)"));
+    place_->setToolTip(tr("Move along the track (arrow keys, Home, End)"));
     auto* footRow = new QHBoxLayout(foot_);
     footRow->setContentsMargins(10, 2, 10, 4);
     footRow->setSpacing(12);
@@ -112,7 +116,7 @@ void DiskSurfaceView::build()
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
     text_->setAutoFillBackground(true);
-    text_->setBackgroundRole(QPalette::Base); // as the maps that will stand there
+    text_->setBackgroundRole(QPalette::Base); // as the maps shown later
     pages_->addWidget(text_);
     pages_->addWidget(whole);
     auto* layout = new QVBoxLayout(this);
@@ -215,7 +219,7 @@ void DiskSurfaceView::showSpectrum()
 {
     spectrum_->clearCurves();
     const ProfilePsd& psd = preview_.psd;
-    std::array<std::vector<double>, 4> values{{{}, {}, {}, psd.density}}; // what is above covers what is below
+    std::array<std::vector<double>, 4> values{{{}, {}, {}, psd.density}}; // upper curves cover lower ones
     for (const RequestedPsd& asked : preview_.requested) {
         values[0].push_back(asked.density);
         values[1].push_back(asked.low);

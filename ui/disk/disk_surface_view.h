@@ -7,14 +7,19 @@
 #pragma once
 
 #include "ui/disk/disk_surface_controller.h"
-#include "ui/maps/fields_view.h"
 
 #include <QLabel>
 #include <QSlider>
 #include <QStackedWidget>
 #include <QTableWidget>
 
+#include "ui/plot/min_max_pyramid.h"
+
 namespace touchdown {
+
+class FieldsView;
+class PlotGroup;
+class PlotWidget;
 
 class DiskSurfaceView : public QWidget {
     Q_OBJECT

@@ -6,6 +6,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/steady.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/maps_view.h"
+#include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -21,7 +25,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       empty_(buildEmptyPage(solve))
 {
     for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
-    tabs_->setAccessibleName(tr("What is shown of the film"));
+    tabs_->setAccessibleName(tr("Views of the film"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
@@ -55,7 +59,7 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
 {
     auto* page = new QWidget(this);
     page->setAutoFillBackground(true);
-    page->setBackgroundRole(QPalette::Base); // as the plans and plots that will stand there
+    page->setBackgroundRole(QPalette::Base); // as the plans and plots shown later
     emptyText_ = new QLabel(page);
     auto* button = new QToolButton(page);
     button->setDefaultAction(solve);

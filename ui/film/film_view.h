@@ -3,6 +3,8 @@
 // The page of a film case: the air bearing surface as it is designed, and the fields of its static state.
 #pragma once
 
+#include <optional>
+
 #include <QAction>
 #include <QCheckBox>
 #include <QLabel>
@@ -10,11 +12,14 @@
 #include <QTabBar>
 #include <QWidget>
 
-#include "core/simulation/static_state/steady.h"
-#include "ui/maps/maps_view.h"
-#include "ui/slider/surface_view.h"
+#include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
+
+class MapsView;
+class SurfaceView;
+struct Case;
+struct SteadyResult;
 
 class FilmView : public QWidget {
     Q_OBJECT
@@ -28,13 +33,13 @@ public:
 
     /// The case as it is edited.
     void setCase(const Case& c);
-    /// What was solved, and of which case.
+    /// The solved case and its result.
     void setResult(const Case& solved, const SteadyResult& result);
     void clearResult();
     /// The case is no longer the one that was solved.
     void setStale(bool stale);
 
-    /// A solution is under way: says so where there is no result yet.
+    /// The solver is active: the page shows it while there is no result.
     void setSolving(bool solving);
 
     void setPage(Page page);

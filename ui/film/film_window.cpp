@@ -5,6 +5,10 @@
 #include <utility>
 
 #include "core/case/fields.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/film/film_view.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -25,13 +29,10 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
       controller_(std::move(solver)),
       view_(new FilmView(solve, parent)),
       attitude_(new AttitudeTable(parent)),
-      progress_(new SteadyProgressLine(parent))
+      progress_(new ProgressStrip(controller_, tr("static solution"), tr("Solving"), parent))
 {
-    connect(&controller_, &SteadyController::stateChanged, progress_, &SteadyProgressLine::setState);
     connect(&controller_, &SteadyController::stateChanged, view_,
             [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
-    connect(&controller_, &SteadyController::progressed, this,
-            [this](int, const SteadyProgress& progress) { progress_->advance(progress); });
     connect(&controller_, &SteadyController::finished, this,
             [this](int, const SteadyResult& result) { onFinished(result); });
 }
@@ -66,8 +67,15 @@ void FilmWindow::solve(const Case& c, bool given)
 
 void FilmWindow::onFinished(const SteadyResult& result)
 {
-    progress_->end(result);
-    // What was stopped or failed before it had a field leaves the last result in its place.
+    QString text;
+    if (!result.grid.x.empty())
+        text = tr("%1 × %2 cells · %3 iterations · residual %4 · %5")
+                   .arg(result.grid.nx())
+                   .arg(result.grid.ny())
+                   .arg(QLocale().toString(result.iterations), roundedText(result.residual, "", 2),
+                        timeText(result.wallSeconds));
+    progress_->conclude(name(result.status), text);
+    // A solution that ended without a field does not replace the last result.
     if (!result.pressure.empty() || !result_) {
         result_ = result;
         solved_ = asked_;

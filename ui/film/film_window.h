@@ -4,14 +4,17 @@
 // them.
 #pragma once
 
-#include <QObject>
+#include <optional>
 
-#include "ui/film/film_view.h"
+#include <QAction>
+
 #include "ui/film/steady_controller.h"
-#include "ui/film/steady_progress.h"
-#include "ui/slider/attitude_table.h"
 
 namespace touchdown {
+
+class AttitudeTable;
+class FilmView;
+class ProgressStrip;
 
 class FilmWindow : public QObject {
     Q_OBJECT
@@ -22,7 +25,7 @@ public:
 
     FilmView* view() const { return view_; }
     AttitudeTable* attitude() const { return attitude_; }
-    SteadyProgressLine* progress() const { return progress_; }
+    ProgressStrip* progress() const { return progress_; }
     SteadyController& controller() { return controller_; }
 
     /// Another case was opened: its result is not known.
@@ -47,7 +50,7 @@ private:
     SteadyController controller_;
     FilmView* view_;
     AttitudeTable* attitude_;
-    SteadyProgressLine* progress_;
+    ProgressStrip* progress_;
     Case edited_; // as it is now
     Case asked_;  // of the solution under way, as it was edited
     Case solved_; // of the result

@@ -4,6 +4,8 @@
 #include <exception>
 #include <string>
 
+#include "core/simulation/static_state/steady_progress.h"
+
 namespace touchdown {
 
 SteadyController::SteadyController(Solver solver, QObject* parent)
@@ -21,21 +23,19 @@ void SteadyController::work(const Case& c, const std::stop_token& stop)
     try {
         result = solver_(c, [&](const SteadyProgress& progress) {
             mailbox_.post([&](Mail& mail) { mail.progress = progress; });
-            ring();
             return !stop.stop_requested();
         });
     } catch (const std::exception& problem) {
         result = {};
-        result.message = std::string("The calculation broke off: ") + problem.what();
+        result.message = std::string("The calculation stopped with an error: ") + problem.what();
     }
     mailbox_.post([&](Mail& mail) { mail.result = std::move(result); });
-    ring();
 }
 
 void SteadyController::deliver()
 {
     const Mail mail = mailbox_.take();
-    if (mail.progress) emit progressed(current(), *mail.progress);
+    if (mail.progress) emit progressed(current(), progressOf(*mail.progress));
     if (!mail.result) return;
     end();
     emit finished(current(), *mail.result);

@@ -17,7 +17,7 @@ class SteadyController : public CalculationController {
 public:
     using Solver = std::function<SteadyResult(const Case&, const SteadyCallback&)>;
 
-    /// `solver` is `touchdown::steady`, or what stands for it in a test.
+    /// `solver` is `touchdown::steady` or a stand-in of a test.
     explicit SteadyController(Solver solver, QObject* parent = nullptr);
     ~SteadyController() override { giveUp(); }
 
@@ -25,7 +25,6 @@ public:
     int start(Case c);
 
 signals:
-    void progressed(int number, const touchdown::SteadyProgress& progress);
     void finished(int number, const touchdown::SteadyResult& result);
 
 protected:
@@ -40,7 +39,7 @@ private:
     void work(const Case& c, const std::stop_token& stop);
 
     Solver solver_;
-    Mailbox<Mail> mailbox_;
+    Mailbox<Mail> mailbox_{*this};
 };
 
 } // namespace touchdown

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field on the cells of a grid, drawn cell by cell without smoothing: what is seen is what was solved for.
+// A field on the cells of a grid, drawn cell by cell without smoothing, as it was solved.
 #pragma once
 
 #include <optional>

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -63,7 +65,7 @@ void FieldsView::buildControls()
     layout->addWidget(unit_);
     unit_->setAccessibleName(tr("Unit"));
     unit_->setToolTip(tr("Unit of the map and its sections"));
-    logarithmic_->setToolTip(tr("Logarithmic scale: shows what is weak beside what is strong"));
+    logarithmic_->setToolTip(tr("Logarithmic scale: shows small values beside large ones"));
     connect(unit_, &QComboBox::currentIndexChanged, this, &FieldsView::showField);
     connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
         logarithms_[static_cast<std::size_t>(field_)] = on;

@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields on one grid: a map of one of them, and its sections along x and y through a point. What the fields are, and
-// how each is to be shown, is told by who has them.
+// Fields on one grid: a map of one of them, and its sections along x and y through a point. The owner of
+// the fields sets how each is shown.
 //
 // The sections follow the pointer until a click pins them; Escape lets them follow again, Shift + arrows move them by a
 // cell.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QWidget>
 
-#include "ui/maps/field_map.h"
-#include "ui/maps/field_sections.h"
+#include "core/numerics/cell_grid.h"
+#include "core/physics/slider/air_bearing_surface.h"
+#include "ui/plot/min_max_pyramid.h"
 
 namespace touchdown {
+
+class FieldMap;
+class FieldSections;
+struct FieldLook;
 
 /// A field that can be shown, and how.
 struct MapKind {
     enum class Colours {
         BrightHigh,
-        BrightLow, // what is near the disk is bright
+        BrightLow, // small gaps are bright
         Recess,    // as the design of a slider is drawn
         Signed,    // about zero where both signs are, else what is strong is bright
     };
@@ -44,7 +51,7 @@ public:
 
     void setKinds(std::vector<MapKind> kinds);
     /// One field for each kind, one value for each cell [SI], x fastest; none where there is nothing to show. With
-    /// `ranges`, one for each kind, colours and sections span these instead of what is shown.
+    /// `ranges`, one for each kind, colours and sections span these instead of the shown values.
     void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {});
 
     void setField(int kind);

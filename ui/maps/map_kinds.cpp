@@ -9,7 +9,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double weakPressure = 1e5; // what a logarithm about zero does not tell from zero, of contact [Pa]
+constexpr double weakPressure = 1e5; // contact: a logarithmic scale about zero shows a smaller value as zero [Pa]
 constexpr double nearAmbient = 1e3;  // likewise, of air [Pa]
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::RunMaps", text); }

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/case/case.h"
+#include "core/simulation/static_state/steady.h"
+#include "ui/maps/field_map.h"
+
 namespace touchdown {
 
 namespace {
 
-constexpr double nearAmbient = 1e3; // a pressure that a logarithmic scale does not tell from ambient [Pa]
+constexpr double nearAmbient = 1e3; // a logarithmic scale shows a smaller difference from ambient as zero [Pa]
 
 /// The middle of the cell with the smallest gap: the point of minimum spacing itself lies on the border of a rail.
 std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)

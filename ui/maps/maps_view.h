@@ -3,11 +3,13 @@
 // The fields of a static state: pressure, gap and recess on the slider.
 #pragma once
 
-#include "core/case/case.h"
-#include "core/simulation/static_state/steady.h"
 #include "ui/maps/fields_view.h"
 
 namespace touchdown {
+
+struct Case;
+struct SliderCase;
+struct SteadyResult;
 
 class MapsView : public FieldsView {
     Q_OBJECT

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bar that tells which colour stands for which value.
+// The key of a colour scale: a bar with values.
 #pragma once
 
 #include <vector>

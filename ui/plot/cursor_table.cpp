@@ -53,7 +53,7 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     table_->setWordWrap(false);
-    table_->setTextElideMode(Qt::ElideLeft); // "…Air springs, run 2" tells more than "Energy: …"
+    table_->setTextElideMode(Qt::ElideLeft); // "…Air springs, run 2" says more than "Energy: …"
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

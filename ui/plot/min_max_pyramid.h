@@ -61,7 +61,7 @@ public:
     /// By a straight line between neighbours; nothing before the first and after the last sample.
     std::optional<double> valueAt(double time) const;
 
-    /// What a line needs to show from <= time <= to on `pixels` columns: at most 4 points a column, plus 4, with the
+    /// Points for a line that shows from <= time <= to on `pixels` columns: at most 4 points a column, plus 4, with the
     /// smallest and the largest sample of each bin, in the order of time, and the neighbours just outside so that the
     /// line reaches the edges. A bin is half a column to one column wide and lies on an absolute grid (multiples of a
     /// power of two; of the logarithm on a logarithmic axis), so that the picture does not shimmer when the window

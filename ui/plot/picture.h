@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What can leave the window as a picture.
+// Whatever can be saved or copied as a picture.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,8 @@ struct Picture {
 class PagePart {
 public:
     virtual ~PagePart() = default;
-    /// All of it into `target`, in the colours of `theme`. The proportions of the screen stay.
+    virtual QString title() const = 0;
+    /// The whole widget into `target`, in the colours of `theme`. The proportions of the screen stay.
     virtual void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) = 0;
 };
 

@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// What an axis stands for.
+/// Title and unit of an axis.
 struct AxisLabel {
     QString title;       // "Flying height"; may be empty
     QString unit;        // the display unit, "nm"; may be empty
@@ -54,7 +54,7 @@ public:
     QString reading(double value) const;
 
 private:
-    /// What keeps the numbers short: shown = value / (factor 10^exponent) - offset.
+    /// Keeps the numbers short: shown = value / (factor 10^exponent) - offset.
     struct Notation {
         int exponent = 0;    // a multiple of 3
         double offset = 0.0; // [display unit 10^exponent]

@@ -70,7 +70,7 @@ void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
             if (series_[i]->count() > 0) series_[i]->clear();
             continue;
         }
-        // A line folded many times would be broken into thousands of dashes that nobody can see.
+        // A line folded many times would be broken into thousands of invisible dashes.
         const bool dashed = pathLength(paths[i], size) < longestDashed * size.width();
         QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
         // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a plot shows: curves, lines to compare with, and marks. Numbers are SI; the axis holds the factor of the
+// Content of a plot: curves, reference lines and marks. Numbers are SI; the axis holds the factor of the
 // display unit.
 #pragma once
 
@@ -43,7 +43,7 @@ struct PointMark {
     CurveStyle style;
 };
 
-/// What a plot shows of its plane; without a range the axis follows the data.
+/// The visible ranges of a plot; without a range the axis follows the data.
 struct PlotView {
     std::optional<PlotRange> x;
     std::optional<PlotRange> y;

@@ -18,6 +18,8 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include "ui/plot/plot_widget.h"
+
 namespace touchdown {
 
 namespace {
@@ -91,35 +93,18 @@ QString writeFile(const QString& path, const std::function<void(QIODevice&)>& wr
     return {};
 }
 
-QString save(const Picture& picture, const QString& path)
+Picture pictureOf(QWidget& shown, const PlotTheme& theme)
 {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    QByteArray bytes;
-    if (suffix == QLatin1String("png"))
-        bytes = asPng(picture);
-    else if (suffix == QLatin1String("svg"))
-        bytes = asSvg(picture);
-    else if (suffix == QLatin1String("pdf"))
-        bytes = asPdf(picture);
-    else
-        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
-            .arg(QDir::toNativeSeparators(path));
-    return writeFile(path, [&](QIODevice& device) { device.write(bytes); });
-}
-
-Picture pictureOf(PlotWidget& plot, const PlotTheme& theme)
-{
-    return {plot.size(), plot.title(),
-            [&plot, theme](QPainter& painter) { plot.paintInto(painter, plot.rect(), theme); }};
-}
-
-Picture pictureOf(QWidget& page, const QString& title, const PlotTheme& theme)
-{
-    return {page.size(), title, [&page, theme](QPainter& painter) {
-                painter.fillRect(page.rect(), theme.background);
-                for (QWidget* widget : page.findChildren<QWidget*>())
-                    if (auto* part = dynamic_cast<PagePart*>(widget); part != nullptr && widget->isVisibleTo(&page))
-                        part->paintInto(painter, QRectF(widget->mapTo(&page, QPoint()), widget->size()), theme);
+    auto* part = dynamic_cast<PagePart*>(&shown);
+    return {shown.size(), part != nullptr ? part->title() : QString(), [&shown, part, theme](QPainter& painter) {
+                if (part != nullptr) {
+                    part->paintInto(painter, shown.rect(), theme);
+                    return;
+                }
+                painter.fillRect(shown.rect(), theme.background);
+                for (QWidget* widget : shown.findChildren<QWidget*>())
+                    if (auto* inner = dynamic_cast<PagePart*>(widget); inner != nullptr && widget->isVisibleTo(&shown))
+                        inner->paintInto(painter, QRectF(widget->mapTo(&shown, QPoint()), widget->size()), theme);
             }};
 }
 
@@ -150,25 +135,30 @@ QByteArray number(std::optional<double> value, double factor)
 
 } // namespace
 
-QString savePicture(const Picture& picture, const QString& path) { return save(picture, path); }
-
-void copyPicture(const Picture& picture) { QGuiApplication::clipboard()->setImage(rastered(picture, finer)); }
-
-QString savePicture(PlotWidget& plot, const QString& path) { return save(pictureOf(plot, lightPlotTheme()), path); }
-
-QString savePage(QWidget& page, const QString& path, const QString& title)
+QString savePicture(const Picture& picture, const QString& path)
 {
-    return save(pictureOf(page, title, lightPlotTheme()), path);
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    QByteArray bytes;
+    if (suffix == QLatin1String("png"))
+        bytes = asPng(picture);
+    else if (suffix == QLatin1String("svg"))
+        bytes = asSvg(picture);
+    else if (suffix == QLatin1String("pdf"))
+        bytes = asPdf(picture);
+    else
+        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
+            .arg(QDir::toNativeSeparators(path));
+    return writeFile(path, [&](QIODevice& device) { device.write(bytes); });
 }
 
-void copyPicture(PlotWidget& plot)
+QString savePicture(QWidget& shown, const QString& path)
 {
-    QGuiApplication::clipboard()->setImage(rastered(pictureOf(plot, plot.theme()), finer));
+    return savePicture(pictureOf(shown, lightPlotTheme()), path);
 }
 
-void copyPage(QWidget& page)
+void copyPicture(QWidget& shown)
 {
-    QGuiApplication::clipboard()->setImage(rastered(pictureOf(page, {}, plotTheme(page.palette())), finer));
+    QGuiApplication::clipboard()->setImage(rastered(pictureOf(shown, plotTheme(shown.palette())), finer));
 }
 
 void writeCsv(const PlotWidget& plot, QIODevice& device)

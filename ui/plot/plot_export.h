@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures and numbers out of plots. Each function returns an empty string, or a sentence that says what went wrong.
+// Pictures and numbers of plots. Each function that saves returns an empty string or a sentence that states the
+// problem.
 //
-// The end of the file's name chooses: .png (twice the pixels of the screen), .svg and .pdf (vectors and text).
-// Pictures leave in the light theme, for paper; the clipboard gets what the screen shows.
+// The ending of the file name chooses the format: .png (twice the pixels of the screen), .svg and .pdf (vectors and
+// text). Files are written in the light theme, for paper; the clipboard gets the theme of the screen.
 #pragma once
 
 #include "ui/plot/picture.h"
-#include "ui/plot/plot_widget.h"
 
 #include <QIODevice>
 #include <QString>
 
 namespace touchdown {
 
-[[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
-void copyPicture(const Picture& picture);
+class PlotWidget;
 
-[[nodiscard]] QString savePicture(PlotWidget& plot, const QString& path);
-/// Every visible PagePart inside `page`, where it stands on the page.
-[[nodiscard]] QString savePage(QWidget& page, const QString& path, const QString& title = {});
-void copyPicture(PlotWidget& plot);
-void copyPage(QWidget& page);
+[[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
+/// A PagePart, or a page with every visible PagePart inside it at its place.
+[[nodiscard]] QString savePicture(QWidget& shown, const QString& path);
+void copyPicture(QWidget& shown);
 
 /// Every sample of the visible curves that lies in the visible range of x, in display units, with a column for each
 /// curve. Curves with different times share the column of x and leave cells empty.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plots that belong together: one time axis, one zoom history, one pair of cursors; they follow the run or stand still.
+// Plots that belong together: one time axis, one zoom history, one pair of cursors; they follow the run or are frozen.
 //
 // The group owns no plot. A plot leaves by itself when it is destroyed. Zooming x by hand freezes; fitting follows
 // the whole run again. A phase portrait shares cursors and history, and shows the part of the history that the time
@@ -47,7 +47,7 @@ public:
     void setWindow(double seconds); // of LastWindow [s]
     double window() const { return window_; }
 
-    /// What WholeRun shows at least: 0 to the duration, known before the run begins.
+    /// Smallest range of WholeRun: 0 to the duration, known before the run begins.
     void setSpan(std::optional<PlotRange> span);
 
     void setXRange(const PlotRange& range); // freezes; a step of the history
@@ -62,7 +62,7 @@ public:
 
     void setCursor(int which, std::optional<double> time);
     std::optional<double> cursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
-    /// Of all visible curves of all plots that are not phase portraits.
+    /// Values of all visible curves of all plots that are not phase portraits.
     std::vector<CursorReading> readings() const;
 
 signals:

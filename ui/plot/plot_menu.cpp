@@ -60,7 +60,7 @@ void openMenu(PlotWidget* plot, PlotGroup* group, QWidget* page, const QPoint& a
     if (page != nullptr)
         menu->addAction(tr("Save &page\u2026"), plot, [plot, page] {
             askAndSave(plot, tr("Save page"), pictureFilters(), QStringLiteral("pdf"),
-                       [page](const QString& path) { return savePage(*page, path); });
+                       [page](const QString& path) { return savePicture(*page, path); });
         });
     menu->addAction(tr("Save visible &data\u2026"), plot, [plot] {
         askAndSave(plot, tr("Save visible data"), {tr("Comma-separated values (*.csv)")}, QStringLiteral("csv"),

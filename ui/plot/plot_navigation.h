@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What mouse and keys do to a plot; the list stands at the head of plot_widget.h.
+// Mouse and keys of a plot; see the list in plot_widget.h.
 #pragma once
 
 #include "ui/plot/plot_widget.h"

@@ -49,7 +49,7 @@ private:
 
 /// In pixels, so that a picture of any resolution has the proportions of the screen.
 QFont plotTextFont(const QFont& font);
-/// Of the numbers on the axes: a little smaller than the text.
+/// Font of the numbers on the axes: slightly smaller than the text.
 QFont plotNumberFont(const QFont& font);
 
 } // namespace touchdown

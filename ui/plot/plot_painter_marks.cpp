@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands on a plot beside its curves: lines to compare with, events, named points, the way of a phase portrait.
+// Marks of a plot beside its curves: reference lines, events, named points, the direction of a phase portrait.
 #include "ui/plot/plot_painter.h"
 
 #include <algorithm>

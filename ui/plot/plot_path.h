@@ -15,7 +15,7 @@ namespace touchdown {
 /// A curve over x, thinned to the pixels and cut a little outside the area, so that no coordinate is too large to draw.
 std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels);
 
-/// `yData` against `xData` within a window of time; points nearer to each other than the eye can tell are left out.
+/// `yData` against `xData` within a window of time; points too close to be distinguished are omitted.
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
                                const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels);
 

@@ -37,7 +37,7 @@ class PlotWidget : public QWidget, public PagePart {
     Q_OBJECT
 
 public:
-    /// What the user did to the view: gestures of one kind in a row are one step of the history.
+    /// Actions of the user on the view: consecutive gestures of one kind are one step of the history.
     enum class Gesture { WheelIn, WheelOut, Box, Move, Fit, Key };
     Q_ENUM(Gesture)
 
@@ -45,7 +45,7 @@ public:
     ~PlotWidget() override;
 
     void setTitle(const QString& title);
-    QString title() const { return title_; }
+    QString title() const override { return title_; }
     void setXLabel(const AxisLabel& label); // as made: "Time", "s"
     void setYLabel(const AxisLabel& label);
     void setYScale(AxisScale scale);
@@ -79,7 +79,7 @@ public:
     /// Shows this; emits nothing.
     void setView(const PlotView& view);
     const PlotView& view() const { return view_; }
-    /// Of all visible curves; nothing when there are no samples. In a phase portrait, of x, not of time.
+    /// Range of all visible curves; none without samples. In a phase portrait the range of x, not of time.
     std::optional<PlotRange> dataRangeX() const;
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
@@ -92,7 +92,7 @@ public:
         dataChanged();
     }
 
-    /// Cursor 0 or 1 ("1" and "2" on the screen); nothing takes it away. Emits nothing.
+    /// Cursor 0 or 1 ("1" and "2" on the screen); an empty value removes it. Emits nothing.
     void setPlotCursor(int which, std::optional<double> x);
     std::optional<double> plotCursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
 

@@ -59,8 +59,8 @@ SpectrumView::SpectrumView(QWidget* parent)
     logFrequency_->setToolTip(tr("Logarithmic frequency axis"));
     logFrequency_->setAccessibleName(tr("Logarithmic frequency axis"));
     window_->setToolTip(tr("Window that each segment is multiplied with"));
-    segment_->setToolTip(tr("Samples in each segment: more resolve finer, fewer average more"));
-    overlap_->setToolTip(tr("Of neighbouring segments"));
+    segment_->setToolTip(tr("Samples in each segment: more give a finer resolution, fewer a smoother average"));
+    overlap_->setToolTip(tr("Overlap of neighbouring segments"));
     scaling_->setToolTip(tr("Density: its integral over frequency is the mean square. "
                             "Amplitude: a sine of amplitude A shows A\u00b2/2 at its frequency."));
     plot_->setYScale(AxisScale::Logarithmic);
@@ -69,7 +69,7 @@ SpectrumView::SpectrumView(QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
     row->setContentsMargins(6, 4, 6, 4);
-    // What each box holds says what it is for: labels would make the window too wide for a small screen.
+    // The boxes have no labels: these would make the window too wide for a small screen.
     const auto addField = [&](const QString& name, QWidget* field, int stretch) {
         field->setAccessibleName(name);
         row->addWidget(field, stretch);

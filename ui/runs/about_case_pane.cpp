@@ -5,6 +5,8 @@
 
 #include <QEvent>
 
+#include "core/simulation/recording/run_statistics.h"
+#include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -66,13 +68,13 @@ void AboutCasePane::write()
                 .arg(colour.name(), heading,
                      text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     };
-    part(tr("What the paper saw"), QString::fromStdString(about_.paper), colours.muted);
-    part(tr("What to watch"), QString::fromStdString(about_.watch), colours.muted);
-    part(tr("What this run shows"), result_, colours.change);
-    part(tr("How that was decided"), rule_, colours.muted);
+    part(tr("Result of the paper"), QString::fromStdString(about_.paper), colours.muted);
+    part(tr("What to look at"), QString::fromStdString(about_.watch), colours.muted);
+    part(tr("Result of this run"), result_, colours.change);
+    part(tr("Criterion"), rule_, colours.muted);
     part(tr("Its figures"), figures_, colours.muted);
-    part(tr("⚠ What the file says without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
-    part(tr("≈ What is assumed"), QString::fromStdString(about_.assumed), colours.warning);
+    part(tr("⚠ Entries of the file without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
+    part(tr("≈ Assumptions"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
 }
 
@@ -112,8 +114,8 @@ QString resultText(const RunRecord& run)
         }
         text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
         if (!summary.bouncingRule.empty())
-            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It goes on bouncing.")
-                                                         : AboutCasePane::tr("It does not go on bouncing."));
+            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It continues to bounce.")
+                                                         : AboutCasePane::tr("It does not continue to bounce."));
     } else {
         text = sentence(summary.message);
     }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a case is about: what the paper saw, what to watch, what is a stand-in, and what this run shows.
+// Description of a case: the paper's result, what to look at, assumptions, and the result of the run.
 #pragma once
 
 #include "core/case/case.h"
-#include "ui/runs/run_record.h"
 
 #include <QTextBrowser>
 
 namespace touchdown {
+
+struct RunFigure;
+struct RunRecord;
+struct Summary;
 
 class AboutCasePane : public QTextBrowser {
     Q_OBJECT
@@ -17,9 +20,9 @@ public:
     explicit AboutCasePane(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
-    /// Of the run of this case that has ended, by which rule, and what else is read off it; empty while it runs.
+    /// Result of the last run of this case, its criterion and its figures; empty during a run.
     void setResult(const QString& result, const QString& rule = {}, const QString& figures = {});
-    /// What the file says and has no effect or is not modelled.
+    /// Entries of the file that have no effect or are not modelled.
     void setWarnings(const QStringList& warnings);
 
 protected:
@@ -36,11 +39,11 @@ private:
     QStringList warnings_;
 };
 
-/// What a run came to, in a few sentences; warnings and the check of the step are not among them.
+/// Result of a run in a few sentences, without warnings and the check of the step.
 QString resultText(const RunRecord& run);
 /// The value of one figure: "3.577 mN".
 QString figureText(const RunFigure& figure);
-/// What one reads off a contact run, a line for each figure.
+/// Figures of a contact run, a line for each.
 QString figuresText(const Summary& summary);
 
 } // namespace touchdown

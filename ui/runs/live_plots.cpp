@@ -6,14 +6,18 @@
 #include <utility>
 
 #include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "ui/plot/plot_group.h"
 #include "ui/plot/plot_menu.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
 namespace {
 
-/// Of what the user chose in the menu of a plot.
+/// Key of a choice of the user in the menu of a plot.
 std::string curveKey(const QString& plot, const QString& quantity)
 {
     return (plot + QLatin1Char('/') + quantity).toStdString();
@@ -287,7 +291,7 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     return curve;
 }
 
-/// What the user chose in the plots' menus holds for the runs that come.
+/// Choices in the plots' menus hold for later runs.
 void LivePlots::noteHiddenCurves()
 {
     for (const int number : drawn_) {
@@ -320,7 +324,7 @@ void LivePlots::updateVisibility()
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         const Entry& entry = entries_[s];
         bool recorded = false;
-        // Before there is any run, the plots of what the case will record stand ready.
+        // Before the first run, the plots of the quantities that the case will record are shown.
         for (const Spec::Curve& curve : specs()[s].curves)
             recorded = recorded || (!anyShown && std::ranges::find(ready_, curve.quantity) != ready_.end());
         for (int row = 0; row < runs_.count(); ++row)

@@ -3,12 +3,9 @@
 // The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which
 // quantities go in which plot.
 //
-// A plot with one quantity tells runs apart by colour and dash; a plot with several tells quantities apart by colour
-// and runs by dash. With a baseline, every other run is shown as its difference from it.
+// A plot with one quantity distinguishes runs by colour and dash; a plot with several distinguishes quantities by
+// colour and runs by dash. With a baseline, every other run is shown as its difference from it.
 #pragma once
-
-#include "ui/plot/plot_group.h"
-#include "ui/runs/runs_model.h"
 
 #include <QAction>
 #include <QVBoxLayout>
@@ -20,7 +17,15 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
+#include "ui/plot/plot_curve.h"
+
 namespace touchdown {
+
+class PlotGroup;
+class PlotWidget;
+class RunsModel;
+struct RunRecord;
 
 class LivePlots : public QWidget {
     Q_OBJECT

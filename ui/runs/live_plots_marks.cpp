@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands in the plots beside the curves: events of the newest run, and heights of its case to compare with.
+// Marks of the plots beside the curves: events of the newest run and heights of its case.
 #include "ui/runs/live_plots.h"
 
 #include <algorithm>
@@ -8,6 +8,10 @@
 #include <set>
 
 #include "core/formats/units.h"
+#include "core/simulation/run.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

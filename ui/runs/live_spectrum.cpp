@@ -7,6 +7,9 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/recording/run_statistics.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
 

@@ -3,15 +3,20 @@
 // Keeps the spectra of the shown runs up to date: gently while a run goes, in full when it has ended.
 #pragma once
 
-#include "ui/plot/spectrum_view.h"
-#include "ui/runs/runs_model.h"
-
 #include <QTimer>
 #include <QWidget>
 
 #include <set>
+#include <vector>
+
+#include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
+
+class RunsModel;
+class SpectrumView;
+struct Case;
+struct RunRecord;
 
 class LiveSpectrum : public QWidget {
     Q_OBJECT

@@ -1,121 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_controller.h"
 
-#include <algorithm>
 #include <utility>
 
-#include <QCoreApplication>
-#include <QEvent>
-
+#include "core/simulation/run.h"
 #include "ui/runs/run_worker.h"
 
 namespace touchdown {
-
-namespace {
-
-constexpr int shortestInterval = 16; // [ms]: at most 60 Hz
-constexpr auto mailEvent = QEvent::User;
-
-} // namespace
 
 RunController::RunController(QObject* parent)
     : RunController([](const Case& c, const RunCallback& callback) { return run(c, callback); }, parent)
 {}
 
-RunController::RunController(Solver solver, QObject* parent) : QObject(parent), solver_(std::move(solver))
-{
-    timer_.setSingleShot(true);
-    timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this, &RunController::deliver);
-}
-
-RunController::~RunController() = default;
-
-void RunController::stopAndWait()
-{
-    if (!worker_) return;
-    worker_->stop();
-    worker_->join();
-    deliver();
-}
+RunController::RunController(Solver solver, QObject* parent) : CalculationController(parent), solver_(std::move(solver))
+{}
 
 int RunController::start(RunRequest request)
 {
     stopAndWait();
-    ++run_;
-    setState(State::Running);
-    emit started(run_);
-    sinceDelivery_.invalidate();
-    // Only the news that there is mail goes through Qt's queue; the mail itself, under the worker's mutex.
-    worker_ = std::make_unique<Worker>(solver_, std::move(request), pace_,
-                                       [this] { QCoreApplication::postEvent(this, new QEvent(mailEvent)); });
-    return run_;
+    pace_.reset();
+    return begin([this, request = std::move(request)](const std::stop_token& stop) {
+        RunWorker(solver_, request, pace_, mailbox_, stop).work();
+    });
 }
 
 void RunController::pause()
 {
-    if (state_ != State::Running) return;
-    worker_->setPaused(true);
-    setState(State::Paused);
+    if (setPaused(true)) pace_.setPaused(true);
 }
 
 void RunController::resume()
 {
-    if (state_ != State::Paused) return;
-    worker_->setPaused(false);
-    setState(State::Running);
+    if (setPaused(false)) pace_.setPaused(false);
 }
 
 void RunController::step()
 {
-    if (state_ == State::Paused) worker_->step();
-}
-
-void RunController::stop()
-{
-    if (!worker_ || state_ == State::Stopping) return;
-    worker_->stop();
-    setState(State::Stopping);
-}
-
-void RunController::setPace(double simulatedPerWallSecond)
-{
-    pace_ = simulatedPerWallSecond;
-    if (worker_) worker_->setPace(pace_);
-}
-
-void RunController::customEvent(QEvent* event)
-{
-    // News of a run before this one is harmless: a delivery takes what there is of this one.
-    if (event->type() != mailEvent || !worker_ || timer_.isActive()) return;
-    const qint64 passed = sinceDelivery_.isValid() ? sinceDelivery_.elapsed() : interval_;
-    timer_.start(static_cast<int>(std::max<qint64>(0, interval_ - passed)));
+    if (state() == State::Paused) pace_.step();
 }
 
 void RunController::deliver()
 {
-    if (!worker_) return;
-    timer_.stop();
-    sinceDelivery_.start();
-
-    Worker::Mail mail = worker_->take();
-    mail.delivery.run = run_;
-    if (!mail.recordingProblem.empty()) emit recordingFailed(run_, QString::fromStdString(mail.recordingProblem));
+    RunMail mail = mailbox_.take();
+    mail.delivery.run = current();
+    if (!mail.recordingProblem.empty()) emit recordingFailed(current(), QString::fromStdString(mail.recordingProblem));
     emit delivered(mail.delivery);
-    // A solver that waits for room is relieved at once: the plots draw at a pace of their own.
-    interval_ = mail.wasFull ? 0 : shortestInterval;
-
+    if (mail.delivery.duration > 0.0)
+        emit progressed(current(), runProgress(mail.delivery.time, mail.delivery.duration));
+    // A solver that waits for room gets it at once: the plots draw at their own rate.
+    setInterval(mail.wasFull ? 0 : shortestInterval);
     if (!mail.summary) return;
-    worker_.reset();
-    setState(State::Idle);
-    emit finished(run_, *mail.summary);
-}
-
-void RunController::setState(State state)
-{
-    if (state == state_) return;
-    state_ = state;
-    emit stateChanged(state);
+    end();
+    emit finished(current(), *mail.summary);
 }
 
 } // namespace touchdown

@@ -1,111 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only owner of a thread: runs one case at a time beside the window.
+// Runs one case at a time beside the window; a run can pause, advance by single steps and run in slow motion.
 //
-// The solver's batches cross the thread border by value and lose nothing: the worker appends them to
-// a mailbox under a mutex, and asks for one queued call if none is pending; the window swaps the
-// mailbox empty at most 60 times a second, or as often as it can while a fast solver waits for room in
-// it. The mailbox is bounded, so that a delivery is short and the window goes on answering. Every
-// delivery carries the number of its run, so that one that comes late is dropped.
-//
-// Slow motion and pause hold back samples, not the solver's arithmetic: the worker hands out a batch
-// slice by slice, and waits on a condition variable in between.
+// No sample is lost: the worker appends the solver's batches to the mail. The mail is bounded, so that a delivery is
+// short and the window keeps responding; a solver that is faster than the window waits for room.
 #pragma once
-
-#include "core/simulation/run.h"
-
-#include <QElapsedTimer>
-#include <QObject>
-#include <QString>
-#include <QTimer>
 
 #include <filesystem>
 #include <functional>
-#include <limits>
-#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include <QString>
+
+#include "core/case/case.h"
+#include "core/simulation/recording/run_summary.h"
+#include "ui/calculation/calculation_controller.h"
+#include "ui/runs/run_pace.h"
 
 namespace touchdown {
 
-/// What is to be run.
 struct RunRequest {
     Case value;
     std::string caseText;           // the exact input, for the results file
-    std::filesystem::path recordTo; // a results file written while the run goes; empty for none
+    std::filesystem::path recordTo; // a results file written during the run; empty for none
 };
 
-/// What has arrived since the last delivery.
+/// Samples, events and fields since the last delivery.
 struct RunDelivery {
     int run = 0; // number of the run
     SampleBatch samples;
     std::vector<RunEvent> events;
     std::vector<FieldSnapshot> fields; // of recordedFields()
     double time = 0.0;                 // reached [s]
-    double duration = 0.0;             // of the whole run [s]
+    double duration = 0.0;             // of the whole run [s]; 0 without an update since the last delivery
 };
 
-class RunController : public QObject {
+struct RunMail {
+    RunDelivery delivery;
+    std::optional<Summary> summary;
+    std::string recordingProblem;
+    bool wasFull = false; // the worker had to wait for room
+};
+
+class RunController : public CalculationController {
     Q_OBJECT
 
 public:
-    enum class State { Idle, Running, Paused, Stopping };
-    Q_ENUM(State)
-
     using Solver = std::function<Summary(const Case&, const RunCallback&)>;
-    static constexpr double fullSpeed = std::numeric_limits<double>::infinity();
+    static constexpr double fullSpeed = RunPace::fullSpeed;
 
     explicit RunController(QObject* parent = nullptr);
     /// With another solver than `touchdown::run`.
     explicit RunController(Solver solver, QObject* parent = nullptr);
-    /// Stops and joins.
-    ~RunController() override;
+    ~RunController() override { giveUp(); }
 
-    /// Starts a run and returns its number. A run that is under way is stopped first, and ends with its `finished`.
+    /// See CalculationController::begin.
     int start(RunRequest request);
 
-    /// Ends the run under way, if there is one, with its `finished`.
-    void stopAndWait();
-
-    State state() const { return state_; }
-    bool active() const { return state_ != State::Idle; }
-    int currentRun() const { return run_; }
-    double pace() const { return pace_; }
+    double pace() const { return pace_.value(); }
 
 public slots:
     void pause();
     void resume();
-    /// Lets a paused run go on by one picture: 1/60 s of its pace, or 1/200 of its duration at full speed.
+    /// Advances a paused run by one picture: 1/60 s of its pace, or 1/200 of its duration at full speed.
     void step();
-    /// Returns at once; `finished` follows within 0.1 s.
-    void stop();
     /// Simulated seconds per second of wall time; takes effect at once.
-    void setPace(double simulatedPerWallSecond);
+    void setPace(double simulatedPerWallSecond) { pace_.set(simulatedPerWallSecond); }
 
 signals:
-    void stateChanged(touchdown::RunController::State state);
-    void started(int run);
     void delivered(const touchdown::RunDelivery& delivery);
     void finished(int run, const touchdown::Summary& summary);
-    /// The results file could not be written; the run goes on without it.
+    /// The results file could not be written; the run continues without it.
     void recordingFailed(int run, const QString& problem);
 
 protected:
-    void customEvent(QEvent* event) override;
+    void deliver() override;
 
 private:
-    class Worker;
-
-    void deliver();
-    void setState(State state);
-
     Solver solver_;
-    std::unique_ptr<Worker> worker_;
-    QTimer timer_;
-    QElapsedTimer sinceDelivery_;
-    int interval_ = 16; // between deliveries [ms]
-    State state_ = State::Idle;
-    int run_ = 0;
-    double pace_ = fullSpeed; // [s/s]
+    RunPace pace_;
+    Mailbox<RunMail> mailbox_{*this};
 };
 
 } // namespace touchdown

@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/plot/plot_theme.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
 

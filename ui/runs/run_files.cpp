@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 
 #include "ui/plot/plot_export.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
 
@@ -76,7 +78,7 @@ void RunFiles::openRun(const QString& file)
 void RunFiles::choosePicture()
 {
     choose(tr("Export the plots"), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"),
-           QStringLiteral("touchdown.png"), [this](const QString& file) { report(savePage(page_, file), file); });
+           QStringLiteral("touchdown.png"), [this](const QString& file) { report(savePicture(page_, file), file); });
 }
 
 void RunFiles::report(const QString& problem, const QString& file)

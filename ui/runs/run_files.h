@@ -3,15 +3,16 @@
 // Runs and pictures to and from files, by dialogs that leave the window alive.
 #pragma once
 
-#include "ui/runs/live_plots.h"
-#include "ui/runs/runs_model.h"
-
 #include <QObject>
 #include <QString>
+#include <QWidget>
 
 #include <functional>
 
 namespace touchdown {
+
+class RunsModel;
+struct RunRecord;
 
 class RunFiles : public QObject {
     Q_OBJECT

@@ -9,7 +9,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/maps/field_map.h"
 #include "ui/maps/maps_view.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -23,7 +26,7 @@ bool sameRectangle(const CellGrid& grid, const SliderCase& slider)
            std::abs(grid.x.back() - slider.length) < close && std::abs(grid.y.back() - slider.width) < close;
 }
 
-/// What one looks for: the pressure of the air, or of the contact where there is no air.
+/// The field shown first: the air pressure, or the contact pressure without air.
 QString firstWanted(const std::vector<RecordedFields>& sets)
 {
     for (const char* name : {"air_pressure", "contact_pressure"})
@@ -71,14 +74,14 @@ void RunMaps::buildRows()
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     sameScale_->setChecked(true);
-    sameScale_->setToolTip(tr("On: colours and sections span the whole run. Off: what is seen at this time."));
+    sameScale_->setToolTip(tr("On: colours and sections span the whole run. Off: they span the values at this time."));
     time_->setAccessibleName(tr("Time of the maps"));
-    time_->setToolTip(tr("Go through the times at which the run recorded its fields (arrow keys, Home, End)"));
+    time_->setToolTip(tr("Select the time of the recorded fields (arrow keys, Home, End)"));
     reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     emptyText_->setAlignment(Qt::AlignCenter);
     emptyText_->setWordWrap(true);
     emptyText_->setAutoFillBackground(true);
-    emptyText_->setBackgroundRole(QPalette::Base); // as the maps that will stand there
+    emptyText_->setBackgroundRole(QPalette::Base); // as the maps shown later
     pages_->addWidget(view_);
     pages_->addWidget(emptyText_);
 
@@ -132,7 +135,9 @@ void RunMaps::showEvent(QShowEvent* event)
     if (stale_) refresh();
 }
 
-/// Of the set that is shown; nothing while it has no snapshot.
+/// History of the shown set; none while it has no snapshot.
+const RunRecord* RunMaps::run() const { return runs_.find(number_); }
+
 const FieldHistory* RunMaps::history() const
 {
     const RunRecord* shown = run();
@@ -222,7 +227,7 @@ void RunMaps::takeArea()
         view_->setSectionPoint({grid.centreX(grid.nx() / 2), grid.centreY(grid.ny() / 2)}, false);
 }
 
-/// Another field; where it is of another set, at the time that is seen now.
+/// Another field; of another set at the time shown now.
 void RunMaps::showField(std::size_t index)
 {
     const FieldHistory* before = history();
@@ -268,10 +273,10 @@ void RunMaps::showSnapshot()
     view_->setFields(history->fields.grid, std::move(values),
                      sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>());
     reading_->setText(readingText(*shown, *history, index));
-    reading_->setToolTip(history->stride == 1
-                             ? QString()
-                             : tr("The run has recorded more than is kept in memory: of its times, one in %1 is here.")
-                                   .arg(history->stride));
+    reading_->setToolTip(
+        history->stride == 1
+            ? QString()
+            : tr("The run recorded more snapshots than are kept in memory. One in %1 is shown.").arg(history->stride));
 }
 
 QString RunMaps::readingText(const RunRecord& shown, const FieldHistory& history, std::size_t index) const
@@ -292,9 +297,9 @@ QString RunMaps::whyEmpty() const
 {
     const RunRecord* shown = run();
     if (!shown) return tr("There are no maps yet: run the case.");
-    if (!shown->finished()) return tr("The first maps come soon.");
+    if (!shown->finished()) return tr("The first maps are not ready yet.");
     if (shown->fields.empty() && shown->value.model == ModelKind::Contact)
-        return tr("Run %1 has no maps: its contact law knows forces, not pressures on a surface.").arg(number_);
+        return tr("Run %1 has no maps: its contact law has forces only, no pressures on a surface.").arg(number_);
     return tr("Run %1 recorded no maps: its number of field snapshots is 0, or it was stopped before the first.")
         .arg(number_);
 }

@@ -2,13 +2,12 @@
 //
 // The fields that a run records at some of its times: pressure and gap of the air, and of the patch that can touch its
 // contact pressure, adhesion, gap, the disk below. One is seen at one time; the slider at the foot goes through the
-// times, and stays at the last one while the run goes on.
+// times, and stays at the last one during the run.
 //
-// Colours and sections span what the whole run has, so that one time compares with another, or what is seen alone.
+// Colours and sections span the values of the whole run, so that times can be compared, or those of the shown time.
 #pragma once
 
 #include "ui/maps/map_kinds.h"
-#include "ui/runs/runs_model.h"
 
 #include <QLabel>
 #include <QSlider>
@@ -16,6 +15,10 @@
 #include <QTabBar>
 
 namespace touchdown {
+
+struct FieldHistory;
+class RunsModel;
+struct RunRecord;
 
 class RunMaps : public QWidget {
     Q_OBJECT
@@ -56,7 +59,7 @@ private:
     void refresh();
     void showField(std::size_t index);
     void showSnapshot();
-    const RunRecord* run() const { return runs_.find(number_); }
+    const RunRecord* run() const;
     const FieldHistory* history() const;
     QString whyEmpty() const;
     QString readingText(const RunRecord& run, const FieldHistory& history, std::size_t index) const;

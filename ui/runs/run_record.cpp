@@ -11,7 +11,9 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "core/results/results_file.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/run.h"
 
 namespace touchdown {
 
@@ -48,7 +50,7 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
 {
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
-    // Making room takes a pyramid some milliseconds: each does it at a time of its own. The first is the smallest, see
+    // Making room takes a pyramid some milliseconds: they do it at different times. The first is the smallest, see
     // complete().
     for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
 }

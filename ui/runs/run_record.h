@@ -7,8 +7,6 @@
 // fields are bounded too (see FieldHistory).
 #pragma once
 
-#include "core/results/results_file.h"
-#include "core/simulation/run.h"
 #include "ui/maps/field_history.h"
 #include "ui/plot/min_max_pyramid.h"
 
@@ -21,6 +19,10 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/case/case.h"
+#include "core/numerics/spectrum.h"
+#include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
 

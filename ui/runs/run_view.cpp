@@ -4,6 +4,14 @@
 #include <QVBoxLayout>
 
 #include "core/case/fields.h"
+#include "core/simulation/run.h"
+#include "ui/disk/disk_surface_view.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/side_view.h"
 
 namespace touchdown {
 
@@ -31,7 +39,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
         pages_->addWidget(page);
 
     for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
-    tabs_->setAccessibleName(tr("What is shown of the runs"));
+    tabs_->setAccessibleName(tr("Views of the runs"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     tabs_->setDocumentMode(true);

@@ -4,17 +4,21 @@
 // film and contact, and the surface of the disk.
 #pragma once
 
-#include "ui/disk/disk_surface_view.h"
-#include "ui/runs/live_plots.h"
-#include "ui/runs/live_spectrum.h"
-#include "ui/runs/run_maps.h"
-#include "ui/runs/side_view.h"
-
+#include <QAction>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 
+#include "core/case/case.h"
+
 namespace touchdown {
+
+class DiskSurfaceView;
+class LivePlots;
+class LiveSpectrum;
+class RunMaps;
+class RunsModel;
+class SideView;
 
 class RunView : public QWidget {
     Q_OBJECT

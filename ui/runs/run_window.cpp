@@ -3,6 +3,19 @@
 
 #include <utility>
 
+#include "core/simulation/run.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/plot/cursor_table.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/runs/side_view.h"
+#include "ui/style/quantity_format.h"
+
 namespace touchdown {
 
 RunWindow::RunWindow(QWidget* parent)
@@ -10,9 +23,8 @@ RunWindow::RunWindow(QWidget* parent)
       view_(new RunView(runs_, parent)),
       panel_(new RunsPanel(runs_, parent)),
       values_(new CursorTable(view_->plots()->group(), parent)),
-      progress_(new RunProgress(parent))
+      progress_(new ProgressStrip(controller_, tr("run"), tr("Running"), parent))
 {
-    connect(&controller_, &RunController::stateChanged, progress_, &RunProgress::setState);
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
@@ -49,7 +61,6 @@ void RunWindow::add(const RunRequest& request)
     number_ = runs_.add(std::move(record)).number;
     panel_->setRunningRun(number_);
     view_->spectrum()->setOptionsOf(request.value);
-    progress_->begin();
     emit started(number_);
     if (view_->plots()->group()->follow() != PlotGroup::Follow::Frozen) view_->plots()->group()->fit();
 }
@@ -61,7 +72,6 @@ void RunWindow::onDelivered(const RunDelivery& delivery)
     view_->spectrum()->dataArrived(number_);
     view_->side()->dataArrived(number_);
     if (!delivery.fields.empty()) view_->maps()->dataArrived(number_);
-    if (delivery.duration > 0.0) progress_->advance(delivery.time, delivery.duration);
 }
 
 void RunWindow::onFinished(const Summary& summary)
@@ -72,7 +82,10 @@ void RunWindow::onFinished(const Summary& summary)
     view_->plots()->runFinished(number);
     view_->spectrum()->runFinished(number);
     view_->maps()->dataArrived(number);
-    progress_->end(summary);
+    progress_->conclude(name(summary.status), tr("%1 simulated · %L2 steps · solver %3")
+                                                  .arg(timeText(summary.endTime))
+                                                  .arg(summary.steps)
+                                                  .arg(timeText(summary.solverSeconds)));
     emit ended(number, summary);
 }
 

@@ -6,13 +6,15 @@
 
 #include <QObject>
 
-#include "ui/plot/cursor_table.h"
 #include "ui/runs/run_controller.h"
-#include "ui/runs/run_progress.h"
-#include "ui/runs/run_view.h"
-#include "ui/runs/runs_panel.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
+
+class CursorTable;
+class ProgressStrip;
+class RunView;
+class RunsPanel;
 
 class RunWindow : public QObject {
     Q_OBJECT
@@ -26,13 +28,13 @@ public:
     RunView* view() const { return view_; }
     RunsPanel* panel() const { return panel_; }
     CursorTable* values() const { return values_; }
-    RunProgress* progress() const { return progress_; }
+    ProgressStrip* progress() const { return progress_; }
 
     /// Another case was opened.
     void open(const Case& c);
     /// The case as it is edited.
     void edit(const Case& c);
-    /// A run under way ends, and says so, before the new one is in the list.
+    /// An active run ends, with its signals, before the new one is in the list.
     void start(RunRequest request);
 
 signals:
@@ -50,8 +52,8 @@ private:
     RunView* view_;
     RunsPanel* panel_;
     CursorTable* values_;
-    RunProgress* progress_;
-    int number_ = -1; // in the list, of the run under way
+    ProgressStrip* progress_;
+    int number_ = -1; // in the list, of the active run
 };
 
 } // namespace touchdown

@@ -1,95 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The other side of the thread border: one run on its own thread, what it is told, and what it has
-// to tell. Owned by RunController.
+// One run on the worker's thread: calls the solver, hands its batches out slice by slice at the pace that the window
+// asks for, and records them to a results file.
 #pragma once
 
-#include "ui/runs/run_controller.h"
-
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <functional>
-#include <mutex>
 #include <optional>
 #include <span>
-#include <thread>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/results/results_file.h"
+#include "ui/runs/run_controller.h"
 
 namespace touchdown {
 
-class RunController::Worker {
+class RunWorker {
 public:
-    /// `notify` is called on the worker's thread, once until the next `take`.
-    Worker(Solver solver, RunRequest request, double pace, std::function<void()> notify);
-    /// Stops and joins.
-    ~Worker();
-
-    struct Mail {
-        RunDelivery delivery;
-        std::optional<Summary> summary;
-        std::string recordingProblem;
-        bool wasFull = false; // the worker had to wait for room
-    };
-    /// All that has come since the last call.
-    Mail take();
-
-    void setPaused(bool paused);
-    void step();
-    void stop();
-    void setPace(double pace);
-    /// Waits for the end of the thread.
-    void join();
-
-private:
-    using Clock = std::chrono::steady_clock;
+    RunWorker(const RunController::Solver& solver, RunRequest request, RunPace& pace, Mailbox<RunMail>& mailbox,
+              std::stop_token stop);
 
     void work();
-    bool handOut(const RunUpdate& update);
-    std::optional<std::size_t> waitForSlice(const SampleBatch& batch, std::size_t begin, double duration);
-    bool waitWhilePaused();
-    bool stopRequested();
-    void waitForRoom(std::size_t samples, std::size_t fieldValues);
-    /// What of an update is handed out together.
+
+private:
+    /// The part of an update that is handed out together.
     struct Slice {
         std::size_t begin = 0, end = 0; // of the samples
         std::span<const RunEvent> events;
         std::span<const FieldSnapshot> fields;
     };
+
+    void open();
+    bool handOut(const RunUpdate& update);
     void post(const RunUpdate& update, const Slice& slice);
     void record(const SampleBatch& samples, std::span<const FieldSnapshot> fields);
-    void ring();
+    void report(const std::string& recordingProblem);
     Summary shownSummary(Summary summary) const;
 
-    Solver solver_;
+    const RunController::Solver& solver_;
     RunRequest request_;
-    std::function<void()> notify_;
+    RunPace& pace_;
+    Mailbox<RunMail>& mailbox_;
+    std::stop_token stop_;
 
-    // Told by the window.
-    std::mutex orders_;
-    std::condition_variable ordered_;
-    std::atomic<bool> stopped_ = false;
-    bool paused_ = false;
-    int steps_ = 0;
-    double pace_; // [s/s]
-    bool paceAnchored_ = false;
-
-    // The worker's own.
-    Clock::time_point wallAnchor_;
-    double timeAnchor_ = 0.0; // [s]
-    double shownTime_ = 0.0;  // of the last sample handed out [s]
-    double stepUntil_ = 0.0;  // [s]
-    bool heldBack_ = false;   // stopped with samples that nobody saw
+    bool heldBack_ = false; // stopped with samples that were not shown
     std::vector<double> lastSample_;
-    struct Recorder;
-    std::unique_ptr<Recorder> recorder_;
-
-    // Told to the window.
-    std::mutex mailbox_;
-    std::condition_variable emptied_;
-    Mail mail_;
-    std::atomic<bool> pending_ = false;
-
-    std::jthread thread_; // last, so that it starts after, and ends before, all that it uses
+    std::optional<ResultsWriter> recorder_; // none after a problem
 };
 
 } // namespace touchdown

@@ -4,9 +4,16 @@
 #include <algorithm>
 
 #include "ui/case/case_difference.h"
+#include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
+
+RunsModel::RunsModel(QObject* parent) : QAbstractListModel(parent) {}
+
+RunsModel::~RunsModel() = default;
+
+CurveStyle RunsModel::style(const RunRecord& record) { return {record.number - 1, record.number - 1}; }
 
 int RunsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : count(); }
 
@@ -77,7 +84,7 @@ void RunsModel::remove(int row)
     beginRemoveRows({}, row, row);
     records_.erase(records_.begin() + row);
     endRemoveRows();
-    // What the next run is compared with has changed.
+    // The next run is compared with another run now.
     if (row < count()) emit dataChanged(index(row), index(row), {ChangesRole});
 }
 
@@ -127,18 +134,14 @@ QString RunsModel::changes(int row) const
 QString RunsModel::result(const RunRecord& run) const
 {
     if (!run.summary) return tr("running");
-    switch (run.summary->status) {
-    case RunStatus::Failed: return tr("failed");
-    case RunStatus::Diverged: return tr("diverged");
-    case RunStatus::Cancelled: return tr("stopped");
-    case RunStatus::Completed: break;
-    }
+    const QString status = statusText(name(run.summary->status));
+    if (run.summary->status != RunStatus::Completed) return status;
     for (const RunFigure& figure : run.summary->figures)
         if (figure.quantity.name == "largest_contact_force")
             return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
     const int index = findQuantity(run.quantities, "flying_height");
     const std::optional<double> height = run.last("flying_height");
-    return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : tr("completed");
+    return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : status;
 }
 
 QString RunsModel::toolTip(int row) const

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "ui/plot/plot_theme.h"
-#include "ui/runs/run_record.h"
 
 #include <QAbstractListModel>
 
@@ -12,6 +11,12 @@
 #include <vector>
 
 namespace touchdown {
+
+struct FieldSnapshot;
+struct RunEvent;
+struct RunRecord;
+struct SampleBatch;
+struct Summary;
 
 class RunsModel : public QAbstractListModel {
     Q_OBJECT
@@ -27,7 +32,8 @@ public:
         BaselineRole, // the run that others are compared with
     };
 
-    using QAbstractListModel::QAbstractListModel;
+    explicit RunsModel(QObject* parent = nullptr);
+    ~RunsModel() override;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -37,7 +43,7 @@ public:
     /// A number for a run that is to be added.
     int nextNumber() const { return nextNumber_; }
     RunRecord& add(std::unique_ptr<RunRecord> record);
-    /// Not of the run that is under way.
+    /// Not the active run.
     void remove(int row);
     void append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
                 const std::vector<FieldSnapshot>& fields = {});
@@ -48,7 +54,7 @@ public:
     RunRecord* find(int number) const;
     int rowOf(int number) const; // -1 if it is gone
     /// How its curves look where a plot has one curve for each run.
-    static CurveStyle style(const RunRecord& record) { return {record.number - 1, record.number - 1}; }
+    static CurveStyle style(const RunRecord& record);
 
     /// -1: none.
     int baseline() const { return baseline_; }

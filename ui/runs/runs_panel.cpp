@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 
 #include "ui/runs/run_delegate.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 
 namespace touchdown {
 
@@ -35,13 +37,12 @@ RunsPanel::RunsPanel(RunsModel& model, QWidget* parent)
         connect(made, &QToolButton::clicked, this, action);
         return made;
     };
-    baseline_ = button(tr("Baseline"), tr("Show what differs from this run: it is subtracted from the others"),
-                       &RunsPanel::toggleBaseline);
+    baseline_ = button(tr("Baseline"), tr("Subtract this run from the others"), &RunsPanel::toggleBaseline);
     baseline_->setCheckable(true);
     note_ = button(tr("Note"), tr("Write a note on this run (F2)"), &RunsPanel::editNote);
     save_ = button(tr("Save…"), tr("Save this run as HDF5, or its time series as CSV"),
                    [this] { emit saveRequested(chosen()); });
-    remove_ = button(tr("Delete"), tr("Take this run out of the list and the plots"), &RunsPanel::removeChosen);
+    remove_ = button(tr("Delete"), tr("Remove this run from the list and the plots"), &RunsPanel::removeChosen);
     auto* open = button(tr("Open…"), tr("Open a run that was saved"), &RunsPanel::openRequested);
 
     auto* tools = new QHBoxLayout;
@@ -107,7 +108,7 @@ void RunsPanel::showMenu(const QPoint& at)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const int number = chosen();
     menu->addAction(tr("Use the parameters of this run"), this, [this, number] { emit parametersRequested(number); });
-    menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Take as baseline"), this,
+    menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Use as baseline"), this,
                     &RunsPanel::toggleBaseline);
     menu->addAction(tr("Write a note"), this, &RunsPanel::editNote);
     menu->addAction(tr("Save…"), this, [this, number] { emit saveRequested(number); });

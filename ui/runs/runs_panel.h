@@ -3,14 +3,14 @@
 // The list of runs: overlay on and off, what changed, note, baseline, save, delete, reopen.
 #pragma once
 
-#include "ui/runs/runs_model.h"
-
 #include <QCheckBox>
 #include <QListView>
 #include <QToolButton>
 #include <QWidget>
 
 namespace touchdown {
+
+class RunsModel;
 
 class RunsPanel : public QWidget {
     Q_OBJECT
@@ -25,7 +25,7 @@ public:
     void setOverlay(bool on) { overlay_->setChecked(on); }
     /// Number of the chosen run, or of the newest; -1 when there is none.
     int chosen() const;
-    /// A run that is under way cannot be deleted.
+    /// The active run cannot be deleted.
     void setRunningRun(int number);
 
 signals:

@@ -10,6 +10,8 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/slider/recess.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -131,8 +133,8 @@ void SideView::paintEvent(QPaintEvent*)
     if (!state_) {
         painter.setPen(theme.mutedText);
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         number_ < 0 ? tr("There is nothing to see yet: run the case.")
-                                     : tr("The first samples come soon."));
+                         number_ < 0 ? tr("There is nothing to show yet: run the case.")
+                                     : tr("The first samples are not ready yet."));
         return;
     }
     painter.fillRect(plotArea(), theme.plotArea);

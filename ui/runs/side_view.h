@@ -7,7 +7,6 @@
 
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_theme.h"
-#include "ui/runs/runs_model.h"
 
 #include <QWidget>
 
@@ -16,6 +15,8 @@
 
 namespace touchdown {
 
+class RunsModel;
+
 class SideView : public QWidget {
     Q_OBJECT
 
@@ -23,13 +24,13 @@ public:
     /// `runs` must outlive the widget.
     explicit SideView(RunsModel& runs, QWidget* parent = nullptr);
 
-    /// -1: none. Of a film.
+    /// A run of a film; -1: none.
     void showRun(int number);
     void dataArrived(int number);
     /// Nothing: the latest sample, as it comes.
     void showTime(const std::optional<double>& time);
 
-    /// What is seen.
+    /// The shown state.
     struct State {
         double time = 0.0;           // [s]
         double trailingHeight = 0.0; // nominal, of the trailing edge's centre above the mean disk plane [m]
@@ -40,7 +41,7 @@ public:
     const std::optional<State>& state() const { return state_; }
     /// Metres of length drawn as long as one metre of height.
     double exaggeration() const;
-    /// Of the surface at a share of the slider's length [m].
+    /// Height of the surface at a share of the slider's length [m].
     double heightAt(double share) const;
 
     QSize sizeHint() const override { return {640, 400}; }

@@ -85,7 +85,7 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
              {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
-             {tr("Least pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
+             {tr("Smallest pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
              {tr("Shear along x"), milli(f.shearX)},
              {tr("Shear along y"), milli(f.shearY)},
              {tr("Pitch torque"), torque(f.pitchTorque)},
@@ -136,23 +136,12 @@ AttitudeSection equilibria(const SteadyResult& r, const QLocale& locale)
     return section;
 }
 
-QString statusText(SteadyStatus status)
-{
-    switch (status) {
-    case SteadyStatus::Converged: return tr("converged");
-    case SteadyStatus::NotConverged: return tr("not converged");
-    case SteadyStatus::Cancelled: return tr("stopped");
-    case SteadyStatus::Failed: return tr("failed");
-    }
-    return {};
-}
-
 AttitudeSection solution(const SteadyResult& r, const QLocale& locale)
 {
     const QString cells = r.grid.x.empty() ? QString() : tr("%1 × %2 cells").arg(r.grid.nx()).arg(r.grid.ny());
     return {tr("Solution"),
             {},
-            {{tr("Status"), statusText(r.status)},
+            {{tr("Status"), statusText(name(r.status))},
              {tr("Grid"), cells},
              {tr("Iterations"), locale.toString(r.iterations)},
              {tr("Residual"), plain(r.residual, locale)},

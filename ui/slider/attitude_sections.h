@@ -24,7 +24,7 @@ struct AttitudeSection {
 std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result,
                                               const QLocale& locale = QLocale());
 
-/// Tab-separated, as a spreadsheet takes it.
+/// Tab-separated, for a spreadsheet.
 QString sectionsAsText(const std::vector<AttitudeSection>& sections);
 
 /// A value with its error: the digits end where the error begins, "7.03 ± 0.02 nm"; without an error four digits.

@@ -64,7 +64,7 @@ AttitudeTable::AttitudeTable(QWidget* parent)
     text_->document()->setDocumentMargin(8);
     text_->setMinimumHeight(80);
     copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy all numbers, as a spreadsheet takes them"));
+    copy_->setToolTip(tr("Copy all numbers for a spreadsheet"));
     copy_->setAccessibleName(tr("Copy the static attitude"));
     copy_->setAutoRaise(true);
     copy_->setFocusPolicy(Qt::TabFocus);

@@ -24,7 +24,7 @@ public:
     void setStale(bool stale);
 
     const std::vector<AttitudeSection>& sections() const { return sections_; }
-    /// What is shown, for a reader that sees no tables.
+    /// The shown text without tables, for screen readers.
     QString toPlainText() const { return text_->toPlainText(); }
 
 public slots:

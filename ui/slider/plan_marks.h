@@ -12,7 +12,7 @@
 
 namespace touchdown {
 
-/// Where text stands already: what is painted later keeps clear of it.
+/// Rectangles with text; later text avoids them.
 using TakenRoom = std::vector<QRectF>;
 
 /// A small box of paper about `centre` with the text in it; false, and nothing, where other text stands.

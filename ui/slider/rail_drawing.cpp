@@ -90,7 +90,7 @@ std::vector<double> recessLevels(const AirBearingSurface& surface, std::size_t m
     }
     std::ranges::sort(levels);
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    // Of too many, the one that lies nearest to its neighbour below goes first.
+    // Too many levels: remove the one nearest to its lower neighbour.
     while (levels.size() > std::max<std::size_t>(most, 2)) {
         std::size_t nearest = 1;
         for (std::size_t i = 1; i + 1 < levels.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess of a part of a slider as a picture, made on a thread of its own: coarse at first, then pixel by pixel. A
+// The recess of a part of a slider as a picture, made on its own thread: coarse at first, then pixel by pixel. A
 // new request ends the one before. Pictures cross the thread border by value under a mutex; only the news that there is
 // one goes through Qt's queue.
 #pragma once
@@ -25,7 +25,7 @@ public:
 
     /// `part` in m, its top the smallest y.
     void request(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels);
-    /// Ends what goes on, and forgets the picture.
+    /// Stops the calculation and discards the picture.
     void clear();
 
     /// The latest picture, the largest y uppermost, and what it shows; null before the first.

@@ -224,7 +224,7 @@ void SliderPlan::leaveEvent(QEvent*) { emit pointed(std::nullopt); }
 
 void SliderPlan::keyPressEvent(QKeyEvent* event)
 {
-    // With Shift the arrows are left to what is drawn on the plan.
+    // Arrow keys with Shift are handled by the derived class.
     if (event->modifiers().testFlag(Qt::ShiftModifier) && event->key() != Qt::Key_Plus) {
         event->ignore();
         return;

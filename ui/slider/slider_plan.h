@@ -34,19 +34,19 @@ public:
     void setPiece(const QRectF& area);
     /// The slider, or that piece [m].
     const QRectF& area() const { return area_; }
-    /// Of the scales and the readings: "mm" or "um".
+    /// Unit of the scales and the readings: "mm" or "um".
     std::string_view lengthUnit() const;
     /// A place on an axis as it is read: "0.1234 mm".
     QString placeText(double at) const;
     /// [rad]; positive: air flows from the outer leading to the inner trailing edge.
     void setSkew(double skew);
     void setTitle(const QString& title);
-    QString title() const { return title_; }
+    QString title() const override { return title_; }
     /// Stands at the right of the title.
     void setReading(const QString& text);
     QString reading() const { return reading_; }
 
-    /// Shows all of the slider, and goes on doing so when the size changes.
+    /// Shows the whole slider, also after the size changes.
     void fit();
     bool isFitted() const { return fitted_; }
     /// The part of the plane that is seen, in m; its top is the smallest y.
@@ -72,9 +72,9 @@ signals:
     void viewChanged();
 
 protected:
-    /// What lies on the slider; the painter is in pixels of this widget and cut to the plan area.
+    /// Content of the plan; the painter is in pixels of this widget and cut to the plan area.
     virtual void paintContent(QPainter& painter, const PlotTheme& theme) = 0;
-    /// What explains it, in the column that keyWidth() asks for.
+    /// Key of the content, in a column of keyWidth().
     virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
     virtual double keyWidth() const = 0; // [px]
 

@@ -24,7 +24,7 @@ AxisLabel labelOf(const ChartAxis& axis)
             axis.logarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
 }
 
-/// What has to be seen on one axis.
+/// Values that one axis must show.
 struct Extent {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the window has its studies from: those of the core, or what stands for them in a test.
+// The studies that the window offers: those of the core, or others in a test.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How what a study's chart says is drawn: a series by colour, shape of its markers and dash, how a point came out by
-// full, hollow or crossed, a class of a map by colour, pattern and letter. Nothing is told by its colour alone.
+// full, hollow or crossed, a class of a map by colour, pattern and letter. No information depends on colour alone.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ struct SeriesStyle {
 class ChartStyles {
 public:
     explicit ChartStyles(const StudyChart& chart);
-    /// Of a series of the chart.
+    /// Style of a series of the chart.
     const SeriesStyle& of(const std::string& name) const { return styles_.at(name); }
 
 private:
@@ -39,7 +39,7 @@ private:
 };
 
 QColor seriesColour(const SeriesStyle& style, const PlotTheme& theme);
-/// A line without markers tells its series by the dash, too.
+/// A line without markers also has a dash pattern of its series.
 QPen seriesPen(const SeriesStyle& style, const ChartSeries& series, const PlotTheme& theme);
 
 /// `radius` is half the width of a full circle [px].

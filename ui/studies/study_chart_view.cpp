@@ -12,6 +12,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_drawing.h"
 #include "ui/studies/study_readings.h"
 #include "ui/style/save_dialog.h"
 
@@ -71,18 +73,11 @@ const StudyChartDrawing& StudyChartView::drawing() const
     return *drawing_;
 }
 
-Picture StudyChartView::picture(const PlotTheme& theme) const
-{
-    return {size(), QString::fromStdString(chart_.title), [this, theme](QPainter& painter) {
-                StudyChartDrawing(chart_, theme, font(), size(), zoomed_).paint(painter);
-            }};
-}
-
 void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
 {
     painter.save();
     painter.translate(target.topLeft());
-    picture(theme).paint(painter);
+    StudyChartDrawing(chart_, theme, font(), size(), zoomed_).paint(painter);
     painter.restore();
 }
 
@@ -98,12 +93,12 @@ int StudyChartView::heightForWidth(int width) const
     return static_cast<int>(StudyChartDrawing::leastHeight(chart_, font(), width));
 }
 
-void StudyChartView::copyPicture() const { touchdown::copyPicture(picture(plotTheme(palette()))); }
+void StudyChartView::copy() { copyPicture(*this); }
 
 void StudyChartView::chooseSave()
 {
     askAndSave(this, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
-               [this](const QString& path) { return savePicture(picture(lightPlotTheme()), path); });
+               [this](const QString& path) { return savePicture(*this, path); });
 }
 
 void StudyChartView::redraw()
@@ -255,7 +250,7 @@ void StudyChartView::contextMenuEvent(QContextMenuEvent* event)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &StudyChartView::fit);
     menu->addSeparator();
-    menu->addAction(tr("&Copy picture"), this, &StudyChartView::copyPicture);
+    menu->addAction(tr("&Copy picture"), this, &StudyChartView::copy);
     menu->addAction(tr("&Save picture…"), this, &StudyChartView::chooseSave);
     menu->popup(event->globalPos());
 }

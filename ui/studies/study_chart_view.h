@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A chart of a study in the window: pointing tells series, setting and numbers; a box zooms a panel, a double click
+// A chart of a study in the window: pointing shows series, setting and numbers; a box zooms a panel, a double click
 // shows all of it; the arrow keys go from point to point; the right button copies and saves.
 #pragma once
 
@@ -10,10 +10,12 @@
 
 #include <QWidget>
 
-#include "ui/plot/plot_export.h"
-#include "ui/studies/study_chart_drawing.h"
+#include "ui/plot/picture.h"
+#include "ui/studies/study_panel.h"
 
 namespace touchdown {
+
+class StudyChartDrawing;
 
 class StudyChartView : public QWidget, public PagePart {
     Q_OBJECT
@@ -22,17 +24,16 @@ public:
     explicit StudyChartView(QWidget* parent = nullptr);
     ~StudyChartView() override;
 
-    /// A chart with the axes of the one before keeps its zoom, as while a study goes on.
+    /// A chart with the same axes as before keeps its zoom, as during a study.
     void setChart(StudyChart chart);
     const StudyChart& chart() const { return chart_; }
     void fit();
 
     /// As it would be drawn now.
     const StudyChartDrawing& drawing() const;
-    /// As it is on the screen, in this theme.
-    Picture picture(const PlotTheme& theme) const;
+    QString title() const override { return QString::fromStdString(chart_.title); }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
-    /// Of what the pointer, or the keyboard, is at; empty for nothing.
+    /// Description of the point under the pointer or the keyboard cursor; empty for none.
     QString reading() const;
 
     QSize sizeHint() const override;
@@ -40,7 +41,7 @@ public:
     int heightForWidth(int width) const override;
 
 public slots:
-    void copyPicture() const;
+    void copy();
     void chooseSave();
 
 protected:

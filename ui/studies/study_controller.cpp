@@ -16,29 +16,27 @@ void StudyController::work(const StudyPerformance& perform, int jobs, const std:
     StudyReport report;
     try {
         report = perform(jobs, [&](const StudyProgress& progress) {
-            Progress now{progress.share, progress.doing};
-            std::optional<StudyReport> soFar; // copied before the window could be kept waiting
+            Progress now{progress.share, progress.doing, {}};
+            std::optional<StudyReport> soFar; // copied before the mailbox is locked
             if (progress.soFar) soFar = *progress.soFar;
             mailbox_.post([&](Mail& mail) {
                 mail.progress = std::move(now);
                 if (soFar) mail.partial = std::move(soFar);
             });
-            ring();
             return !stop.stop_requested();
         });
     } catch (const std::exception& problem) {
         report = {};
         report.status = StudyStatus::Failed;
-        report.message = std::string("The study broke off: ") + problem.what();
+        report.message = std::string("The study stopped with an error: ") + problem.what();
     }
     mailbox_.post([&](Mail& mail) { mail.report = std::move(report); });
-    ring();
 }
 
 void StudyController::deliver()
 {
     const Mail mail = mailbox_.take();
-    if (mail.progress) emit progressed(current(), mail.progress->share, QString::fromStdString(mail.progress->doing));
+    if (mail.progress) emit progressed(current(), *mail.progress);
     if (mail.partial && !mail.report) emit partial(current(), *mail.partial);
     if (!mail.report) return;
     end();

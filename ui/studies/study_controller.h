@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "core/studies/study/study.h"
 #include "ui/calculation/calculation_controller.h"
@@ -22,8 +21,7 @@ public:
     int start(StudyPerformance perform, int jobs);
 
 signals:
-    void progressed(int number, double share, const QString& doing);
-    /// There is more to show than before.
+    /// The report so far; it has more to show than before.
     void partial(int number, const touchdown::StudyReport& report);
     void finished(int number, const touchdown::StudyReport& report);
 
@@ -31,10 +29,6 @@ protected:
     void deliver() override;
 
 private:
-    struct Progress {
-        double share = 0.0;
-        std::string doing;
-    };
     struct Mail {
         std::optional<Progress> progress;
         std::optional<StudyReport> partial;
@@ -43,7 +37,7 @@ private:
 
     void work(const StudyPerformance& perform, int jobs, const std::stop_token& stop);
 
-    Mailbox<Mail> mailbox_;
+    Mailbox<Mail> mailbox_{*this};
 };
 
 } // namespace touchdown

@@ -81,23 +81,23 @@ void StudyEditor::build()
     problems_->setWordWrap(true);
     problems_->setTextFormat(Qt::RichText);
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
-    problems_->setAccessibleName(tr("What is wrong with the study"));
+    problems_->setAccessibleName(tr("Errors of the study"));
     run_->setAccessibleName(tr("Perform the study"));
     run_->setToolTip(tr("Perform the study (Shift+F5)"));
     stop_->setAccessibleName(tr("Stop the study"));
-    stop_->setToolTip(tr("Stop the study; what there is of it stays (F8)"));
+    stop_->setToolTip(tr("Stop the study; its results so far are kept (F8)"));
     stop_->setEnabled(false);
     for (QPushButton* button : {run_, stop_}) button->setAutoDefault(false);
     open_->setText(tr("Open"));
     open_->setAccessibleName(tr("Open a study"));
-    open_->setToolTip(tr("Open a study's file, or a sample study of this kind"));
+    open_->setToolTip(tr("Open a study file or a sample study of this kind"));
     open_->setPopupMode(QToolButton::InstantPopup);
     save_->setText(tr("Save…"));
     save_->setAccessibleName(tr("Save the study's text"));
-    save_->setToolTip(tr("Save this text as a study's file, which the command line takes, too"));
+    save_->setToolTip(tr("Save this text as a study file; the command line can perform it, too"));
     defaults_->setText(tr("Defaults"));
-    defaults_->setAccessibleName(tr("Take the defaults of this kind of study"));
-    defaults_->setToolTip(tr("Begin again with the defaults for this case"));
+    defaults_->setAccessibleName(tr("Use the defaults of this kind of study"));
+    defaults_->setToolTip(tr("Restore the default text for this case"));
     for (QToolButton* button : {open_, save_, defaults_}) {
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);
@@ -248,7 +248,7 @@ QString StudyEditor::open(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
     if (file.size() > static_cast<qint64>(maximumStudyFileSize))
-        return tr("%1 is too large for a study's file.").arg(QDir::toNativeSeparators(path));
+        return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
     const QString text = QString::fromUtf8(file.readAll());
     setKind(kindIn(text)); // where it says none, it is of the kind that is chosen
     drafts_[kind()].file = path;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is to be studied: the kind of study, and its text, which begins with the defaults for the case in the window.
-// What is wrong with it is said while it is written. The text of each kind is kept while another one is looked at; one
-// that nobody has touched follows the case.
+// The kind of study and its text, which starts with the defaults for the case in the window. Errors are listed while
+// the user types. The text of each kind is kept; a text without changes follows the case.
 #pragma once
 
 #include <map>
@@ -30,7 +29,7 @@ public:
     void setCase(const Case& c);
     void setKind(const QString& name);
     QString kind() const { return kinds_->currentData().toString(); }
-    /// Of the kind that is chosen; nothing to study is a plan with a problem.
+    /// The plan of the chosen kind; an empty study is a plan with a problem.
     const StudyPlan& plan();
     void setText(const QString& text) { text_->setPlainText(text); }
     QString toText() const { return text_->toPlainText(); }

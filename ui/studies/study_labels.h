@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the labels of points stand: beside their points, on no marker, no other label and, where there is room, on no
-// line. What finds no room is left out; pointing at its point tells it.
+// Places of the labels of points: beside their points, not on a marker or another label and, if possible, not on a
+// line. A label without room is omitted; pointing at its point shows it.
 #pragma once
 
 #include <optional>

@@ -75,7 +75,7 @@ void StudyLegend::addKey(const StudyChart& chart)
             }
     if (wrong) entries_.push_back({Entry::Kind::WrongState, tr("ends in another state"), {}, {}, {}});
     if (failed) entries_.push_back({Entry::Kind::Failed, tr("no valid answer"), {}, {}, {}});
-    if (chosen) entries_.push_back({Entry::Kind::Chosen, tr("default or advice"), {}, {}, {}});
+    if (chosen) entries_.push_back({Entry::Kind::Chosen, tr("default or recommended"), {}, {}, {}});
 }
 
 double StudyLegend::entryWidth(const Entry& entry) const

@@ -16,7 +16,7 @@
 
 namespace touchdown {
 
-/// What a pixel belongs to: a point of a series, a cell of the map, or a band; the others are -1.
+/// The object under a pixel: a point of a series, a cell of the map, or a band; the others are -1.
 struct PanelHit {
     int series = -1, point = -1, cell = -1, band = -1;
     bool operator==(const PanelHit&) const = default;
@@ -29,7 +29,7 @@ public:
                const QRectF& box, const std::optional<PanelRange>& zoomed = {});
 
     void paint(QPainter& painter) const;
-    /// A ring about what is pointed at.
+    /// A ring around the object under the pointer.
     void paintPointed(QPainter& painter, const PanelHit& hit) const;
 
     const ChartPanel& panel() const { return panel_; }

@@ -147,7 +147,7 @@ void StudyPanel::paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) 
         const QRectF box = bandBox(band);
         const QString text = withArrow(band);
         const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
-        // Inside first, then beside it; at the right of what lies across, at the top of what stands.
+        // Inside first, then beside it; at the right of a horizontal band, at the top of a vertical one.
         std::vector<QPointF> corners;
         if (band.alongX) {
             for (double y = area_.top() + 3.0; y < area_.bottom() - size.height(); y += 1.2 * size.height())
@@ -174,7 +174,7 @@ void StudyPanel::paintBandLabels(QPainter& painter, std::vector<QRectF>& taken) 
 void StudyPanel::paintLines(QPainter& painter) const
 {
     painter.setBrush(Qt::NoBrush);
-    // What is quiet lies behind what is not.
+    // Quiet series are drawn behind the others.
     for (const bool quiet : {true, false})
         for (const ChartSeries& series : panel_.series) {
             if (series.line == ChartLine::None || series.quiet != quiet) continue;

@@ -53,7 +53,7 @@ QString reading(const StudyPanel& panel, const PanelHit& hit)
         lines << valueLine(panel.axes().x, point.x, point.xError) << valueLine(panel.axes().y, point.y, point.yError);
         if (point.kind == PointKind::WrongState) lines << tr("Ends in another state than the reference.");
         if (point.kind == PointKind::Failed) lines << tr("No valid answer.");
-        if (point.chosen) lines << tr("The default of the program, or the advice.");
+        if (point.chosen) lines << tr("The default of the program or the recommended setting.");
     } else if (hit.cell >= 0) {
         const ChartMap& map = *panel.panel().map;
         const auto cell = static_cast<std::size_t>(hit.cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is under the pointer on a study's chart, in words.
+// The object under the pointer of a study's chart, in words.
 #pragma once
 
 #include <QString>

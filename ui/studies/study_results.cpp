@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 
 #include "core/studies/study/study_file.h"
+#include "ui/studies/study_chart_view.h"
+#include "ui/studies/study_table.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
@@ -99,14 +101,14 @@ void StudyResults::buildContent()
     findings_->document()->setDocumentMargin(10);
     factPages_->addWidget(findings_);
     apply_->setAutoDefault(false);
-    apply_->setToolTip(tr("Put the case that was found into the parameters; undo takes it back"));
+    apply_->setToolTip(tr("Copy the case that was found into the parameters; undo restores them"));
     apply_->setAccessibleName(tr("Apply the case that was found"));
     copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy the table, or its selected rows, as a spreadsheet takes it"));
+    copy_->setToolTip(tr("Copy the table, or its selected rows, for a spreadsheet"));
     copy_->setAccessibleName(tr("Copy the table"));
     save_->setText(tr("Save"));
     save_->setToolTip(tr("Save the chart, the table or the whole report"));
-    save_->setAccessibleName(tr("Save what the study found"));
+    save_->setAccessibleName(tr("Save the results of the study"));
     save_->setPopupMode(QToolButton::InstantPopup);
     save_->setMenu(new QMenu(save_));
     connect(save_->menu(), &QMenu::aboutToShow, this, &StudyResults::fillSaveMenu);
@@ -149,14 +151,12 @@ void StudyResults::clear(bool underWay)
 {
     report_.reset();
     underWay_ = underWay;
-    const QString title = underWay ? tr("Under way") : tr("Studies of the case");
-    const QString text = underWay
-                             ? tr("Charts appear as soon as there is something to show.")
-                             : tr("A study solves the case in the window many times over: it charts accuracy against "
-                                  "speed, maps where methods "
-                                  "fail, advises how much model the scene needs, or follows touch-down and take-off "
-                                  "while a value moves.<br><br>"
-                                  "Choose a kind of study at the right, change its text as you like, and perform it.");
+    const QString title = underWay ? tr("In progress") : tr("Studies of the case");
+    const QString text =
+        underWay ? tr("Charts appear as soon as there is something to show.")
+                 : tr("A study solves the case in the window many times with changed settings or parameters "
+                      "and evaluates the results.<br><br>"
+                      "Choose a kind of study at the right, edit its text if needed, and perform it.");
     empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
     pages_->setCurrentIndex(0);
     setStale(false);
@@ -239,14 +239,14 @@ void StudyResults::writeFindings()
     };
     if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
     if (report_->status == StudyStatus::Cancelled)
-        add(QStringLiteral("◼"), colours.muted, tr("Stopped: what follows is what there was by then."));
+        add(QStringLiteral("◼"), colours.muted, tr("Stopped: these are the results up to that point."));
     for (const std::string& finding : report_->findings)
         add(QStringLiteral("•"), colours.change, QString::fromStdString(finding));
     for (const std::string& warning : report_->warnings)
         add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
     html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);
     if (underWay_ && report_->findings.empty())
-        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("Under way…"));
+        html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("In progress…"));
     findings_->setHtml(html);
 }
 
@@ -262,7 +262,7 @@ void StudyResults::fillSaveMenu()
     menu->clear();
     if (!charts_.empty()) {
         StudyChartView* chart = charts_[static_cast<std::size_t>(chartTabs_->currentIndex())];
-        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copyPicture);
+        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copy);
         menu->addAction(tr("Save &chart…"), chart, &StudyChartView::chooseSave);
         menu->addSeparator();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study found: its charts, below them its findings as sentences and its tables. Before the first study a word on
-// what studies are for.
+// Results of a study: its charts, and below them its findings and its tables. Before the first study a short
+// introduction.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,11 @@
 #include <QWidget>
 
 #include "core/studies/study/study.h"
-#include "ui/studies/study_chart_view.h"
-#include "ui/studies/study_table.h"
 
 namespace touchdown {
+
+class StudyChartView;
+class StudyTableView;
 
 class StudyResults : public QWidget {
     Q_OBJECT
@@ -29,7 +30,7 @@ class StudyResults : public QWidget {
 public:
     explicit StudyResults(QWidget* parent = nullptr);
 
-    /// A report, or what there is of one while its study is under way.
+    /// A report, complete or of a study in progress.
     void setReport(const StudyReport& report, bool underWay);
     /// Nothing is known.
     void clear(bool underWay);

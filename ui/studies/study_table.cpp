@@ -21,7 +21,7 @@ StudyTableView::StudyTableView(QWidget* parent) : QTableView(parent)
     order_.setSourceModel(&model_);
     setModel(&order_);
     setSortingEnabled(true);
-    order_.sort(-1); // as the study gives them, until somebody asks
+    order_.sort(-1); // in the order of the study until the user sorts
     horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     horizontalHeader()->setSortIndicatorClearable(true);
     horizontalHeader()->setStretchLastSection(false);

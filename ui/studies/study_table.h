@@ -18,7 +18,7 @@ public:
     /// Keeps the order that was chosen, if the table has the same columns.
     void setTable(StudyTable table);
     const StudyTableModel& content() const { return model_; }
-    /// What is selected, or all of it, in the order shown: tab-separated, with a head.
+    /// The selected rows, or all, in the order shown: tab-separated, with a header.
     QString toText() const;
 
 public slots:

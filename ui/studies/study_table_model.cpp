@@ -92,7 +92,7 @@ QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, i
 bool StudyTableOrder::lessThan(const QModelIndex& left, const QModelIndex& right) const
 {
     const QVariant a = left.data(StudyTableModel::SortRole), b = right.data(StudyTableModel::SortRole);
-    // Last in either direction: what is not known is neither large nor small.
+    // Unknown values come last in both directions.
     if (!a.isValid() || !b.isValid())
         return a.isValid() == b.isValid() ? false : a.isValid() == (sortOrder() == Qt::AscendingOrder);
     if (a.typeId() == QMetaType::Double && b.typeId() == QMetaType::Double) return a.toDouble() < b.toDouble();

@@ -14,7 +14,7 @@ class StudyTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// What a row is sorted by: the number in SI, or the text; nothing where it is not known.
+    /// Key for sorting: the number in SI or the text; none if it is not known.
     static constexpr int SortRole = Qt::UserRole;
 
     explicit StudyTableModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
@@ -33,7 +33,7 @@ private:
     StudyTable table_;
 };
 
-/// By number where both are numbers, else by text; what is not known comes last.
+/// By number if both are numbers, else by text; unknown values come last.
 class StudyTableOrder : public QSortFilterProxyModel {
     Q_OBJECT
 

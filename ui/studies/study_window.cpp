@@ -8,7 +8,11 @@
 #include <QThread>
 
 #include "core/studies/study/study_file.h"
+#include "ui/calculation/progress_strip.h"
 #include "ui/case/case_difference.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -17,13 +21,10 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     : QObject(parent),
       editor_(new StudyEditor(std::move(catalogue), parent)),
       results_(new StudyResults(parent)),
-      progress_(new StudyProgressLine(parent))
+      progress_(new ProgressStrip(controller_, tr("study"), tr("Running"), parent))
 {
-    connect(&controller_, &StudyController::stateChanged, progress_, &StudyProgressLine::setState);
     connect(&controller_, &StudyController::stateChanged, editor_,
             [this](StudyController::State state) { editor_->setRunning(state != StudyController::State::Idle); });
-    connect(&controller_, &StudyController::progressed, this,
-            [this](int, double share, const QString& doing) { progress_->advance(share, doing); });
     connect(&controller_, &StudyController::partial, this, [this](int, const StudyReport& report) {
         outcomes_[performing_].report = report;
         if (shown_ == performing_) results_->setReport(report, true);
@@ -61,7 +62,8 @@ bool StudyWindow::perform()
 
 void StudyWindow::onFinished(const StudyReport& report)
 {
-    progress_->end(report);
+    progress_->conclude(name(report.status),
+                        tr("%1 · %2").arg(QString::fromStdString(report.title), timeText(report.wallSeconds)));
     const bool nothing = report.charts.empty() && report.tables.empty() && report.findings.empty();
     if (report.status == StudyStatus::Cancelled && nothing)
         outcomes_.erase(performing_);

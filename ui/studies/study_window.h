@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The studies' part of the window: the pane with what is to be studied, the page with what was found, the progress, and
-// the thread between them.
+// The part of the window for studies: the pane with the study's text, the page with its results, the progress, and the
+// calculation between them.
 #pragma once
 
 #include <map>
@@ -9,12 +9,15 @@
 
 #include <QObject>
 
+#include "core/studies/study_plan.h"
 #include "ui/studies/study_controller.h"
-#include "ui/studies/study_editor.h"
-#include "ui/studies/study_progress.h"
-#include "ui/studies/study_results.h"
 
 namespace touchdown {
+
+class ProgressStrip;
+class StudyEditor;
+class StudyResults;
+struct StudyCatalogue;
 
 class StudyWindow : public QObject {
     Q_OBJECT
@@ -24,7 +27,7 @@ public:
 
     StudyEditor* editor() const { return editor_; }
     StudyResults* results() const { return results_; }
-    StudyProgressLine* progress() const { return progress_; }
+    ProgressStrip* progress() const { return progress_; }
     StudyController& controller() { return controller_; }
 
     /// The case as it is edited.
@@ -48,7 +51,7 @@ private:
     };
 
     void onFinished(const StudyReport& report);
-    /// What is known of the kind that is chosen.
+    /// The results of the chosen kind, if there are any.
     void show();
     bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
     void updateStale();
@@ -57,7 +60,7 @@ private:
     StudyController controller_;
     StudyEditor* editor_;
     StudyResults* results_;
-    StudyProgressLine* progress_;
+    ProgressStrip* progress_;
     std::map<std::string, Outcome> outcomes_; // the latest of each kind
     std::string performing_;                  // the kind of the study under way, or of the last one
     std::string shown_;                       // the kind of what is shown

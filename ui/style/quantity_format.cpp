@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include "core/formats/units.h"
@@ -163,11 +164,31 @@ QString readout(double value, const Quantity& quantity, const QLocale& locale)
     return readout(value, quantity.displayUnit, quantity.unit == "rad" ? 2 : 3, locale);
 }
 
+QString roundedText(double value, std::string_view displayUnit, int digits, const QLocale& locale)
+{
+    if (displayUnit == "ms") return timeText(value, locale);
+    if (displayUnit == "nm") return lengthText(value, digits, locale);
+    const double shown = displayUnit.empty() ? value : value / unitFactor(displayUnit);
+    const QString number = locale.toString(shown, 'g', digits).replace(QLatin1Char('-'), QChar(0x2212));
+    return displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(displayUnit);
+}
+
+QString statusText(std::string_view status)
+{
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Status", text); };
+    if (status == "completed") return tr("completed");
+    if (status == "converged") return tr("converged");
+    if (status == "not converged") return tr("not converged");
+    if (status == "cancelled") return tr("stopped");
+    if (status == "diverged") return tr("diverged");
+    return tr("failed");
+}
+
 QString lengthText(double metres, int digits, const QLocale& locale)
 {
     const bool micrometres = std::abs(metres) >= 0.9999995e-6;
     const double shown = metres / (micrometres ? 1e-6 : 1e-9);
-    // Of a value near zero as many decimals as of one nanometre: what is finer is no length any more.
+    // A value near zero has as many decimals as one nanometre.
     const double size = std::max(std::abs(shown), micrometres ? 0.0 : 1.0);
     const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9);
     QString number = locale.toString(shown, 'f', decimals);

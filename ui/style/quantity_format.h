@@ -21,12 +21,12 @@ QString unitText(std::string_view unit);
 /// A symbol as rich text: "k_f0" -> k with a subscript, "xi_f" with the Greek letter.
 QString symbolText(std::string_view symbol);
 
-/// A reason as the core writes it ("must be greater than 0 kg") as a sentence of its own.
+/// A reason as the core writes it ("must be greater than 0 kg") as a complete sentence.
 QString sentence(std::string_view reason);
 
-/// What stands in the field's editor: a number in the display unit without the unit, or the text.
+/// Text for the field's editor: a number in the display unit without the unit, or the text.
 QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
-/// What was typed, as `setFromText` reads it: with the display unit where none was typed, and a decimal point.
+/// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
 std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
 /// The value with its unit, for a sentence: "7 nm".
 QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());
@@ -35,6 +35,10 @@ QString valueText(const Case& c, const Field& field, const QLocale& locale = QLo
 QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());
 /// A read-out of a recorded quantity with as many decimals as its unit deserves.
 QString readout(double value, const Quantity& quantity, const QLocale& locale = QLocale());
+/// A number with at most this many digits and its unit; times and small lengths as below.
+QString roundedText(double value, std::string_view displayUnit, int digits, const QLocale& locale = QLocale());
+/// A status as the core names it, for reading: "cancelled" -> "stopped".
+QString statusText(std::string_view status);
 /// A force with a fitting prefix and about four figures: "3.577 mN".
 QString forceText(double newtons, const QLocale& locale = QLocale());
 /// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to three

@@ -9,7 +9,7 @@ namespace touchdown {
 
 namespace {
 
-/// What the platform came with, before any palette of ours.
+/// The palette of the platform.
 struct SystemLook {
     bool dark = isDark(QGuiApplication::palette());
     int pointSize = QApplication::font().pointSize() > 0 ? QApplication::font().pointSize() : 10;

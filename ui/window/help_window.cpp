@@ -25,7 +25,7 @@ QString parameterTable()
     const Case defaults;
     QString html = QStringLiteral("<h2>%1</h2><p>%2</p><table cellpadding='4' cellspacing='0' border='0'>")
                        .arg(HelpWindow::tr("Parameters"),
-                            HelpWindow::tr("Every key of a case file, with its default and what it may be."));
+                            HelpWindow::tr("Every key of a case file, with its default and its allowed values."));
     for (const Field& field : fields()) {
         html += QStringLiteral(
                     "<tr><td><b>%1</b> "

@@ -12,11 +12,33 @@
 #include <QFileInfo>
 #include <QMimeData>
 
+#include "core/simulation/static_state/steady.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/run_files.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/studies/study_catalogue.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_window.h"
 #include "ui/style/icons.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_session.h"
 
 namespace touchdown {
+
+MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
 MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     : QMainWindow(parent),
@@ -50,7 +72,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 
 MainWindow::~MainWindow()
 {
-    // What shows the runs and the case goes before them: they are members, and those go before child widgets.
+    // Widgets that show the runs and the case are deleted first: members are destroyed before child widgets.
     edits_.undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
                             static_cast<QObject*>(&controller()), static_cast<QObject*>(film_),
@@ -63,9 +85,25 @@ MainWindow::~MainWindow()
     delete takeCentralWidget();
 }
 
+void MainWindow::openResults(const QString& file) { runFiles_->openRun(file); }
+
+RunsModel& MainWindow::runs() { return runs_->runs(); }
+
+RunController& MainWindow::controller() { return runs_->controller(); }
+
+RunsPanel& MainWindow::runsPanel() { return *runs_->panel(); }
+
+RunView& MainWindow::runView() { return *runs_->view(); }
+
+LivePlots& MainWindow::plots() { return *runs_->view()->plots(); }
+
+LiveSpectrum& MainWindow::spectrum() { return *runs_->view()->spectrum(); }
+
+ProgressStrip& MainWindow::progress() { return *runs_->progress(); }
+
 bool MainWindow::readyToRun()
 {
-    // What stands in a field but was not confirmed yet counts.
+    // Text in a field counts although it was not confirmed.
     if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
         focused->clearFocus();
         focused->setFocus();
@@ -100,7 +138,7 @@ void MainWindow::performStudy()
     messages_->clear();
     if (studies_->perform()) return;
     messages_->show(MessageStrip::Kind::Failure,
-                    tr("The study cannot be performed: see what is wrong below its text."));
+                    tr("The study cannot be performed: its errors are listed below its text."));
 }
 
 void MainWindow::onStudied(const StudyReport& report)
@@ -109,7 +147,7 @@ void MainWindow::onStudied(const StudyReport& report)
     const QString title = QString::fromStdString(report.title);
     QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title)
                                               : QString::fromStdString(report.findings.front())};
-    if (!report.warnings.empty()) lines << tr("What weakens this stands below the findings (⚠).");
+    if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
     switch (report.status) {
     case StudyStatus::Completed:
         messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
@@ -180,7 +218,7 @@ void MainWindow::onImported(const QString& path, const QStringList& warnings)
     else
         messages_->show(MessageStrip::Kind::Warning,
                         text + QLatin1Char(' ') +
-                            tr("%n thing(s) that it says are not modelled: see About this case.", nullptr,
+                            tr("%n entry(ies) of the file are not modelled: see About this case.", nullptr,
                                static_cast<int>(warnings.size())));
 }
 
@@ -192,7 +230,7 @@ void MainWindow::onExported(const QString& path, const QStringList& warnings)
     else
         messages_->show(MessageStrip::Kind::Warning,
                         text + QLatin1Char('\n') +
-                            tr("Kept in the comments of run.dat, where the established program does not see them: %1")
+                            tr("Written as comments of run.dat, which the established program ignores: %1")
                                 .arg(warnings.join(QStringLiteral(", "))));
 }
 
@@ -214,10 +252,10 @@ void MainWindow::updateRunActions()
     const QString reason = edits_.reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
     const QString cannot = tr("The case cannot be run. %1").arg(reason);
-    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run under way starts again (F5)")
+    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run in progress starts again (F5)")
                                                : cannot);
     actions_->solve->setToolTip(
-        reason.isEmpty() ? tr("Solve for the static attitude; a solution under way starts again (F9)") : cannot);
+        reason.isEmpty() ? tr("Solve for the static attitude; a solution in progress starts again (F9)") : cannot);
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
@@ -257,7 +295,7 @@ void MainWindow::chooseRecording(bool on)
         recordTo_.clear();
         return;
     }
-    auto* dialog = new QFileDialog(this, tr("Record the runs that follow to"), {}, tr("HDF5 (*.h5)"));
+    auto* dialog = new QFileDialog(this, tr("Record the next runs to"), {}, tr("HDF5 (*.h5)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("h5"));

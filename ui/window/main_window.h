@@ -5,35 +5,51 @@
 // right; what happened at the foot.
 #pragma once
 
-#include "ui/case/case_files.h"
-#include "ui/case/case_panel.h"
-#include "ui/film/film_window.h"
-#include "ui/runs/about_case_pane.h"
-#include "ui/runs/run_files.h"
-#include "ui/runs/run_window.h"
-#include "ui/studies/study_window.h"
-#include "ui/style/message_strip.h"
 #include "ui/window/help_window.h"
-#include "ui/window/window_actions.h"
 #include "ui/window/window_pages.h"
-#include "ui/window/window_session.h"
+
+#include <memory>
 
 #include <QMainWindow>
 
+#include "ui/case/case_edits.h"
+
 namespace touchdown {
+
+class AboutCasePane;
+class CaseFiles;
+class CasePanel;
+class FilmWindow;
+class LivePlots;
+class LiveSpectrum;
+class MessageStrip;
+class ProgressStrip;
+class RunController;
+class RunFiles;
+class RunView;
+class RunWindow;
+class RunsModel;
+class RunsPanel;
+class StudyWindow;
+class WindowActions;
+class WindowSession;
+struct SteadyResult;
+struct StudyCatalogue;
+struct StudyReport;
+struct Summary;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(QWidget* parent = nullptr) : MainWindow(coreStudies(), parent) {}
+    explicit MainWindow(QWidget* parent = nullptr);
     /// With other studies than those of the core.
     explicit MainWindow(StudyCatalogue studies, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// What the last session left: geometry, theme, font, panes.
+    /// Geometry, theme, font and panes of the last session.
     void restoreSession();
-    /// The case that the last session left, or the default one.
+    /// The case of the last session, or the default case.
     void openLastCase();
     /// Runs the case in time.
     void startRun();
@@ -43,7 +59,7 @@ public:
     void solveAtGivenAttitude();
     /// Performs the study that is written on the page of studies.
     void performStudy();
-    void openResults(const QString& file) { runFiles_->openRun(file); }
+    void openResults(const QString& file);
     using Page = WindowPages::Page;
     void setPage(Page page) { pages_->setPage(page); }
     QTabBar* pageTabs() const { return pages_->tabs(); }
@@ -52,16 +68,16 @@ public:
 
     CaseEdits& edits() { return edits_; }
     CaseFiles& files() { return *files_; }
-    RunsModel& runs() { return runs_->runs(); }
-    RunController& controller() { return runs_->controller(); }
+    RunsModel& runs();
+    RunController& controller();
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
-    RunsPanel& runsPanel() { return *runs_->panel(); }
-    RunView& runView() { return *runs_->view(); }
-    LivePlots& plots() { return *runs_->view()->plots(); }
-    LiveSpectrum& spectrum() { return *runs_->view()->spectrum(); }
+    RunsPanel& runsPanel();
+    RunView& runView();
+    LivePlots& plots();
+    LiveSpectrum& spectrum();
     MessageStrip& messages() { return *messages_; }
-    RunProgress& progress() { return *runs_->progress(); }
+    ProgressStrip& progress();
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }

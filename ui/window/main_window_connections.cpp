@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window's actions do, and what follows from what its parts tell.
+// Connections between the actions, the parts of the window and their signals.
 #include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QMessageBox>
 
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/run_files.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/studies/study_catalogue.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/window_actions.h"
 
 namespace touchdown {
 
@@ -33,7 +52,7 @@ void MainWindow::connectFiles()
     connect(actions_->exportCsv, &QAction::triggered, this,
             [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
     connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
-    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPage(*page()); });
+    connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     connect(files_, &CaseFiles::saved, this, [this] {
         casePanel_->setPreset({});
@@ -62,8 +81,10 @@ void MainWindow::connectRuns()
     connect(actions_->step, &QAction::triggered, controller, &RunController::step);
     connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
     connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
-    connect(actions_->pace, &QComboBox::currentIndexChanged, controller,
-            [this, controller] { controller->setPace(actions_->pace->currentData().toDouble()); });
+    connect(actions_->pace, &QComboBox::currentIndexChanged, controller, [this, controller] {
+        controller->setPace(actions_->pace->currentData().toDouble());
+        progress().restartEstimate();
+    });
     connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
     connect(controller, &RunController::recordingFailed, this,
             [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
@@ -105,8 +126,9 @@ void MainWindow::connectStudies()
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
         edits_.setAll(found, tr("apply the study: %1").arg(title));
-        messages_->show(MessageStrip::Kind::Success,
-                        tr("The parameters are those that the study found. Undo takes them back."));
+        messages_->show(
+            MessageStrip::Kind::Success,
+            tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
     });
 }
 

@@ -98,26 +98,25 @@ void WindowActions::buildRun(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&Run"));
     run = add(menu, tr("&Run"), QKeySequence(Qt::Key_F5), QStringLiteral("run"),
-              tr("Run the case; a run under way starts again"));
-    pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"),
-                tr("Pause the run, or let it go on"));
+              tr("Run the case; a run in progress starts again"));
+    pause = add(menu, tr("&Pause"), QKeySequence(Qt::Key_F6), QStringLiteral("pause"), tr("Pause or resume the run"));
     pause->setCheckable(true);
     step = add(menu, tr("S&tep"), QKeySequence(Qt::Key_F7), QStringLiteral("step"),
-               tr("Let a paused run go on by one picture"));
+               tr("Advance a paused run by one picture"));
     stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"),
-               tr("Stop what is under way; what there is of it stays"));
+               tr("Stop the calculation; its results so far are kept"));
     menu->addSeparator();
     solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
-                tr("Solve for the static attitude; a solution under way starts again"));
+                tr("Solve for the static attitude; a solution in progress starts again"));
     solve->setIconText(tr("Solve"));
     study = add(menu, tr("Perform st&udy"), QKeySequence(Qt::SHIFT | Qt::Key_F5), QStringLiteral("study"),
-                tr("Perform the study of the page Studies; one under way starts again"));
+                tr("Perform the study of the page Studies; a study in progress starts again"));
     solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
                      tr("Solve for the pressure only, at the height, pitch and roll of the start"));
     solve->setVisible(false);
     solveGiven->setVisible(false);
     menu->addSeparator();
-    record = add(menu, tr("Record to &file…"), {}, {}, tr("Write the runs that follow to an HDF5 file while they go"));
+    record = add(menu, tr("Record to &file…"), {}, {}, tr("Write the next runs to an HDF5 file during the run"));
     record->setCheckable(true);
 }
 

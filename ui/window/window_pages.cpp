@@ -7,6 +7,22 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/plot/cursor_table.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/window_actions.h"
+
 namespace touchdown {
 
 WindowPages::WindowPages(const Parts& parts)
@@ -22,7 +38,7 @@ WindowPages::WindowPages(const Parts& parts)
     parts_.window.statusBar()->addWidget(parts_.studies.progress(), 1);
     parts_.window.statusBar()->setSizeGripEnabled(false);
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
-    // What comes into the list is there to be seen.
+    // A run that is added to the list is shown.
     connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
 }
 
@@ -36,7 +52,7 @@ void WindowPages::buildCentre()
     tabs_->setTabVisible(static_cast<int>(Page::StaticState), false);
     tabs_->setCurrentIndex(static_cast<int>(Page::Run));
     pages_->setCurrentIndex(static_cast<int>(Page::Run));
-    tabs_->setAccessibleName(tr("What is shown of the case"));
+    tabs_->setAccessibleName(tr("Pages of the case"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
 

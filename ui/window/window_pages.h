@@ -11,15 +11,17 @@
 
 #include <vector>
 
-#include "ui/case/case_panel.h"
-#include "ui/film/film_window.h"
-#include "ui/runs/about_case_pane.h"
-#include "ui/runs/run_window.h"
-#include "ui/studies/study_window.h"
-#include "ui/style/message_strip.h"
-#include "ui/window/window_actions.h"
+#include "core/case/case.h"
 
 namespace touchdown {
+
+class AboutCasePane;
+class CasePanel;
+class FilmWindow;
+class MessageStrip;
+class RunWindow;
+class StudyWindow;
+class WindowActions;
 
 class WindowPages : public QObject {
     Q_OBJECT
@@ -40,7 +42,7 @@ public:
     explicit WindowPages(const Parts& parts);
 
     enum class Page { StaticState, Run, Studies };
-    /// Only a film has a static state of its own: of any other case it is the run in time that is shown instead.
+    /// Only the model film has the page of the static state; other cases show the run in time instead.
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     /// Offers what the model has.
@@ -48,7 +50,7 @@ public:
     ModelKind model() const { return model_; }
     /// Only the panes of the page that is shown, as after an arrangement was restored.
     void showPanesOfPage();
-    /// That of the page; and of the others while something is under way there.
+    /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
 
     QTabBar* tabs() const { return tabs_; }
@@ -70,7 +72,7 @@ private:
     QDockWidget* about_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;
-        std::vector<Page> pages; // on which it may stand
+        std::vector<Page> pages; // on which it may be shown
         bool wanted = true;      // it was not closed there
     };
     std::vector<Pane> panes_; // those that come and go

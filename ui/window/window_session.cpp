@@ -3,6 +3,9 @@
 
 #include <QSettings>
 
+#include "ui/runs/runs_panel.h"
+#include "ui/window/window_actions.h"
+
 namespace touchdown {
 
 namespace {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window remembers from one session to the next: geometry and panes, theme and font, overlay, speed, last
-// case.
+// Settings that last from one session to the next: geometry and panes, theme and font, overlay, speed, last case.
 #pragma once
 
 #include <QMainWindow>
 #include <QSplitter>
 #include <QString>
 
-#include "ui/runs/runs_panel.h"
-#include "ui/window/window_actions.h"
-
 namespace touchdown {
+
+class RunsPanel;
+class WindowActions;
 
 class WindowSession {
 public:

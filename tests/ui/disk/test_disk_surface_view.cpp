@@ -12,6 +12,10 @@
 
 #include "tests/support/test_program.h"
 #include "ui/disk/disk_statistics.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/fields_view.h"
+#include "ui/plot/plot_group.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 

@@ -15,7 +15,14 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/film/film_view.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/maps_view.h"
 #include "ui/plot/plot_export.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -237,7 +244,7 @@ void TestFilmWindow::reportsProgress()
     QVERIFY(says(QStringLiteral("Solving…")));
     QTRY_VERIFY2(film_->progress()->text().startsWith(QStringLiteral("grid 97 × 97 · iteration ")),
                  qPrintable(film_->progress()->text()));
-    QVERIFY(film_->progress()->text().contains(QStringLiteral("residual 2.0e−05")));
+    QVERIFY(film_->progress()->text().contains(QStringLiteral("residual 2e−05")));
     QVERIFY(film_->progress()->text().contains(QStringLiteral("height 9\u00a0nm")));
     film_->controller().stopAndWait();
     QVERIFY(says(QStringLiteral("There is no solution yet.")));
@@ -285,7 +292,7 @@ void TestFilmWindow::exportsThePage()
     const QTemporaryDir folder;
     QTRY_VERIFY(film_->view()->surface()->settled());
     const QString file = folder.filePath(QStringLiteral("page.png"));
-    QCOMPARE(savePage(*film_->view(), file), QString());
+    QCOMPARE(savePicture(*film_->view(), file), QString());
     const QImage image(file);
     QCOMPARE(image.size(), 2 * film_->view()->size());
     SurfaceView* surface = film_->view()->surface();
@@ -293,7 +300,7 @@ void TestFilmWindow::exportsThePage()
     QCOMPARE(image.pixelColor((2.0 * pad).toPoint()).rgb(), surface->scale().colour(0.0));
     for (const char* ending : {"svg", "pdf"}) {
         const QString other = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
-        QCOMPARE(savePage(*film_->view(), other), QString());
+        QCOMPARE(savePicture(*film_->view(), other), QString());
         QVERIFY(QFileInfo(other).size() > 5000);
     }
 }

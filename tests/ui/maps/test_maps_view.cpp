@@ -7,8 +7,11 @@
 
 #include <QTest>
 
+#include "core/case/case.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;

@@ -157,14 +157,14 @@ void TestPlotExport::pngIsLightWithInk()
 
 void TestPlotExport::pageHoldsAllVisiblePlots()
 {
-    QCOMPARE(savePage(*page_, path("page.svg")), QString());
+    QCOMPARE(savePicture(*page_, path("page.svg")), QString());
     QByteArray svg = contents(path("page.svg"));
     QVERIFY(svg.contains("First plot") && svg.contains("Second plot"));
     second_->hide();
-    QCOMPARE(savePage(*page_, path("page.svg")), QString());
+    QCOMPARE(savePicture(*page_, path("page.svg")), QString());
     svg = contents(path("page.svg"));
     QVERIFY(svg.contains("First plot") && !svg.contains("Second plot"));
-    QCOMPARE(savePage(*page_, path("page.pdf")), QString());
+    QCOMPARE(savePicture(*page_, path("page.pdf")), QString());
     QVERIFY(contents(path("page.pdf")).startsWith("%PDF"));
 }
 

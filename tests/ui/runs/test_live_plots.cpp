@@ -8,8 +8,12 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;

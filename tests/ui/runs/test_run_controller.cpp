@@ -10,6 +10,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/runs/run_controller.h"
 
@@ -55,7 +56,7 @@ struct Received {
         QObject::connect(&controller, &RunController::delivered, &controller,
                          [this, &controller](const RunDelivery& delivery) {
                              ++deliveries;
-                             foreign += delivery.run != controller.currentRun();
+                             foreign += delivery.run != controller.current();
                              for (std::size_t i = 0; i < delivery.samples.size(); ++i) {
                                  disordered += !times.empty() && delivery.samples.time[i] <= times.back();
                                  times.push_back(delivery.samples.time[i]);

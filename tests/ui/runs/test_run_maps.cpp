@@ -6,10 +6,15 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
 #include "ui/maps/maps_view.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;

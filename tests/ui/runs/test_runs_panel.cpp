@@ -9,9 +9,13 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/case/case_difference.h"
 #include "ui/runs/run_delegate.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/runs/runs_panel.h"
 
 using namespace touchdown;

@@ -5,8 +5,11 @@
 
 #include <QTest>
 
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;

@@ -12,6 +12,8 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
+#include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_drawing.h"
 
 using namespace touchdown;
 
@@ -95,7 +97,7 @@ void TestStudyChartView::oneLegendForAllPanels()
 {
     QCOMPARE(legendTexts(view_->drawing()),
              (QStringList{"rk4", "rk4-events", "newmark", "Pareto front", "ends in another state", "no valid answer",
-                          "default or advice"}));
+                          "default or recommended"}));
     StudyChart plain = samplePrecisionChart();
     for (ChartPanel& each : plain.panels) each.series.resize(2); // without the failed point of newmark and the front
     view_->setChart(plain);
@@ -248,7 +250,7 @@ void TestStudyChartView::savesPictures()
     QFETCH(const QString, ending);
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("chart.") + ending);
-    QCOMPARE(savePicture(view_->picture(lightPlotTheme()), file), QString());
+    QCOMPARE(savePicture(*view_, file), QString());
     if (ending == QLatin1String("png")) QCOMPARE(QImage(file).size(), QSize(1800, 1040)); // twice the screen's
     if (ending == QLatin1String("svg")) QCOMPARE(QSvgRenderer(file).viewBox().size(), QSize(900, 520));
     if (ending == QLatin1String("pdf")) {

@@ -41,13 +41,12 @@ StudyReport endless(int, const StudyCallback& callback)
 struct Received {
     explicit Received(StudyController& controller)
     {
-        QObject::connect(&controller, &StudyController::progressed, &controller,
-                         [this](int, double now, const QString& what) {
-                             ++deliveries;
-                             disordered += now < share;
-                             share = now;
-                             doing = what;
-                         });
+        QObject::connect(&controller, &StudyController::progressed, &controller, [this](int, const Progress& progress) {
+            ++deliveries;
+            disordered += *progress.share < share;
+            share = *progress.share;
+            activity = progress.activity;
+        });
         QObject::connect(&controller, &StudyController::finished, &controller,
                          [this](int number, const StudyReport& ended) {
                              finished.push_back(number);
@@ -56,7 +55,7 @@ struct Received {
     }
     int deliveries = 0, disordered = 0;
     double share = 0.0;
-    QString doing;
+    std::string activity;
     std::vector<int> finished;
     StudyReport report;
 };
@@ -86,7 +85,7 @@ void TestStudyController::deliversProgressAndReport()
     QCOMPARE(received.finished, std::vector<int>{1});
     QCOMPARE(received.report.title, std::string("3 threads"));
     QCOMPARE(received.share, 1.0); // the last progress comes before the report
-    QCOMPARE(received.doing, QStringLiteral("step 10"));
+    QCOMPARE(received.activity, std::string("step 10"));
     QCOMPARE(received.disordered, 0);
 }
 
@@ -157,7 +156,7 @@ void TestStudyController::turnsAnExceptionIntoAFailure()
     controller.start([](int, const StudyCallback&) -> StudyReport { throw std::runtime_error("no memory"); }, 1);
     QTRY_COMPARE(controller.state(), State::Idle);
     QCOMPARE(received.report.status, StudyStatus::Failed);
-    QCOMPARE(received.report.message, std::string("The study broke off: no memory"));
+    QCOMPARE(received.report.message, std::string("The study stopped with an error: no memory"));
 }
 
 void TestStudyController::joinsWhenDestroyed()

@@ -11,11 +11,29 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/plot/plot_group.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_chart_view.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_results.h"
+#include "ui/studies/study_table.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 using Page = MainWindow::Page;
@@ -268,7 +286,7 @@ void TestStudyPage::exportsTheCharts()
     f.perform();
     for (const char* ending : {"png", "svg", "pdf"}) {
         const QString file = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
-        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QCOMPARE(savePicture(*f.window.page(), file), QString());
         QVERIFY(QFileInfo(file).size() > 1000);
     }
 }

@@ -8,10 +8,30 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/plot/cursor_table.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
+#include "ui/window/help_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_session.h"
 
 using namespace touchdown;
 using State = RunController::State;
@@ -497,7 +517,7 @@ void TestMainWindow::exportsThePage()
     f.runToEnd();
     for (const char* ending : {"png", "svg", "pdf"}) {
         const QString file = folder.filePath(QStringLiteral("page.%1").arg(QLatin1String(ending)));
-        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QCOMPARE(savePicture(*f.window.page(), file), QString());
         QVERIFY(QFileInfo(file).size() > 1000);
     }
 }

@@ -7,11 +7,33 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/maps_view.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/runs/side_view.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 
@@ -230,7 +252,7 @@ void TestMainWindowContact::exportsEachPage()
         f.window.runView().setPage(page);
         if (page == RunView::Page::Disk) QTRY_VERIFY_WITH_TIMEOUT(!f.window.runView().disk()->empty(), 20'000);
         const QString file = folder.filePath(QStringLiteral("page.png"));
-        QCOMPARE(savePage(*f.window.page(), file), QString());
+        QCOMPARE(savePicture(*f.window.page(), file), QString());
         const QImage image(file);
         int coloured = 0;
         for (int y = 0; y < image.height(); y += 4)
@@ -255,7 +277,7 @@ void TestMainWindowContact::helpTellsOfContact()
 {
     HelpWindow help({});
     help.open(HelpWindow::Page::Contact);
-    for (const char* word : {"Polonsky", "Greenwood", "Lennard", "roll-off", "assumed"})
+    for (const char* word : {"Polonsky", "Greenwood", "Lennard", "roll-off", "assumptions"})
         QVERIFY2(help.text().contains(QLatin1String(word), Qt::CaseInsensitive), word);
 }
 

@@ -10,11 +10,39 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
 #include "core/case_files/cml_case.h"
+#include "core/results/results_file.h"
+#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/disk/disk_surface_view.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/maps_view.h"
+#include "ui/plot/cursor_table.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/about_case_pane.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/runs/side_view.h"
+#include "ui/slider/attitude_table.h"
+#include "ui/slider/surface_view.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 using State = SteadyController::State;
@@ -354,7 +382,7 @@ void TestMainWindowFilm::exportsThePage()
     f.solve();
     f.window.film().view()->setPage(FilmView::Page::Pressure);
     const QString file = folder.filePath(QStringLiteral("page.png"));
-    QCOMPARE(savePage(*f.window.page(), file), QString());
+    QCOMPARE(savePicture(*f.window.page(), file), QString());
     // Colours of the map and the sections on white paper.
     const QImage image(file);
     QVERIFY(image.width() == 2 * f.window.page()->width());
