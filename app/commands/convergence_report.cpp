@@ -3,7 +3,7 @@
 
 #include "app/terminal/aligned_table.h"
 #include "app/terminal/json_text.h"
-#include "app/terminal/progress_line.h"
+#include "app/terminal/number_text.h"
 #include "app/terminal/report_row.h"
 
 namespace touchdown {

@@ -5,7 +5,6 @@
 
 #include "app/commands/case_commands.h"
 #include "app/commands/design_report.h"
-#include "app/terminal/live_line.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
@@ -15,29 +14,14 @@ namespace touchdown {
 
 namespace {
 
-class DesignLine {
-public:
-    explicit DesignLine(bool always) : line_(always) {}
-    void show(const DesignProgress& progress)
-    {
-        last_ = progress;
-        line_.show([this] { return text(); });
-    }
-    void end()
-    {
-        line_.end([this] { return text(); });
-    }
-
-private:
-    std::string text() const
-    {
-        return "iteration " + std::to_string(last_.iteration) + ", " + std::to_string(last_.solves) +
-               " static states, the best misses by " + displayed(last_.misfit, "", 3) + " tolerances";
-    }
-
-    LiveLine line_;
-    DesignProgress last_;
-};
+Progress progressOf(const DesignProgress& progress)
+{
+    return {{},
+            "",
+            {{"iteration", static_cast<double>(progress.iteration), "", 10},
+             {"static states", static_cast<double>(progress.solves), "", 10},
+             {"misfit", progress.misfit}}};
+}
 
 /// The case with what was found, as the text of the case it began with. Returns the problem, or "".
 std::string writeFound(const std::string& out, const DesignDocument& document, const Case& found)
@@ -66,9 +50,9 @@ int designCommand(const DesignArguments& arguments)
     if (!document.valid() || !good) return exitWrongInput;
 
     const StopSignal stop;
-    DesignLine line(arguments.progress);
+    ProgressLine line(arguments.progress);
     DesignStudy study = studyDesign(document.start.value, document.task, [&](const DesignProgress& progress) {
-        line.show(progress);
+        line.show(progressOf(progress));
         return !stop.requested();
     });
     line.end();

@@ -5,7 +5,7 @@
 
 #include "app/commands/steady_report.h"
 #include "app/terminal/json_text.h"
-#include "app/terminal/progress_line.h"
+#include "app/terminal/number_text.h"
 #include "app/terminal/report_row.h"
 
 namespace touchdown {

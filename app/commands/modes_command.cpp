@@ -4,8 +4,9 @@
 #include "app/commands/case_commands.h"
 #include "app/commands/modes_report.h"
 #include "app/commands/steady_report.h"
-#include "app/terminal/steady_progress_line.h"
+#include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
+#include "core/simulation/static_state/steady_progress.h"
 
 namespace touchdown {
 
@@ -14,12 +15,12 @@ int modesCommand(const ModesArguments& arguments)
     const CaseDocument document = openFilmCaseOrComplain(arguments.caseArguments);
     if (!document.valid()) return exitWrongInput;
     const StopSignal stop;
-    SteadyProgressLine progress(arguments.progress, 1);
+    ProgressLine line(arguments.progress);
     const ModesResult result = modes(document.value, [&](const SteadyProgress& update) {
-        progress.show(update);
+        line.show(progressOf(update));
         return !stop.requested();
     });
-    progress.end();
+    line.end();
     print(arguments.json ? modesJson(document.value, result) : modesText(document.value, result));
     if (result.status == SteadyStatus::Converged) return exitDone;
     complain(statusText(result.status, result.message));

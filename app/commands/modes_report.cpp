@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/commands/steady_report.h"
-#include "app/terminal/progress_line.h"
+#include "app/terminal/number_text.h"
 #include "app/terminal/report_row.h"
 
 namespace touchdown {

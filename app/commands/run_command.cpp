@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/run_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -42,6 +43,20 @@ bool targetsAreGood(const RunArguments& arguments)
     }
     return good;
 }
+
+// The minimum spacing of all samples so far [m].
+struct LeastSpacing {
+    explicit LeastSpacing(const std::vector<Quantity>& quantities) : column(findQuantity(quantities, "minimum_spacing"))
+    {}
+    void add(const SampleBatch& batch)
+    {
+        if (column < 0) return;
+        for (const double each : batch.columns[static_cast<std::size_t>(column)])
+            least = least ? std::min(*least, each) : each;
+    }
+    int column;
+    std::optional<double> least{};
+};
 
 // The files that a run fills. The first problem is kept, and ends the run.
 class RunOutput {
@@ -108,13 +123,15 @@ int runCommand(const RunArguments& arguments)
         complain(output.problem());
         return exitWrongInput;
     }
-    ProgressLine progress(arguments.progress, output.quantities());
+    ProgressLine line(arguments.progress);
+    LeastSpacing spacing(output.quantities());
     Summary summary = run(document.value, [&](const RunUpdate& update) {
         output.add(update.samples, update.fields);
-        progress.show(update);
+        spacing.add(update.samples);
+        line.show(runProgress(update.time, update.duration, spacing.least));
         return !stop.requested() && output.problem().empty();
     });
-    progress.end();
+    line.end();
 
     output.finish(summary);
     if (!output.problem().empty()) {

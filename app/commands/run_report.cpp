@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "app/terminal/json_text.h"
-#include "app/terminal/progress_line.h"
+#include "app/terminal/number_text.h"
 #include "app/terminal/report_row.h"
 #include "core/formats/units.h"
 #include "core/simulation/contact/contact_run.h"

@@ -8,10 +8,11 @@
 #include "app/commands/case_commands.h"
 #include "app/commands/steady_report.h"
 #include "app/terminal/output_target.h"
-#include "app/terminal/steady_progress_line.h"
+#include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
 #include "core/results/results_file.h"
 #include "core/results/steady_file.h"
+#include "core/simulation/static_state/steady_progress.h"
 
 namespace touchdown {
 namespace {
@@ -46,19 +47,22 @@ int steadyCommand(SteadyArguments arguments)
     }
 
     const std::vector<SteadySeriesPoint> series = seriesOf(c);
-    SteadyProgressLine progress(arguments.progress, series.size());
+    ProgressLine line(arguments.progress);
     std::vector<SteadyState> states;
     for (const SteadySeriesPoint& point : series) {
-        progress.begin(states.size());
         SteadyResult result = steady(caseAt(c, point), [&](const SteadyProgress& update) {
-            progress.show(update);
+            Progress progress = progressOf(update);
+            if (series.size() > 1)
+                progress.activity = "state " + std::to_string(states.size() + 1) + " of " +
+                                    std::to_string(series.size()) + ", " + progress.activity;
+            line.show(std::move(progress));
             return !stop.requested();
         });
         if (file) problem = file->add(point, result);
         states.push_back({point, withoutFields(std::move(result))});
         if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stop.requested()) break;
     }
-    progress.end();
+    line.end();
 
     SteadyStatus status = worstStatus(states);
     std::string message = worstMessage(states);

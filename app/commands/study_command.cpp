@@ -9,8 +9,8 @@
 #include "app/commands/study_report.h"
 #include "app/terminal/fitted_table.h"
 #include "app/terminal/output_target.h"
+#include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
-#include "app/terminal/study_progress_line.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_file.h"
 #include "core/studies/study_plan.h"
@@ -90,10 +90,10 @@ int studyCommand(const StudyArguments& arguments)
     if (!plan.valid() || !good) return exitWrongInput;
 
     const StopSignal stop;
-    StudyProgressLine line(arguments.progress);
+    ProgressLine line(arguments.progress);
     StudyReport report =
         plan.perform(arguments.jobs > 0 ? arguments.jobs : coresOfThis(), [&](const StudyProgress& progress) {
-            line.show(progress);
+            line.show({progress.share, progress.doing});
             return !stop.requested();
         });
     line.end();

@@ -5,7 +5,7 @@
 
 #include "app/terminal/fitted_table.h"
 #include "app/terminal/json_text.h"
-#include "app/terminal/progress_line.h"
+#include "app/terminal/number_text.h"
 #include "app/terminal/report_row.h"
 #include "app/terminal/wrapped_text.h"
 #include "core/case_files/case_file.h"

@@ -1,38 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a run is, on standard error.
+// Progress in one line on standard error: redrawn on a terminal; elsewhere one line a second, if asked for.
 #pragma once
 
 #include <chrono>
 #include <string>
-#include <vector>
 
-#include "app/terminal/live_line.h"
-#include "core/simulation/run.h"
+#include "core/simulation/recording/progress.h"
 
 namespace touchdown {
 
 class ProgressLine {
 public:
-    ProgressLine(bool always, const std::vector<Quantity>& quantities);
-    void show(const RunUpdate& update);
+    /// `always`: not only on a terminal.
+    explicit ProgressLine(bool always);
+    void show(Progress progress);
+    /// Removes the line from a terminal; elsewhere writes the last state.
     void end();
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::string text() const;
+    std::string text();
 
-    LiveLine line_;
-    int spacing_; // column of the minimum spacing
-    Clock::time_point begin_ = Clock::now();
-    double time_ = 0.0;     // simulated [s]
-    double duration_ = 0.0; // [s]
-    double minimum_ = 0.0;  // spacing, of all samples [m]
-    bool sampled_ = false;
+    bool terminal_;
+    bool shown_;
+    bool drawn_ = false;
+    Clock::time_point next_; // no line before
+    Progress progress_;
+    TimeLeft timeLeft_;
 };
-
-/// 1.234e-3 in "ms": "1.234 ms", with so many significant digits.
-std::string displayed(double value, const std::string& displayUnit, int digits = 4);
 
 } // namespace touchdown
