@@ -20,10 +20,10 @@ Json place(const SurfacePoint& point, bool known)
     return known ? Json{jsonNumber(point.x), jsonNumber(point.y)} : Json(nullptr);
 }
 
-Json matrix(const std::array<std::array<double, 3>, 3>& rows)
+Json matrix(const Matrix3& m)
 {
     Json result = Json::array();
-    for (const auto& row : rows) result.push_back({jsonNumber(row[0]), jsonNumber(row[1]), jsonNumber(row[2])});
+    for (int k = 0; k < 3; ++k) result.push_back({jsonNumber(m(k, 0)), jsonNumber(m(k, 1)), jsonNumber(m(k, 2))});
     return result;
 }
 
@@ -83,7 +83,7 @@ std::string shown(double value, const std::string& displayUnit, int digits = 5)
     return displayUnit.empty() ? result : result + ' ' + displayUnit;
 }
 
-std::string matrixText(const std::string& title, const std::array<std::array<double, 3>, 3>& matrix)
+std::string matrixText(const std::string& title, const Matrix3& matrix)
 {
     const auto number = [](double value) {
         char text[32];
@@ -93,7 +93,7 @@ std::string matrixText(const std::string& title, const std::array<std::array<dou
     std::string text = reportRow(title, "        height         pitch          roll   (SI)");
     const std::array<const char*, 3> rows{"  force", "  pitch torque", "  roll torque"};
     for (std::size_t i = 0; i < 3; ++i)
-        text += reportRow(rows[i], number(matrix[i][0]) + number(matrix[i][1]) + number(matrix[i][2]));
+        text += reportRow(rows[i], number(matrix(i, 0)) + number(matrix(i, 1)) + number(matrix(i, 2)));
     return text;
 }
 

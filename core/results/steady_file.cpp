@@ -120,7 +120,7 @@ void writeState(hid_t parent, const std::string& name, const Case& c, const Stea
     writePlace(state, "centre_of_positive_pressure", forces.centreOfPositive, "Centre of the pressure above ambient");
     writePlace(state, "centre_of_negative_pressure", forces.centreOfNegative, "Centre of the pressure below ambient");
     if (result.stiffness)
-        describeHdf5(writeMatrix(state, "stiffness", 3, 3, result.stiffness->front().data()), "SI",
+        describeHdf5(writeMatrix(state, "stiffness", 3, 3, Matrix3(result.stiffness->transpose()).data()), "SI",
                      "Stiffness of the film: force, pitch and roll torque (rows) by height, pitch and roll (columns)");
     writeInterest(state, c.surface.pointsOfInterest, result.interestSpacing);
     writeSensitivities(state, result.sensitivities);

@@ -63,19 +63,23 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         refused.model = toText(c, *findField("model"));
         return refused;
     }
-    if (c.model == ModelKind::Contact) {
-        Summary summary = runContact(c, callback);
-        summary.model = toText(c, *findField("model"));
+    Summary summary;
+    switch (c.model) {
+    case ModelKind::Springs:
+        summary = runSprings(c, callback, options);
+        summary.integrator = toText(c, *findField("run.integrator"));
+        break;
+    case ModelKind::Contact:
+        summary = runContact(c, callback);
         summary.integrator = "quasi-static";
-        return summary;
-    }
-    if (c.model == ModelKind::Film) {
-        Summary summary = runFilm(c, callback);
-        summary.model = toText(c, *findField("model"));
+        break;
+    case ModelKind::Film:
+        summary = runFilm(c, callback);
         summary.integrator = toText(c, *findField("film.coupling"));
-        return summary;
+        break;
     }
-    return runSprings(c, callback, options);
+    summary.model = toText(c, *findField("model"));
+    return summary;
 }
 
 } // namespace touchdown

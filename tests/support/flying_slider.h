@@ -41,8 +41,8 @@ struct FlyingSlider {
           stepper(level.film, body, contact, nullptr, options)
     {
         level.gaps.pad.pad<double>(rest.pressure, level.pressure);
-        SliderMotion motion{body.coordinates(rest.attitude), {}, {}};
-        for (std::size_t k = 0; k < 3; ++k) motion.q[k] += offset[k];
+        SliderMotion motion;
+        motion.q = body.coordinates(rest.attitude) + offset;
         level.film.setAttitude(body.attitude(motion.q));
         if (!level.flying.solveFilm(level.pressure, {.tolerance = 1e-12, .maximumIterations = 60}).converged)
             qFatal("the film of the start was not solved");
@@ -65,12 +65,7 @@ struct FlyingSlider {
     }
     const Vector3& q() const { return stepper.motion().q; }
     /// Distance of the corners from another position [m].
-    double from(const Vector3& other) const
-    {
-        Vector3 change{};
-        for (std::size_t k = 0; k < 3; ++k) change[k] = q()[k] - other[k];
-        return body.displacement(change);
-    }
+    double from(const Vector3& other) const { return body.displacement(q() - other); }
 };
 
 } // namespace touchdown::test

@@ -9,6 +9,9 @@
 #include <optional>
 
 #include "core/simulation/equilibria/film_branches.h"
+#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/small_motions/film_balance.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"
 
 namespace touchdown::test {
@@ -26,9 +29,9 @@ inline Case smallCase()
     return c;
 }
 
-inline const MarkedFilmEquilibrium* markOf(const FilmBranches& all, EquilibriumMark kind)
+inline const MarkedEquilibrium* markOf(const EquilibriumBranches& all, EquilibriumMark kind)
 {
-    const auto found = std::ranges::find(all.marks, kind, &MarkedFilmEquilibrium::kind);
+    const auto found = std::ranges::find(all.marks, kind, &MarkedEquilibrium::kind);
     return found == all.marks.end() ? nullptr : &*found;
 }
 

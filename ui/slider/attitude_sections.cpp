@@ -102,7 +102,7 @@ AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
     constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6}; // [m], [rad]
     for (std::size_t i = 0; i < 3; ++i) {
         QStringList row{names[i]};
-        for (std::size_t j = 0; j < 3; ++j) row << plain((*r.stiffness)[i][j] * moved[j] / shown[i], locale);
+        for (std::size_t j = 0; j < 3; ++j) row << plain((*r.stiffness)(i, j) * moved[j] / shown[i], locale);
         section.rows.push_back(row);
     }
     return section;

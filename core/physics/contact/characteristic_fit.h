@@ -16,10 +16,11 @@
 
 #include <string>
 
-#include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {
+
+class MultiAsperity;
 
 struct CharacteristicError {
     double worst = 0.0; // [-]

@@ -23,6 +23,8 @@ struct CoulombFriction {
     {
         return coefficient * contactForce * std::tanh(slidingVelocity / regularisingSpeed);
     }
+    /// Moment, nose down, per contact force where the slider slides for good [m].
+    double noseDown() const { return arm * coefficient; }
     double pitchMoment(double contactForce, double slidingVelocity) const // [N m]
     {
         return -arm * force(contactForce, slidingVelocity);

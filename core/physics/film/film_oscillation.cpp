@@ -49,32 +49,31 @@ void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& con
 }
 
 ComplexMatrix3 FilmOscillation::stiffness(Complex s, const std::array<std::vector<double>, 3>& byPressure,
-                                          const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged,
-                                          std::size_t columns)
+                                          const Matrix3& byAttitude, bool& converged, std::size_t columns)
 {
     const std::size_t size = film_.pad().size();
     setRate(s);
-    ComplexMatrix3 result{};
+    ComplexMatrix3 result = ComplexMatrix3::Zero();
     for (std::size_t m = 0; m < columns; ++m) {
         for (std::size_t at = 0; at < size; ++at) right_[at] = -(columns_[m][at] + s * storage_[m][at]);
         solve(s, response_[m], converged);
         for (std::size_t k = 0; k < 3; ++k) {
-            Complex sum = byAttitude[k][m];
+            Complex sum = byAttitude(k, m);
             for (std::size_t at = 0; at < size; ++at) sum += byPressure[k][at] * response_[m][at];
-            result[k][m] = -sum;
+            result(k, m) = -sum;
         }
     }
     return result;
 }
 
-std::array<Complex, 3> FilmOscillation::answer(Complex s, std::span<const Complex> source,
-                                               const std::array<std::vector<double>, 3>& byPressure, bool& converged)
+ComplexVector3 FilmOscillation::answer(Complex s, std::span<const Complex> source,
+                                       const std::array<std::vector<double>, 3>& byPressure, bool& converged)
 {
     setRate(s);
     for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -source[at];
     std::vector<Complex> response(right_.size());
     solve(s, response, converged);
-    std::array<Complex, 3> result{};
+    ComplexVector3 result = ComplexVector3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t at = 0; at < response.size(); ++at) result[k] += byPressure[k][at] * response[at];
     return result;

@@ -17,11 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/small_matrix.h"
 #include "core/physics/film/film_newton.h"
 
 namespace touchdown {
-
-using ComplexMatrix3 = std::array<std::array<std::complex<double>, 3>, 3>;
 
 class FilmOscillation {
 public:
@@ -32,11 +31,10 @@ public:
     /// derivatives. `converged` turns false where a linear system was not solved. Each of the first `columns` takes
     /// one, the others stay zero.
     ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
-                             const std::array<std::array<double, 3>, 3>& byAttitude, bool& converged,
-                             std::size_t columns = 3);
+                             const Matrix3& byAttitude, bool& converged, std::size_t columns = 3);
     /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
-    std::array<std::complex<double>, 3> answer(std::complex<double> s, std::span<const std::complex<double>> source,
-                                               const std::array<std::vector<double>, 3>& byPressure, bool& converged);
+    ComplexVector3 answer(std::complex<double> s, std::span<const std::complex<double>> source,
+                          const std::array<std::vector<double>, 3>& byPressure, bool& converged);
 
     /// Asked at each iteration; where it says false nothing converges.
     void ask(std::function<bool()> goOn) { goOn_ = std::move(goOn); }

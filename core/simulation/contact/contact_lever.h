@@ -9,9 +9,9 @@
 #pragma once
 
 #include "core/case/case.h"
+#include "core/numerics/small_matrix.h"
 #include "core/physics/contact/coulomb_friction.h"
 #include "core/physics/disk/disk_velocity.h"
-#include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {
 

@@ -144,27 +144,37 @@ std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::functio
     return nullptr;
 }
 
-std::vector<Quantity> contactQuantities(const Case& c)
+ContactRows contactRows(const Case& c)
 {
+    using S = const ContactSample&;
     const bool surfaces = c.contact == ContactKind::Elastic;
     const bool summits = c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity;
-    std::vector<Quantity> list{
-        {"minimum_spacing", "m", "nm", "Separation of the pad's lowest point and the disk's mean plane"},
-        {"contact_force", "N", "mN", "Real contact force"},
+    ContactRows list{
+        {{"minimum_spacing", "m", "nm", "Separation of the pad's lowest point and the disk's mean plane"},
+         [](S s) { return s.forces.separation; }},
+        {{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.forces.contact; }},
     };
-    if (adheres(c)) list.push_back({"adhesion_force", "N", "mN", "Adhesion force"});
-    list.push_back({"net_contact_force", "N", "mN", "Net contact force"});
-    list.push_back({"friction_force", "N", "mN", "Friction force, in the disk's direction"});
-    list.push_back({"friction_torque", "N m", "uN m", "Pitch torque of the friction about the mass centre, nose up"});
-    if (surfaces || summits) list.push_back({"contact_area", "m^2", "um^2", "Real area of contact"});
-    if (surfaces) {
-        list.push_back({"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"});
-        list.push_back({"minimum_gap", "m", "nm", "Smallest gap of the deformed surfaces"});
-    }
-    if (c.contact == ContactKind::MultiAsperity) {
-        list.push_back({"fitted_contact_force", "N", "mN", "Real contact force of the fitted characteristic"});
-        list.push_back({"fitted_adhesion_force", "N", "mN", "Adhesion force of the fitted characteristic"});
-    }
+    if (adheres(c))
+        list.push_back({{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.forces.adhesion; }});
+    list.insert(
+        list.end(),
+        {{{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.forces.net(); }},
+         {{"friction_force", "N", "mN", "Friction force, in the disk's direction"}, [](S s) { return s.friction; }},
+         {{"friction_torque", "N m", "uN m", "Pitch torque of the friction about the mass centre, nose up"},
+          [](S s) { return s.frictionTorque; }}});
+    if (surfaces || summits)
+        list.push_back({{"contact_area", "m^2", "um^2", "Real area of contact"}, [](S s) { return s.forces.area; }});
+    if (surfaces)
+        list.insert(list.end(), {{{"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"},
+                                  [](S s) { return s.forces.peakPressure; }},
+                                 {{"minimum_gap", "m", "nm", "Smallest gap of the deformed surfaces"},
+                                  [](S s) { return s.forces.minimumGap; }}});
+    if (c.contact == ContactKind::MultiAsperity)
+        list.insert(list.end(),
+                    {{{"fitted_contact_force", "N", "mN", "Real contact force of the fitted characteristic"},
+                      [](S s) { return s.forces.fittedContact; }},
+                     {{"fitted_adhesion_force", "N", "mN", "Adhesion force of the fitted characteristic"},
+                      [](S s) { return s.forces.fittedAdhesion; }}});
     return list;
 }
 
@@ -177,33 +187,17 @@ CoulombFriction frictionOf(const Case& c)
     return friction;
 }
 
-void contactValues(const Case& c, const ContactForces& forces, double* values)
+void contactValues(const Case& c, const ContactRows& rows, const ContactForces& forces, double* values)
 {
-    double* const first = values;
-    *values++ = forces.separation;
-    *values++ = forces.contact;
-    if (adheres(c)) *values++ = forces.adhesion;
-    *values++ = forces.net();
     const CoulombFriction friction = frictionOf(c);
     const Velocity disk =
         diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
     const double sliding = std::hypot(disk.x, disk.y);
-    *values++ = friction.force(forces.contact, sliding);
+    ContactSample sample{.forces = forces, .friction = friction.force(forces.contact, sliding)};
     // The moment is that of the part along the slider.
-    *values++ = sliding > 0.0 ? friction.pitchMoment(forces.contact, sliding) * disk.x / sliding : 0.0;
-    if (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity ||
-        c.contact == ContactKind::MultiAsperity)
-        *values++ = forces.area;
-    if (c.contact == ContactKind::Elastic) {
-        *values++ = forces.peakPressure;
-        *values++ = forces.minimumGap;
-    }
-    if (c.contact == ContactKind::MultiAsperity) {
-        *values++ = forces.fittedContact;
-        *values++ = forces.fittedAdhesion;
-    }
+    if (sliding > 0.0) sample.frictionTorque = friction.pitchMoment(forces.contact, sliding) * disk.x / sliding;
     // Adding zero turns -0 into 0.
-    for (double* value = first; value != values; ++value) *value += 0.0;
+    for (const auto& row : rows) *values++ = row.value(sample) + 0.0;
 }
 
 RecordedFields contactMaps(const Case& c)

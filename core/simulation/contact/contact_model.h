@@ -49,7 +49,7 @@ public:
 
     /// The switches that a straight move to d [m] will pass, in their order.
     virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
-    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path tells,
+    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path decides,
     /// see core/physics/contact/contact_path.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
@@ -65,15 +65,21 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it says false they end with a
-/// problem.
+/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it returns false they end with
+/// a problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
 /// The friction of the contact that the case names.
 CoulombFriction frictionOf(const Case& c);
-/// What a run of the case records, and one state as those values.
-std::vector<Quantity> contactQuantities(const Case& c);
-void contactValues(const Case& c, const ContactForces& forces, double* values);
+/// A state as it is recorded, and what a run of the case records of it.
+struct ContactSample {
+    const ContactForces& forces;
+    double friction = 0.0, frictionTorque = 0.0; // [N], [N m]
+};
+using ContactRows = std::vector<RecordedQuantity<ContactSample>>;
+ContactRows contactRows(const Case& c);
+void contactValues(const Case& c, const ContactRows& rows, const ContactForces& forces, double* values);
+inline std::vector<Quantity> contactQuantities(const Case& c) { return quantitiesOf(contactRows(c)); }
 /// Over the patch that holds the pad's lowest point; empty where the law has no surfaces.
 RecordedFields contactMaps(const Case& c);
 

@@ -8,8 +8,7 @@
 #include "core/physics/contact/contact_path.h"
 #include "core/simulation/contact/contact_figures.h"
 #include "core/simulation/contact/contact_model.h"
-#include "core/simulation/recording/run_statistics.h"
-#include "core/simulation/recording/run_updates.h"
+#include "core/simulation/recording/run_recorder.h"
 
 namespace touchdown {
 
@@ -54,53 +53,40 @@ std::vector<Station> stations(const Case& c)
     return list;
 }
 
-/// Moves the pad from station to station, and tells.
+/// Moves the pad from station to station, and records its states.
 class ContactRun {
 public:
     ContactRun(const Case& c, const RunCallback& callback)
         : case_(c),
-          quantities_(contactQuantities(c)),
-          statistics_(c, quantities_),
+          rows_(contactRows(c)),
+          recorder_(c, quantitiesOf(rows_), callback),
           figures_(c),
-          updates_(quantities_.size(), c.run.duration, callback),
-          recordsFields_(!contactMaps(c).empty()),
-          values_(quantities_.size())
+          recordsFields_(!contactMaps(c).empty())
     {}
 
     Summary run()
     {
-        const double begin = wallClock();
         model_ = makeContactModel(case_, [this] { return lookAtClock(); });
         for (const Station& station : stations(case_))
             if (!lookAtClock() || !visit(station)) break;
         flush();
-        Summary summary;
-        summary.status = status_;
-        if (status_ == RunStatus::Failed) summary.failure = RunFailure::NotConverged;
-        summary.message = message_;
-        summary.endTime = time_;
+        Summary summary = recorder_.summary(end_, time_, values_);
         summary.steps = steps_;
         summary.evaluations = iterations_;
-        summary.events = updates_.events();
-        if (haveSample_)
-            for (std::size_t i = 0; i < quantities_.size(); ++i)
-                summary.final.emplace_back(quantities_[i].name, values_[i]);
-        statistics_.finish(summary);
         // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
-        const bool stopped = status_ == RunStatus::Cancelled;
+        const bool stopped = end_.status == RunStatus::Cancelled;
         summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics());
         summary.fit = model_->fit();
         summary.warnings = model_->remarks();
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
-        if (status_ == RunStatus::Completed && isTouching() && !startsInContact_)
+        if (end_.completed() && isTouching() && !startsInContact_)
             summary.warnings.push_back(
                 "the surfaces still touch back at approach.start: a greater one shows where they part");
         if (widestBracket_ > jumpResolution)
             summary.warnings.push_back("not every jump could be located: the separation of one is known to " +
                                        formatQuantity(std::round(widestBracket_ * 1e13) / 1e13, "nm") + " only");
         if (summary.fit && !summary.fit->describes) summary.warnings.push_back(summary.fit->message);
-        summary.wallSeconds = wallClock() - begin;
-        summary.solverSeconds = summary.wallSeconds - updates_.secondsOutside();
+        recorder_.setTimes(summary);
         return summary;
     }
 
@@ -111,8 +97,8 @@ private:
         const double d = padSeparation(case_, station.time);
         const bool away = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            updates_.addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
-                              known.name);
+            recorder_.addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
+                               known.name);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
@@ -121,9 +107,9 @@ private:
         if (station.snapshot && recordsFields_) {
             FieldSnapshot snapshot{station.time, 0, {}};
             model_->observe(snapshot);
-            updates_.addFields(std::move(snapshot));
+            recorder_.addFields(std::move(snapshot));
         }
-        if (updates_.full()) flush();
+        if (recorder_.full()) flush();
         return lookAtClock();
     }
 
@@ -166,7 +152,7 @@ private:
             else if (++misses > mostMisses)
                 break;
             // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on
-            // this side of it, and goes on from there.
+            // this side of it, and continues from there.
             at = jump.after;
             force = path.force(at);
             model_->remember();
@@ -178,7 +164,8 @@ private:
         return goInShortSteps(at, force, d, change, timeAt);
     }
 
-    /// The rest of a way on which a jump was suspected and not located: a short step tells a jump from a steep way.
+    /// The rest of a way on which a jump was suspected and not located: a short step distinguishes a jump from a steep
+    /// way.
     bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
     {
         for (int i = 1; i <= shortSteps; ++i) {
@@ -194,7 +181,7 @@ private:
 
     void takeJump(const ContactJump& jump, const std::function<double(double)>& timeAt)
     {
-        updates_.addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
+        recorder_.addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
         figures_.addJump(jump);
         widestBracket_ = std::max(widestBracket_, std::abs(jump.after - jump.before));
     }
@@ -203,66 +190,61 @@ private:
     {
         forces_ = model_->move(d, time);
         ++steps_;
-        if (status_ == RunStatus::Completed) iterations_ += forces_.iterations; // one that was stopped counts none
+        if (end_.completed()) iterations_ += forces_.iterations; // one that was stopped counts none
         largestForce_ = std::max({largestForce_, forces_.contact, -forces_.adhesion});
         return forces_.problem.empty();
     }
 
-    /// Of surfaces; the summits of a statistical one reach as far as one likes.
+    /// Contact of surfaces; the summits of a statistical surface have no end.
     bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
 
     void record(double time)
     {
-        contactValues(case_, forces_, values_.data());
-        haveSample_ = true;
-        updates_.addSample(time, values_);
+        values_.resize(recorder_.quantities().size());
+        contactValues(case_, rows_, forces_, values_.data());
+        recorder_.addSample(time, values_);
     }
 
     /// Within a long solution, too. False when somebody stopped the run.
     bool lookAtClock()
     {
-        if (updates_.silent()) flush();
-        return status_ == RunStatus::Completed;
+        if (recorder_.silent()) flush();
+        return end_.completed();
     }
 
     bool fail(double time)
     {
-        if (status_ != RunStatus::Completed) return false; // stopped within the solution
-        status_ = RunStatus::Failed;
-        message_ = "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
-                   ", where the separation is " +
-                   formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " + forces_.problem +
-                   "; the samples end with the last good state";
+        if (!end_.completed()) return false; // stopped within the solution
+        end_ = {RunStatus::Failed, RunFailure::NotConverged,
+                "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
+                    ", where the separation is " +
+                    formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " +
+                    forces_.problem + "; the samples end with the last good state"};
         return false;
     }
 
     void flush()
     {
-        const double begin = wallClock();
-        statistics_.add(updates_.samples());
-        if (!updates_.send(time_, begin) && status_ == RunStatus::Completed) {
-            status_ = RunStatus::Cancelled;
-            message_ = "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us");
-        }
+        if (!recorder_.send(time_) && end_.completed())
+            end_ = {RunStatus::Cancelled, RunFailure::None,
+                    "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us")};
     }
 
     const Case& case_;
-    std::vector<Quantity> quantities_;
-    RunStatistics statistics_;
+    ContactRows rows_;
+    RunRecorder recorder_;
     ContactFigures figures_;
-    RunUpdates updates_;
     std::unique_ptr<ContactModel> model_;
     bool recordsFields_;
-    std::vector<double> values_; // of the newest sample
-    bool haveSample_ = false, started_ = false, startsInContact_ = false;
+    std::vector<double> values_; // of the newest sample; empty without one
+    bool started_ = false, startsInContact_ = false;
     ContactForces forces_;
     double time_ = 0.0;          // of the last good state [s]
     double largestForce_ = 0.0;  // so far [N]
     double widestBracket_ = 0.0; // of a jump [m]
     double lastChange_ = 0.0;    // of the net force over the last step [N]
     long long steps_ = 0, iterations_ = 0;
-    RunStatus status_ = RunStatus::Completed;
-    std::string message_;
+    RunEnd end_;
 };
 
 } // namespace

@@ -18,14 +18,14 @@ namespace touchdown {
 
 /// What was assumed or left out for these patches, in sentences.
 std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches);
-/// Of the first patch; empty without one.
+/// Fields of the first patch; empty without one.
 RecordedFields elasticFields(const Case& c, const SliderPatches& patches);
 
 class ElasticPad final : public ContactModel {
 public:
     explicit ElasticPad(const Case& c, const std::function<bool()>& goOn = {});
 
-    /// Of all patches.
+    /// Number of cells of all patches.
     std::size_t cells() const;
 
     const ContactForces& move(double separation, double time) override;

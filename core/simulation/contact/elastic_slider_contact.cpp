@@ -14,7 +14,7 @@
 namespace touchdown {
 namespace {
 
-/// What of the preload may be missed where adhesion counts as out of reach [-].
+/// Adhesion that is neglected where it counts as out of reach, as a share of the preload [-].
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
 constexpr double farthest = 1e-6;
@@ -77,7 +77,7 @@ std::size_t ElasticSliderContact::cells() const
 const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, double time)
 {
     forces_ = {};
-    stiffness_ = {};
+    stiffness_.setZero();
     for (Part& part : parts_) {
         part.near = part.patch.clearance(attitude) <= part.reach;
         if (!part.near) {
@@ -100,8 +100,7 @@ const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, do
         forces_.storedEnergy += patch.storedEnergy;
         forces_.iterations += patch.iterations;
         if (forces_.problem.empty()) forces_.problem = patch.problem;
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t m = 0; m < 3; ++m) stiffness_[k][m] += patch.stiffness[k][m];
+        stiffness_ += patch.stiffness;
     }
     return forces_;
 }

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "core/numerics/padded_grid.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/contact/slider_contact.h"
@@ -17,7 +18,7 @@ namespace touchdown {
 
 class ElasticSliderContact final : public SliderContact {
 public:
-    /// Spacing, surface and pad must last. Without sense where `goOn` says false.
+    /// Spacing, surface and pad must last. Invalid where `goOn` returns false.
     ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
                          const CellGrid& grid, const PaddedGrid& pad, const std::function<bool()>& goOn);
 
@@ -32,7 +33,7 @@ public:
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
 
-    /// Of all patches.
+    /// Number of cells of all patches.
     std::size_t cells() const;
 
     static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
@@ -52,7 +53,7 @@ private:
     ContactLever lever_;
     std::vector<Part> parts_;
     SliderContactForces forces_;
-    Matrix3 stiffness_{};
+    Matrix3 stiffness_ = Matrix3::Zero();
 };
 
 } // namespace touchdown

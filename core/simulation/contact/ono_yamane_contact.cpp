@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/ono_yamane_contact.h"
 
-#include <array>
-
 namespace touchdown {
 namespace {
 
@@ -68,19 +66,19 @@ Vector3 OnoYamaneContact::loadAt(const Attitude& attitude, SliderContactForces& 
 Matrix3 OnoYamaneContact::stiffness() const
 {
     if (stiffness_) return *stiffness_;
-    Matrix3& result = stiffness_.emplace();
+    Matrix3& result = stiffness_.emplace(Matrix3::Zero());
     if (region_ == ContactRegion::Apart) return result;
     SliderContactForces forces;
     const Vector3 load = loadAt(attitude_, forces);
     const Vector3 step{stiffnessStep, stiffnessStep / length_, stiffnessStep / width_};
-    for (std::size_t m = 0; m < 3; ++m) {
-        Vector3 moved{};
+    for (Eigen::Index m = 0; m < 3; ++m) {
+        Vector3 moved = Vector3::Zero();
         moved[m] = step[m];
         // Turning about the mass centre lifts the trailing edge's centre by -L/2 pitch.
         const Attitude attitude{attitude_.height + moved[0] - 0.5 * length_ * moved[1], attitude_.pitch + moved[1],
                                 attitude_.roll + moved[2]};
         const Vector3 there = loadAt(attitude, forces);
-        for (std::size_t k = 0; k < 3; ++k) result[k][m] = (load[k] - there[k]) / step[m];
+        result.col(m) = (load - there) / step[m];
     }
     return result;
 }

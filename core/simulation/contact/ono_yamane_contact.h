@@ -35,10 +35,10 @@ public:
     Interval interval() const override { return interval_; }
     std::string cross(bool upper) override;
 
-    /// Of the law that acts; regions with the same law are not told apart.
+    /// The region whose law acts; regions with the same law are one.
     ContactRegion region() const { return region_; }
-    /// This region's law acts from now on, wherever the pad is, until it is crossed. Of regions with the same law the
-    /// lowest one is taken.
+    /// This region's law acts from now on, wherever the pad is, until it is crossed. The lowest
+    /// region with the same law is taken.
     void setRegion(ContactRegion region);
 
 private:

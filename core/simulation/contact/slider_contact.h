@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What acts between a flying slider and the disk beside the air: contact, adhesion and friction, by the attitude of the
-// slider and the time that the disk's surface has moved. A law with memory (branches, snaps) goes on from the state
+// slider and the time that the disk's surface has moved. A law with memory (branches, snaps) continues from the state
 // that was accepted last, so that a step of time may be tried as often as it takes.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -13,30 +12,17 @@
 #include <string>
 #include <vector>
 
-#include "core/case/case.h"
 #include "core/numerics/interval.h"
-#include "core/numerics/padded_grid.h"
-#include "core/physics/disk/disk_topography.h"
 #include "core/physics/slider/attitude.h"
-#include "core/physics/slider/minimum_spacing.h"
+#include "core/simulation/contact/slider_contact_forces.h"
 #include "core/simulation/recording/field_snapshot.h"
-#include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {
 
-struct SliderContactForces {
-    double contact = 0.0;      // >= 0, away from the disk [N]
-    double adhesion = 0.0;     // <= 0 [N]
-    double friction = 0.0;     // in the disk's direction [N]
-    double pitchTorque = 0.0;  // of the three about the mass centre, nose up [N m]
-    double rollTorque = 0.0;   // inner edge up [N m]
-    double area = 0.0;         // real area of contact [m^2]; zero where the law knows none
-    double peakPressure = 0.0; // of contact [Pa]
-    double storedEnergy = 0.0; // elastic [J]
-    int iterations = 0;        // of the solution
-    std::string problem;       // a sentence, when it did not converge; "" when it did
-    Vector3 load() const { return {contact + adhesion, pitchTorque, rollTorque}; }
-};
+class DiskTopography;
+class MinimumSpacing;
+struct Case;
+struct PaddedGrid;
 
 class SliderContact {
 public:
@@ -49,7 +35,7 @@ public:
     virtual Matrix3 stiffness() const = 0;
     /// Whether nothing acts there at any time: then at() is cheap, and the rest need not be asked.
     virtual bool outOfReach(const Attitude& attitude) const = 0;
-    /// The last call's state becomes the one to go on from.
+    /// The last call's state becomes the accepted one.
     virtual void accept() = 0;
 
     /// The separation that switches the law, within the interval in which the accepted law holds; beyond an end,
@@ -73,7 +59,7 @@ public:
 };
 
 /// `c` is valid, of the model "film"; null where nothing but air acts. The spacing and the surface must last. `pad` and
-/// `grid` are the film's. `goOn` is asked while it is made, and within long solutions; where it says false they end
+/// `grid` are the film's. `goOn` is asked while it is made, and within long solutions; where it returns false they end
 /// with a problem.
 std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing,
                                                  const DiskTopography& surface, const CellGrid& grid,

@@ -33,12 +33,6 @@ std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const Uni
                                              .goOn = goOn});
 }
 
-void addProduct(Matrix3& to, double factor, const Vector3& rows, const Vector3& columns)
-{
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t m = 0; m < 3; ++m) to[k][m] += factor * rows[k] * columns[m];
-}
-
 } // namespace
 
 SliderPatch::SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity,
@@ -122,7 +116,7 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
 {
     const double cell = grid_.cellArea();
     double count = 0.0, peak = 0.0, energy = 0.0;
-    Vector3 contact{}, attraction{};
+    Vector3 contact = Vector3::Zero(), attraction = Vector3::Zero();
     std::size_t at = 0;
     for (int j = 0; j < grid_.ny; ++j) {
         double rowContact = 0.0, rowContactPitch = 0.0, rowAdhesion = 0.0, rowAdhesionPitch = 0.0;
@@ -141,23 +135,21 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
                 rowAdhesionPitch += pitch * adhesion[at];
             }
         }
-        contact = {contact[0] + rowContact, contact[1] + rowContactPitch, contact[2] + roll * rowContact};
-        attraction = {attraction[0] + rowAdhesion, attraction[1] + rowAdhesionPitch,
-                      attraction[2] + roll * rowAdhesion};
+        contact += Vector3(rowContact, rowContactPitch, roll * rowContact);
+        attraction += Vector3(rowAdhesion, rowAdhesionPitch, roll * rowAdhesion);
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        forces_.contact[k] = contact[k] * cell;
-        forces_.adhesion[k] = attraction[k] * cell;
-    }
+    forces_.contact = contact * cell;
+    forces_.adhesion = attraction * cell;
     forces_.area = count * cell;
     forces_.peakPressure = peak;
     forces_.storedEnergy = 0.5 * energy * cell;
     // A punch as large as the contact, 2 E* a with a = sqrt(A/pi) (Johnson 1985, section 3.4), at the centre of its
     // pressure.
-    forces_.stiffness = {};
+    forces_.stiffness.setZero();
     if (contact[0] > 0.0) {
         const Vector3 arms{1.0, contact[1] / contact[0], contact[2] / contact[0]};
-        addProduct(forces_.stiffness, 2.0 * modulus_ * std::sqrt(forces_.area / std::numbers::pi), arms, arms);
+        const Vector3 perArm = 2.0 * modulus_ * std::sqrt(forces_.area / std::numbers::pi) * arms;
+        forces_.stiffness = perArm * arms.transpose();
     }
 }
 

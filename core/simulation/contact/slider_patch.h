@@ -33,13 +33,13 @@
 
 namespace touchdown {
 
-/// Of a patch on the slider: (force, pitch torque, roll torque) about the mass centre [N], [N m].
+/// Forces of a patch on the slider: (force, pitch torque, roll torque) about the mass centre [N], [N m].
 struct PatchForces {
-    Vector3 contact{}, adhesion{};
-    double area = 0.0;         // of contact [m^2]
-    double peakPressure = 0.0; // of contact [Pa]
-    double storedEnergy = 0.0; // of the half-space and of the attraction [J]
-    Matrix3 stiffness{};       // roughly
+    Vector3 contact = Vector3::Zero(), adhesion = Vector3::Zero();
+    double area = 0.0;                   // of contact [m^2]
+    double peakPressure = 0.0;           // of contact [Pa]
+    double storedEnergy = 0.0;           // of the half-space and of the attraction [J]
+    Matrix3 stiffness = Matrix3::Zero(); // roughly
     int iterations = 0;
     std::string problem;
 };

@@ -6,13 +6,16 @@
 #include <deque>
 #include <utility>
 
+#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/equilibria/parametric_balance.h"
+
 namespace touchdown {
 
 namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double newton = 1e-5;      // last change of x and p; what is left after it is smaller by its square [-]
+constexpr double newton = 1e-5;      // last change of x and p; the error after it is smaller by its square [-]
 constexpr double onBranch = 0.03;    // distance of an equilibrium from a branch to which it belongs [-]
 constexpr double smallGrowth = 0.05; // of that on both sides of a crossing, at the crossing [-]
 constexpr double looksShare = 0.1;   // of the work [-]
@@ -20,24 +23,24 @@ constexpr double looksShare = 0.1;   // of the work [-]
 class BranchTrace {
 public:
     BranchTrace(const CaseAt& caseAt, double from, double to, const std::function<bool(double)>& told)
-        : told_(told), goOn_([this] { return ask(); }), path_(caseAt, from, to, goOn_), from_(from), to_(to)
+        : told_(told), goOn_([this] { return ask(); }), balance_(caseAt, from, to, goOn_), from_(from), to_(to)
     {}
 
-    FilmBranches trace(int looks)
+    EquilibriumBranches trace(int looks)
     {
-        const std::vector<FilmPath::Look> all = path_.look(looks, result_.problems);
+        const std::vector<ParametricBalance::Look> all = balance_.look(looks, result_.problems);
         share_ = looksShare;
         const auto done = [&] { share_ += 0.5 * (1.0 - looksShare) / static_cast<double>(all.size()); };
-        for (const FilmPath::Look& look : all) {
+        for (const ParametricBalance::Look& look : all) {
             if (look.flies && ask()) follow({look.p, placeOf(look.rest), ContactRegion::Apart});
             done();
         }
-        for (const FilmPath::Look& look : all) {
+        for (const ParametricBalance::Look& look : all) {
             if (ask()) seekTouching(look);
             done();
         }
         result_.stopped = !ask();
-        result_.resolved = path_.resolved();
+        result_.resolved = balance_.resolved();
         return std::move(result_);
     }
 
@@ -60,13 +63,13 @@ private:
 
     Vector3 placeOf(const Attitude& a) const
     {
-        return {a.height + 0.5 * path_.sliderLength() * a.pitch, a.pitch, a.roll};
+        return {a.height + 0.5 * balance_.sliderLength() * a.pitch, a.pitch, a.roll};
     }
 
-    void seekTouching(const FilmPath::Look& look)
+    void seekTouching(const ParametricBalance::Look& look)
     {
-        path_.leave();
-        const std::unique_ptr<FilmBalance> balance = path_.balanceAt(look.p);
+        balance_.leave();
+        const std::unique_ptr<FilmBalance> balance = balance_.balanceAt(look.p);
         if (!ask()) return;
         if (!balance || !balance->solve(placeOf(look.rest), goOn_)) {
             ++result_.givenUp;
@@ -77,22 +80,22 @@ private:
         for (const TouchingPlace& place : places.found) follow({look.p, place.q, place.region});
     }
 
-    /// The branch through an equilibrium, and those into which it goes on at kinks.
+    /// The branch through an equilibrium, and those into which it continues at kinks.
     void follow(const Seed& first)
     {
         std::deque<Seed> seeds{first};
         while (!seeds.empty() && ask()) {
             const Seed seed = seeds.front();
             seeds.pop_front();
-            path_.leave();
-            const std::unique_ptr<FilmBalance> balance = path_.balanceAt(seed.p);
+            balance_.leave();
+            const std::unique_ptr<FilmBalance> balance = balance_.balanceAt(seed.p);
             if (balance && !isKnown(seed, balance->unknowns())) followLaw(seed, balance->unknowns(), seeds);
         }
     }
 
     bool isKnown(const Seed& seed, Eigen::Index unknowns) const
     {
-        const Vector x = path_.toScaled(seed.q, unknowns);
+        const Vector x = balance_.toScaled(seed.q, unknowns);
         for (const Traced& each : traced_) {
             if (each.region != seed.region) continue;
             for (std::size_t i = 0; i < each.places.size(); ++i) {
@@ -112,29 +115,29 @@ private:
         const ContactRegion region = seed.region;
         ContinuationProblem problem;
         problem.linearise = [this, region](const Vector& x, double p, ContinuationProblem::Linearised& at) {
-            return path_.linearise(x, p, region, at);
+            return balance_.linearise(x, p, region, at);
         };
         problem.tests = [this, region](const Vector& x, double p) {
-            return std::vector{growthOf(path_.describe(x, p, region))};
+            return std::vector{growthOf(balance_.describe(x, p, region))};
         };
-        problem.guards = [this, region](const Vector& x, double p) { return path_.distances(x, p, region); };
+        problem.guards = [this, region](const Vector& x, double p) { return balance_.distances(x, p, region); };
         const ContinuationOptions options{.firstStep = 0.03,
                                           .shortestStep = 1e-4,
                                           .longestStep = 0.12,
                                           .tolerance = newton,
-                                          .locatedTo = FilmBranches::locatedTo,
+                                          .locatedTo = branchesLocatedTo,
                                           .mostPoints = 400};
-        const Vector x = path_.toScaled(seed.q, unknowns);
+        const Vector x = balance_.toScaled(seed.q, unknowns);
         const Branch back = followBranch(problem, x, seed.p, false, options, goOn_);
         const bool closed = back.end == BranchEnd::Closed;
         if (!back.points.empty())
-            path_.followRatesOf(path_.describe(back.points.front().x, back.points.front().p, region));
+            balance_.followRatesOf(balance_.describe(back.points.front().x, back.points.front().p, region));
         const Branch forth = closed || !ask() ? Branch{} : followBranch(problem, x, seed.p, true, options, goOn_);
 
-        FilmBranch branch{region, {}};
+        EquilibriumBranch branch{.contact = region};
         Traced traced{region, {}};
         const auto add = [&](const BranchPoint& point) {
-            branch.points.push_back(path_.describe(point.x, point.p, region));
+            branch.points.push_back(balance_.describe(point.x, point.p, region));
             traced.places.emplace_back(point.x, point.p);
         };
         for (auto point = back.points.rbegin(); point != back.points.rend() && ask(); ++point) add(*point);
@@ -150,21 +153,21 @@ private:
         if (!closed) addMarks(forth, region, seeds);
     }
 
-    static double growthOf(const FilmBranchPoint& point)
+    static double growthOf(const Equilibrium& point)
     {
-        return point.at.eigenvalues.empty() ? -1.0 : point.at.eigenvalues.front().real();
+        return point.eigenvalues.empty() ? -1.0 : point.eigenvalues.front().real();
     }
 
     void addMarks(const Branch& branch, ContactRegion region, std::deque<Seed>& seeds)
     {
         for (const BranchMark& mark : branch.marks) {
             const auto at = [&](std::size_t i) {
-                return path_.describe(branch.points[i].x, branch.points[i].p, region);
+                return balance_.describe(branch.points[i].x, branch.points[i].p, region);
             };
-            const FilmBranchPoint here = at(mark.point);
+            const Equilibrium here = at(mark.point);
             if (mark.fold())
                 add(EquilibriumMark::Fold, here);
-            else if (!here.at.eigenvalues.empty() && mark.point > 0 && mark.point + 1 < branch.points.size()) {
+            else if (!here.eigenvalues.empty() && mark.point > 0 && mark.point + 1 < branch.points.size()) {
                 // Where another oscillation takes the lead, or one is lost, the growth jumps and crosses nothing.
                 const double most =
                     std::max(std::abs(growthOf(at(mark.point - 1))), std::abs(growthOf(at(mark.point + 1))));
@@ -178,10 +181,11 @@ private:
     void addSwitch(const Branch& branch, ContactRegion region, std::deque<Seed>& seeds)
     {
         const BranchPoint& end = branch.points.back();
-        const std::optional<FilmPath::Crossing> crossing = path_.cross(end.x, end.p, region, branch.guard == 1);
+        const std::optional<ParametricBalance::Crossing> crossing =
+            balance_.cross(end.x, end.p, region, branch.guard == 1);
         if (!crossing) return;
         const FilmBalance::Beyond& beyond = crossing->beyond;
-        const FilmBranchPoint here = path_.describe(end.x, end.p, region);
+        const Equilibrium here = balance_.describe(end.x, end.p, region);
         if (beyond.jumps)
             add(EquilibriumMark::Switch, here, beyond.name);
         else if (beyond.kinks)
@@ -189,13 +193,13 @@ private:
         if (!beyond.jumps) seeds.push_back({end.p, crossing->q, beyond.region});
     }
 
-    void add(EquilibriumMark kind, const FilmBranchPoint& at, std::string title = {})
+    void add(EquilibriumMark kind, const Equilibrium& at, std::string title = {})
     {
         // Two branches that meet at a kink both end there.
-        const auto same = [&](const MarkedFilmEquilibrium& mark) {
+        const auto same = [&](const MarkedEquilibrium& mark) {
             return mark.kind == kind &&
-                   std::abs(mark.at.at.spacing - at.at.spacing) < 10.0 * FilmBranches::locatedTo * path_.length() &&
-                   std::abs(mark.at.parameter - at.parameter) < 10.0 * FilmBranches::locatedTo * std::abs(to_ - from_);
+                   std::abs(mark.at.spacing - at.spacing) < 10.0 * branchesLocatedTo * balance_.length() &&
+                   std::abs(mark.at.parameter - at.parameter) < 10.0 * branchesLocatedTo * std::abs(to_ - from_);
         };
         if (std::ranges::any_of(result_.marks, same)) return;
         result_.marks.push_back({kind, at, title.empty() ? std::string(name(kind)) : std::move(title)});
@@ -203,17 +207,17 @@ private:
 
     const std::function<bool(double)>& told_;
     const std::function<bool()> goOn_;
-    FilmPath path_;
+    ParametricBalance balance_;
     double from_, to_;
     double share_ = 0.0;
     std::vector<Traced> traced_;
-    FilmBranches result_;
+    EquilibriumBranches result_;
 };
 
 } // namespace
 
-FilmBranches traceFilmBranches(const CaseAt& caseAt, double from, double to, int looks,
-                               const std::function<bool(double)>& goOn)
+EquilibriumBranches traceFilmBranches(const CaseAt& caseAt, double from, double to, int looks,
+                                      const std::function<bool(double)>& goOn)
 {
     return BranchTrace(caseAt, from, to, goOn).trace(std::max(looks, 2));
 }

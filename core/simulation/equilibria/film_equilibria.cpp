@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/equilibria/film_equilibria.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
+
+#include "core/simulation/small_motions/film_balance.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr int mostIterations = 25;   // of Newton
-constexpr int mostHalvings = 8;      // of one of its steps
-constexpr double longestStep = 3e-9; // of the slider's corners in one of its steps [m]
-constexpr double apart = 1e-11;      // of two equilibria, at the slider's corners [m]
+constexpr int mostIterations = 25;     // of Newton
+constexpr int mostHalvings = 8;        // of one of its steps
+constexpr double longestStep = 3e-9;   // of the slider's corners in one of its steps [m]
+constexpr double apart = 1e-11;        // of two equilibria, at the slider's corners [m]
+constexpr double rateTolerance = 1e-5; // of an eigenvalue [-]
 
 class TouchingSearch {
 public:
@@ -34,8 +38,8 @@ public:
     }
 
 private:
-    /// The law is that of the take-off branch at q. False where nothing was learned; a residual that no step makes
-    /// smaller tells that there is none near.
+    /// The law is that of the take-off branch at q. False where the search gave up; where no step reduces the residual
+    /// there is no equilibrium near.
     bool refine(Vector3 q)
     {
         if (!balance_.solve(q, goOn_)) return false;
@@ -52,8 +56,7 @@ private:
             const std::vector<double> before = balance_.level().pressure;
             bool better = false, solved = false;
             for (int halving = 0; halving < mostHalvings && !better; ++halving, share *= 0.5) {
-                Vector3 tried = q;
-                for (std::size_t i = 0; i < 3; ++i) tried[i] += share * change[i];
+                const Vector3 tried = q + share * change;
                 balance_.level().pressure = before;
                 if (!balance_.solve(tried, goOn_)) {
                     if (!goOn_()) return false;
@@ -74,7 +77,7 @@ private:
     void add(const Vector3& q, ContactRegion region)
     {
         for (const TouchingPlace& other : result_.found)
-            if (balance_.body().displacement({other.q[0] - q[0], other.q[1] - q[1], other.q[2] - q[2]}) < apart) return;
+            if (balance_.body().displacement(other.q - q) < apart) return;
         result_.found.push_back({q, balance_.lowest(region)});
     }
 
@@ -108,20 +111,23 @@ TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const 
     return TouchingSearch(balance, goOn).search(starts);
 }
 
-FilmEquilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, const FilmOscillations& near,
-                                    const std::function<bool()>& goOn)
+Equilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, std::span<const std::complex<double>> near,
+                                const std::function<bool()>& goOn)
 {
-    FilmEquilibrium at;
-    at.attitude = balance.body().attitude(balance.place());
+    Equilibrium at{.q = balance.place()};
     at.spacing = balance.spacing(balance.place());
     at.touching = region != ContactRegion::Apart;
     at.netContactForce = at.touching ? balance.netContactForce(region) : 0.0;
-    FilmOscillations motions = filmOscillations(balance, region, near, goOn);
-    at.lost = motions.lost;
-    at.eigenvalues = std::move(motions.rates);
-    const Eigen::Matrix3d still = balance.stiffnessWithSprings(region, goOn);
-    const Eigen::Index n = balance.unknowns();
-    const bool diverges = still.topLeftCorner(n, n).determinant() < 0.0;
+    SmallMotions motions(balance.level(), balance.body(), balance.contactStiffness(region));
+    motions.ask(goOn);
+    for (const SmallMotions::Mode& mode : motions.find(
+             rateTolerance, [&](std::size_t) { return goOn(); }, near))
+        at.eigenvalues.push_back(mode.rate);
+    std::ranges::sort(at.eigenvalues, std::greater{}, [](std::complex<double> s) { return s.real(); });
+    at.lost = static_cast<int>(balance.unknowns()) - static_cast<int>(at.eigenvalues.size());
+    const Matrix3 still = balance.stiffnessWithSprings(region, goOn);
+    const bool diverges =
+        (balance.unknowns() == 3 ? still.determinant() : still(0, 0) * still(1, 1) - still(0, 1) * still(1, 0)) < 0.0;
     const bool grows = !at.eigenvalues.empty() && at.eigenvalues.front().real() > 0.0;
     at.stability = diverges ? Stability::Divergence : grows ? Stability::Flutter : Stability::Stable;
     return at;
@@ -152,9 +158,9 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
     if (!made) return result.stopped = true, result;
     FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
-    result.resolved = resolvedFrequency(balance);
+    result.resolved = resolvedFrequency(c, rest.grid);
     const auto add = [&](ContactRegion region) {
-        const FilmEquilibrium& at = result.found.emplace_back(describeEquilibrium(balance, region, {}, goOn));
+        const Equilibrium& at = result.found.emplace_back(describeEquilibrium(balance, region, {}, goOn));
         result.lost += at.lost;
         if (!goOn()) result.found.pop_back();
     };

@@ -5,37 +5,27 @@
 // and contact (core/simulation/small_motions/film_balance.h), from the static attitude set down to several separations
 // and from attitudes that are known to be near. One that no start leads to is missed.
 //
-// Stability: the oscillations about each (core/simulation/small_motions/film_oscillations.h); where the static
+// Stability: the oscillations about each (core/simulation/small_motions/small_motions.h); where the static
 // stiffness has a negative determinant a motion grows without oscillating.
 #pragma once
 
 #include <complex>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/case/case.h"
-#include "core/physics/slider/attitude.h"
-#include "core/simulation/equilibria/spring_equilibria.h"
-#include "core/simulation/small_motions/film_oscillations.h"
+#include "core/simulation/equilibria/equilibrium.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
-struct FilmEquilibrium {
-    Attitude attitude;
-    double spacing = 0.0;                          // minimum spacing [m]
-    bool touching = false;                         // on the take-off branch: pressed, or held by menisci
-    double netContactForce = 0.0;                  // [N]
-    std::vector<std::complex<double>> eigenvalues; // of the oscillations, by falling real part [1/s]
-    Stability stability = Stability::Stable;       // as far as the motions tell that were followed
-    int lost = 0;                                  // oscillations that were not
-};
+class FilmBalance;
 
 struct FilmEquilibria {
     bool stopped = false;
     std::string problem; // why nothing was sought, in a sentence
-    std::vector<FilmEquilibrium> found;
+    std::vector<Equilibrium> found;
     int lost = 0;          // oscillations that could not be followed
     int givenUp = 0;       // starts from which the film was not solved or Newton's method did not end
     double resolved = 0.0; // frequency above which the grid is too coarse for their damping [Hz]
@@ -50,7 +40,7 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
 SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn);
 
 struct TouchingPlace {
-    Vector3 q{};
+    Vector3 q = Vector3::Zero();
     ContactRegion region = ContactRegion::Pressed;
 };
 struct TouchingPlaces {
@@ -61,8 +51,8 @@ struct TouchingPlaces {
 TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
                               const std::function<bool()>& goOn);
 
-/// What an equilibrium at the balance's last place is, where it is solved; `near`: the rates of one close by.
-FilmEquilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, const FilmOscillations& near,
-                                    const std::function<bool()>& goOn);
+/// The equilibrium at the balance's last place, where it is solved; `near`: the rates of one close by.
+Equilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, std::span<const std::complex<double>> near,
+                                const std::function<bool()>& goOn);
 
 } // namespace touchdown

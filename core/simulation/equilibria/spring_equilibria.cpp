@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/equilibria/spring_equilibria.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -156,29 +155,7 @@ private:
 
 } // namespace
 
-std::string_view name(Stability stability)
-{
-    switch (stability) {
-    case Stability::Stable: return "stable";
-    case Stability::Neutral: return "neutral";
-    case Stability::Flutter: return "unstable, oscillating";
-    case Stability::Divergence: return "unstable";
-    }
-    return {};
-}
-
-std::string_view name(EquilibriumMark mark)
-{
-    switch (mark) {
-    case EquilibriumMark::Fold: return "fold";
-    case EquilibriumMark::Hopf: return "Hopf point";
-    case EquilibriumMark::Switch: return "switch";
-    case EquilibriumMark::Kink: return "kink";
-    }
-    return {};
-}
-
-Eigenvalues4 eigenvaluesAt(const SpringModel& model, const Point& q, Mode mode)
+std::vector<std::complex<double>> eigenvaluesAt(const SpringModel& model, const Point& q, Mode mode)
 {
     const SpringModel::State s = model.scale();
     const double rate = s[2] / s[0]; // [1/s]
@@ -187,14 +164,14 @@ Eigenvalues4 eigenvaluesAt(const SpringModel& model, const Point& q, Mode mode)
     a.bottomRows<2>() = model.jacobian({q[0], q[1], 0.0, 0.0}, mode);
     // In the model's scales all entries are of the order of one.
     const Eigen::Matrix4d scaled = s.cwiseInverse().asDiagonal() * a * s.asDiagonal() / rate;
-    const Eigen::Vector4cd values = Eigen::EigenSolver<Eigen::Matrix4d>(scaled, false).eigenvalues() * rate;
-    Eigenvalues4 sorted{values[0], values[1], values[2], values[3]};
+    const Eigen::VectorXcd values = eigenvaluesOf(scaled) * rate;
+    std::vector<std::complex<double>> sorted(values.begin(), values.end());
     std::ranges::stable_sort(
         sorted, [](auto x, auto y) { return x.real() > y.real() || (x.real() == y.real() && x.imag() > y.imag()); });
     return sorted;
 }
 
-Stability stabilityOf(const Eigenvalues4& eigenvalues)
+Stability stabilityOf(const std::vector<std::complex<double>>& eigenvalues)
 {
     double largest = 0.0;
     for (const std::complex<double>& value : eigenvalues) largest = std::max(largest, std::abs(value));

@@ -15,19 +15,24 @@ using Point = Eigen::Vector2d;
 using Vector = Eigen::VectorXd;
 
 constexpr double difference = 1e-4; // of p, for dF/dp, in shares of its range
-constexpr double onPiece = 0.01;    // distance of an equilibrium from a piece to which it belongs, in model scales [-]
+constexpr double onBranch = 0.01;   // distance of an equilibrium from a branch to which it belongs, in model scales [-]
 constexpr double sameForce = 1e-7;  // of forces on both sides of a switch, in model scales [-]
 constexpr double sameSlope = 1e-9;  // of their slopes [-]
 constexpr double realCrossing = 1e-7; // by which a real part changes across a Hopf point, of the largest eigenvalue [-]
 
-/// Follows pieces over p in shares of its range: 0 at `from`, 1 at `to`.
+Eigen::Map<const Eigen::VectorXcd> asVector(const std::vector<std::complex<double>>& values)
+{
+    return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// Follows branches over p in shares of its range: 0 at `from`, 1 at `to`.
 class EquilibriaTrace {
 public:
     EquilibriaTrace(const CaseAt& caseAt, double from, double to, const std::function<bool(double)>& goOn)
         : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn)
     {}
 
-    SpringEquilibria trace(int looks)
+    EquilibriumBranches trace(int looks)
     {
         if (!setScales(looks)) return std::move(result_);
         for (int k = 0; k < looks && !result_.stopped; ++k) {
@@ -37,7 +42,7 @@ public:
             if (!model) continue;
             for (const FoundEquilibrium& found : springEquilibria(*model)) {
                 if (!goOn()) break;
-                if (!isKnown(found, p)) addPiece(found, p);
+                if (!isKnown(found, p)) addBranch(found, p);
             }
             if (!goOn()) break;
         }
@@ -84,7 +89,7 @@ private:
         return forceScale_.cwiseInverse().asDiagonal() * stiffness * scale_.asDiagonal();
     }
 
-    /// Beyond the ends of the range, where the case need not be valid, F goes on along its slope.
+    /// Beyond the ends of the range, where the case need not be valid, F continues along its slope.
     bool linearise(const Vector& x, double p, Mode mode, ContinuationProblem::Linearised& at) const
     {
         const double inside = std::clamp(p, 0.0, 1.0);
@@ -126,13 +131,15 @@ private:
         return list;
     }
 
-    SpringEquilibrium equilibrium(const Vector& x, double p, Mode mode) const
+    Equilibrium equilibrium(const Vector& x, double p, Mode mode) const
     {
-        SpringEquilibrium at{.parameter = parameter(p), .q = toPlace(x)};
+        const Point q = toPlace(x);
+        Equilibrium at{.parameter = parameter(p), .q = {q[0], q[1], 0.0}};
         const std::optional<SpringModel> model = modelAt(std::clamp(p, 0.0, 1.0));
         if (!model) return at;
-        at.flyingHeight = model->guards(at.q)[SpringModel::Pad];
-        at.eigenvalues = eigenvaluesAt(*model, at.q, mode);
+        at.spacing = model->guards(q)[SpringModel::Pad];
+        at.touching = mode.contact != ContactRegion::Apart;
+        at.eigenvalues = eigenvaluesAt(*model, q, mode);
         at.stability = stabilityOf(at.eigenvalues);
         return at;
     }
@@ -141,22 +148,22 @@ private:
     {
         const double value = parameter(p);
         const double slack = 1e-9 * std::abs(to_ - from_);
-        for (const EquilibriumPiece& piece : result_.pieces) {
-            if (piece.mode != found.mode) continue;
-            for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
-                const SpringEquilibrium &a = piece.points[i], &b = piece.points[i + 1];
+        for (const EquilibriumBranch& branch : result_.branches) {
+            if (Mode{branch.frontSpring, branch.rearSpring, branch.contact} != found.mode) continue;
+            for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+                const Equilibrium &a = branch.points[i], &b = branch.points[i + 1];
                 const double least = std::min(a.parameter, b.parameter), most = std::max(a.parameter, b.parameter);
                 if (value < least - slack || value > most + slack) continue;
                 const double share =
                     most > least ? std::clamp((value - a.parameter) / (b.parameter - a.parameter), 0.0, 1.0) : 0.5;
-                const Point between = a.q + share * (b.q - a.q);
-                if ((found.q - between).cwiseQuotient(scale_).norm() < onPiece) return true;
+                const Point between = (a.q + share * (b.q - a.q)).head<2>();
+                if ((found.q - between).cwiseQuotient(scale_).norm() < onBranch) return true;
             }
         }
         return false;
     }
 
-    void addPiece(const FoundEquilibrium& found, double p)
+    void addBranch(const FoundEquilibrium& found, double p)
     {
         const Mode mode = found.mode;
         ContinuationProblem problem;
@@ -164,8 +171,7 @@ private:
             return linearise(x, at, mode, out);
         };
         problem.tests = [this, mode](const Vector& x, double at) {
-            const Eigenvalues4 values = equilibrium(x, at, mode).eigenvalues;
-            return std::vector{hopfTest(Eigen::Map<const Eigen::Vector4cd>(values.data()))};
+            return std::vector{hopfTest(asVector(equilibrium(x, at, mode).eigenvalues))};
         };
         problem.guards = [this, mode](const Vector& x, double at) { return distances(x, at, mode); };
         const ContinuationOptions options;
@@ -174,13 +180,13 @@ private:
         const bool closed = back.end == BranchEnd::Closed;
         const Branch forth = closed ? Branch{} : followBranch(problem, toScaled(found.q), p, true, options, ask);
 
-        EquilibriumPiece piece{mode, {}};
+        EquilibriumBranch branch{mode.contact, mode.frontSpring, mode.rearSpring};
         for (auto point = back.points.rbegin(); point != back.points.rend(); ++point)
-            piece.points.push_back(equilibrium(point->x, point->p, mode));
+            branch.points.push_back(equilibrium(point->x, point->p, mode));
         for (std::size_t i = back.points.empty() ? 0 : 1; i < forth.points.size(); ++i)
-            piece.points.push_back(equilibrium(forth.points[i].x, forth.points[i].p, mode));
-        if (piece.points.empty()) return;
-        result_.pieces.push_back(std::move(piece));
+            branch.points.push_back(equilibrium(forth.points[i].x, forth.points[i].p, mode));
+        if (branch.points.empty()) return;
+        result_.branches.push_back(std::move(branch));
         addMarks(back, mode);
         if (!closed) addMarks(forth, mode);
     }
@@ -189,7 +195,7 @@ private:
     {
         for (const BranchMark& mark : branch.marks) {
             const BranchPoint& at = branch.points[mark.point];
-            const SpringEquilibrium here = equilibrium(at.x, at.p, mode);
+            const Equilibrium here = equilibrium(at.x, at.p, mode);
             if (mark.fold())
                 add(EquilibriumMark::Fold, here);
             else if (isHopf(branch, mark, mode))
@@ -205,10 +211,10 @@ private:
         const auto eigenvalues = [&](std::size_t i) {
             return equilibrium(branch.points[i].x, branch.points[i].p, mode).eigenvalues;
         };
-        const Eigenvalues4 values = eigenvalues(mark.point);
-        if (!isCrossingPair(Eigen::Map<const Eigen::Vector4cd>(values.data()))) return false;
+        const std::vector<std::complex<double>> values = eigenvalues(mark.point);
+        if (!isCrossingPair(asVector(values))) return false;
         const auto pairs = [&](std::size_t i) { // real parts of the pair that is nearest to the one that crosses
-            const Eigenvalues4 all = eigenvalues(i);
+            const std::vector<std::complex<double>> all = eigenvalues(i);
             std::complex<double> crossing = values[0];
             for (const auto& value : values)
                 if (value.imag() != 0.0 && std::abs(value.real()) < std::abs(crossing.real())) crossing = value;
@@ -230,7 +236,7 @@ private:
         const GuardEnd end = ends[static_cast<std::size_t>(branch.guard)];
         const Mode beyond = model->beyond(mode, end.guard, end.upper);
         const Point q = toPlace(last.x);
-        const SpringEquilibrium here = equilibrium(last.x, last.p, mode);
+        const Equilibrium here = equilibrium(last.x, last.p, mode);
         const bool jumps = (force(*model, q, beyond) - force(*model, q, mode)).norm() > sameForce;
         const Eigen::Matrix2d before = slope(*model, q, mode), after = slope(*model, q, beyond);
         if (jumps)
@@ -239,11 +245,11 @@ private:
             add(EquilibriumMark::Kink, here, model->eventName(end.guard, mode, beyond));
     }
 
-    void add(EquilibriumMark kind, const SpringEquilibrium& at, std::string title = {})
+    void add(EquilibriumMark kind, const Equilibrium& at, std::string title = {})
     {
-        // Two pieces that meet at a kink both end there.
+        // Two branches that meet at a kink both end there.
         const auto same = [&](const MarkedEquilibrium& mark) {
-            return mark.kind == kind && (mark.at.q - at.q).cwiseQuotient(scale_).norm() < 1e-6 &&
+            return mark.kind == kind && (mark.at.q - at.q).head<2>().cwiseQuotient(scale_).norm() < 1e-6 &&
                    std::abs(mark.at.parameter - at.parameter) < 1e-6 * std::abs(to_ - from_);
         };
         if (std::ranges::any_of(result_.marks, same)) return;
@@ -255,13 +261,13 @@ private:
     const std::function<bool(double)>& goOn_;
     Point scale_{1.0, 1.0}, forceScale_{1.0, 1.0};
     double share_ = 0.0;
-    SpringEquilibria result_;
+    EquilibriumBranches result_;
 };
 
 } // namespace
 
-SpringEquilibria traceSpringEquilibria(const CaseAt& caseAt, double from, double to, int looks,
-                                       const std::function<bool(double)>& goOn)
+EquilibriumBranches traceSpringEquilibria(const CaseAt& caseAt, double from, double to, int looks,
+                                          const std::function<bool(double)>& goOn)
 {
     return EquilibriaTrace(caseAt, from, to, goOn).trace(std::max(looks, 2));
 }

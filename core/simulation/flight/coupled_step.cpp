@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/flight/coupled_step.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 
@@ -35,11 +33,13 @@ private:
 Vector3 solveScaled(const Matrix3& matrix, const Vector3& right, double length, double width)
 {
     const Eigen::DiagonalMatrix<double, 3> scale(1.0, 1.0 / length, 1.0 / width);
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> m(matrix.front().data());
-    const Eigen::Map<const Eigen::Vector3d> b(right.data());
-    const Eigen::Matrix3d scaled = scale * m * scale;
-    const Eigen::Vector3d x = scale * scaled.partialPivLu().solve(scale * b);
-    return {x[0], x[1], x[2]};
+    return scale * solvePartialPivoting(scale * matrix * scale, scale * right);
+}
+
+/// to += sign A x, term by term, so that the sum does not depend on how the product is vectorised.
+void addTo(Vector3& to, double sign, const Matrix3& a, const Vector3& x)
+{
+    for (int m = 0; m < 3; ++m) to += sign * a.col(m) * x[m];
 }
 
 } // namespace
@@ -82,7 +82,7 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
     const double seconds = wallClock() - begin;
     cost_.contactSeconds += seconds;
     if (inReach_) cost_.contactSolveSeconds += seconds;
-    contactStiffness_ = inReach_ ? contact_->stiffness() : Matrix3{};
+    contactStiffness_ = inReach_ ? contact_->stiffness() : Matrix3(Matrix3::Zero());
 }
 
 Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
@@ -90,7 +90,7 @@ Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
     const Stopwatch watch(cost_.forceSeconds);
     const std::array<double, 5> force = loads_.loadAndShear(p);
     shear_ = {force[3], force[4]};
-    return {force[0], force[1] - body_.shearArm() * force[3], force[2] - body_.shearArm() * force[4]};
+    return body_.filmForce(force);
 }
 
 void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion, double time)
@@ -107,7 +107,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     starting_ = true;
     response_.forget();
     contraction_ = 0.0;
-    jerk_ = stiffJerk_ = {};
+    jerk_ = stiffJerk_ = Vector3::Zero();
     lastDt_ = 0.0;
     setAcceleration();
 }
@@ -115,8 +115,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
 void CoupledStepper::setAcceleration()
 {
     const Vector3 contact = contactForces_.load(), suspension = body_.suspension(motion_.q, motion_.v);
-    for (std::size_t k = 0; k < 3; ++k)
-        motion_.a[k] = (filmForce_[k] + contact[k] + suspension[k]) / body_.inertia()[k];
+    motion_.a = (filmForce_ + contact + suspension).cwiseQuotient(body_.inertia());
     if (body_.holdsRoll()) motion_.a[2] = 0.0;
 }
 
@@ -129,15 +128,12 @@ void CoupledStepper::restartAcceleration()
     acceptedRate_ = fastestRate();
 }
 
-/// Of the acceleration's rate of change what stiffness makes.
+/// Part of the acceleration's rate of change that stiffness causes.
 Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 {
-    Vector3 jerk{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        jerk[k] = -body_.springs()[k] * v[k];
-        for (std::size_t m = 0; m < 3; ++m) jerk[k] -= (response_.stiffness()[k][m] + contactStiffness_[k][m]) * v[m];
-        jerk[k] /= body_.inertia()[k];
-    }
+    Vector3 jerk = -body_.springs().cwiseProduct(v);
+    addTo(jerk, -1.0, response_.stiffness() + contactStiffness_, v);
+    jerk = jerk.cwiseQuotient(body_.inertia());
     if (body_.holdsRoll()) jerk[2] = 0.0;
     return jerk;
 }
@@ -145,26 +141,25 @@ Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 /// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
 Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const
 {
-    Matrix3 matrix{};
-    for (std::size_t k = 0; stiff && k < 3; ++k)
-        for (std::size_t m = 0; m < 3; ++m) matrix[k][m] = response_.stiffness()[k][m] + contactStiffness_[k][m];
-    for (std::size_t k = 0; k < 3; ++k)
-        matrix[k][k] += body_.inertia()[k] * perSquare + body_.dampers()[k] * perTime + body_.springs()[k];
+    Matrix3 matrix = Matrix3::Zero();
+    if (stiff) matrix = response_.stiffness() + contactStiffness_;
+    matrix.diagonal() += body_.inertia() * perSquare + body_.dampers() * perTime + body_.springs();
     Vector3 b = right;
     if (body_.holdsRoll()) {
-        for (std::size_t k = 0; k < 3; ++k) matrix[2][k] = matrix[k][2] = 0.0;
-        matrix[2][2] = body_.inertia()[2] * perSquare;
+        matrix.row(2).setZero();
+        matrix.col(2).setZero();
+        matrix(2, 2) = body_.inertia()[2] * perSquare;
         b[2] = 0.0;
     }
     return solveScaled(matrix, b, film_.gaps().length, film_.gaps().width);
 }
 
-/// Of film and contact in what a change of the attitude meets [-].
+/// Share of film and contact in the stiffness against a change of the attitude [-].
 double CoupledStepper::stiffShare(double perSquare) const
 {
     double share = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double stiffness = std::abs(response_.stiffness()[k][k]) + std::abs(contactStiffness_[k][k]);
+        const double stiffness = std::abs(response_.stiffness()(k, k)) + std::abs(contactStiffness_(k, k));
         share = std::max(share, stiffness / (stiffness + body_.inertia()[k] * perSquare));
     }
     return share;
@@ -174,8 +169,7 @@ double CoupledStepper::follow(const Vector3& change)
 {
     const double left = response_.follow(change, change_);
     stepper_.follow(body_.attitude(tried_.q), change_);
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t m = 0; m < 3; ++m) filmForce_[k] -= response_.stiffness()[k][m] * change[m];
+    addTo(filmForce_, -1.0, response_.stiffness(), change);
     return left;
 }
 
@@ -189,8 +183,8 @@ FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
     return film;
 }
 
-/// Where a step meets stiffness on its way for which its rule is not stable, it is taken again by the other one, whose
-/// error then tells whether it is too long.
+/// Where a step meets stiffness for which its rule is not stable, it is taken again by the other rule, whose error then
+/// shows whether it is too long.
 CoupledStepResult CoupledStepper::step(double dt)
 {
     const CoupledStepResult first = tryStep(dt, true);
@@ -211,10 +205,8 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     const double time = time_ + dt;
     setRule(dt, fourth);
     const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rate_[k] = motion_.v[k] + shift_ * stiffJerk_[k];
-        tried_.q[k] = motion_.q[k] + dt * (rate_[k] + dt * (0.5 * motion_.a[k] + later_ * dt * jerk_[k]));
-    }
+    rate_ = motion_.v + shift_ * stiffJerk_;
+    tried_.q = motion_.q + dt * (rate_ + dt * (0.5 * motion_.a + later_ * dt * jerk_));
     contraction_ *= forgetting;
     double before = 0.0, measured = 0.0; // size of the last change; contraction
     const auto fail = [&](CoupledFailure failure) {
@@ -242,18 +234,16 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         filmForce_ = filmForceAt(stepper_.pressure());
 
         const Vector3 contact = contactForces_.load();
-        Vector3 balance{};
         setVelocity(dt);
         const Vector3 suspension = body_.suspension(tried_.q, tried_.v);
-        for (std::size_t k = 0; k < 3; ++k)
-            balance[k] = filmForce_[k] + contact[k] + suspension[k] - body_.inertia()[k] * tried_.a[k];
+        Vector3 balance = filmForce_ + contact + suspension - body_.inertia().cwiseProduct(tried_.a);
         if (body_.holdsRoll()) balance[2] = 0.0;
         const Vector3 change = solveBody(balance, perSquare, perTime, monolithic);
         contraction_ = std::max(contraction_, slopeError * stiffShare(perSquare));
         const double size = body_.displacement(change);
         if (!std::isfinite(size)) return fail(CoupledFailure::NotFinite);
         if (result.iterations > 1) {
-            // What is as small as rounding contracts no more.
+            // A change of the size of rounding contracts no more.
             if (size > options_.tolerance) contraction_ = measured = size / before;
             if (contraction_ > 1.0 && size > 10.0 * options_.tolerance && result.iterations > 3)
                 return fail(CoupledFailure::Iteration);
@@ -264,20 +254,20 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         result.forceBalance =
             (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
         if (monolithic) {
-            for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
+            tried_.q += change;
             const double filmLeft = follow(change);
             result.filmError += filmLeft;
             result.positionLeft = left;
             result.forceBalance *= contraction_;
             if (left > options_.tolerance || filmLeft > stepper_.allowed()) continue;
         } else if (size > options_.tolerance) {
-            for (std::size_t k = 0; k < 3; ++k) tried_.q[k] += change[k];
+            tried_.q += change;
             continue;
         } else {
             result.positionLeft = size;
         }
         if (measured > worthRenewing) response_.outdate();
-        finishMotion(dt, monolithic ? change : Vector3{});
+        finishMotion(dt, monolithic ? change : Vector3(Vector3::Zero()));
         setTimeError(dt, result);
         return result;
     }
@@ -287,19 +277,16 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
 double CoupledStepper::fastestRate() const
 {
     if (!response_.known()) return 0.0;
-    Eigen::Matrix3d perMass;
+    Matrix3 perMass;
     for (int k = 0; k < 3; ++k) {
-        const auto row = static_cast<std::size_t>(k);
         for (int m = 0; m < 3; ++m) {
-            const auto column = static_cast<std::size_t>(m);
             const double scale = (m == 0 ? 1.0 : 1.0 / film_.gaps().length) * (k == 0 ? 1.0 : film_.gaps().length);
-            perMass(k, m) =
-                scale * (response_.stiffness()[row][column] + contactStiffness_[row][column]) / body_.inertia()[row];
+            perMass(k, m) = scale * (response_.stiffness()(k, m) + contactStiffness_(k, m)) / body_.inertia()[k];
         }
-        perMass(k, k) += body_.springs()[row] / body_.inertia()[row];
+        perMass(k, k) += body_.springs()[k] / body_.inertia()[k];
     }
     if (body_.holdsRoll()) perMass.row(2).setZero();
-    return std::sqrt(perMass.eigenvalues().cwiseAbs().maxCoeff());
+    return std::sqrt(spectralRadius(perMass));
 }
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first
@@ -314,11 +301,8 @@ void CoupledStepper::setRule(double dt, bool fourth)
 /// Those that the rule has at the tried position.
 void CoupledStepper::setVelocity(double dt)
 {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double way = tried_.q[k] - motion_.q[k] - dt * (rate_[k] + (0.5 - later_) * dt * motion_.a[k]);
-        tried_.a[k] = way / (later_ * dt * dt);
-        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]);
-    }
+    tried_.a = (tried_.q - motion_.q - dt * (rate_ + (0.5 - later_) * dt * motion_.a)) / (later_ * dt * dt);
+    tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);
 }
 
 /// The acceleration is that of the forces at the solution, which `change` has just led to, so that what the iteration
@@ -327,36 +311,31 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
 {
     setVelocity(dt);
     const Vector3 contact = contactForces_.load(), suspension = body_.suspension(tried_.q, tried_.v);
-    for (std::size_t k = 0; k < 3; ++k) {
-        double force = filmForce_[k] + contact[k] + suspension[k];
-        for (std::size_t m = 0; m < 3; ++m) force -= contactStiffness_[k][m] * change[m];
-        tried_.a[k] = force / body_.inertia()[k];
-    }
+    Vector3 force = filmForce_ + contact + suspension;
+    addTo(force, -1.0, contactStiffness_, change);
+    tried_.a = force.cwiseQuotient(body_.inertia());
     if (body_.holdsRoll()) tried_.a[2] = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double slope = (tried_.a[k] - motion_.a[k]) / dt;
-        triedJerk_[k] = lastDt_ > 0.0 ? slope + (slope - slope_[k]) * dt / (dt + lastDt_) : slope;
-        triedSlope_[k] = slope;
-        tried_.v[k] = rate_[k] + 0.5 * dt * (motion_.a[k] + tried_.a[k]);
-    }
+    triedJerk_ = triedSlope_ = (tried_.a - motion_.a) / dt;
+    if (lastDt_ > 0.0) triedJerk_ += (triedSlope_ - slope_) * dt / (dt + lastDt_);
+    tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);
     if (fourth_) {
         // v - shift stiffJerk(v) = u turned round: steps of changing length then neither gain nor lose energy by their
         // shifts.
-        Vector3 right;
-        for (std::size_t k = 0; k < 3; ++k) right[k] = -body_.inertia()[k] * tried_.v[k] / shift_;
-        tried_.v = solveBody(right, -1.0 / shift_, 0.0, true);
+        tried_.v = solveBody(-body_.inertia().cwiseProduct(tried_.v) / shift_, -1.0 / shift_, 0.0, true);
     }
     triedStiffJerk_ = stiffJerk(tried_.v);
 }
 
-/// Of the slider -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); with the other one, from
-/// where a change of the acceleration was not foreseen. Of the film, as the displacement that would balance its force.
+/// Error of the slider: -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); for the other
+/// rule the same of the change of the acceleration that was not predicted. Error of the film: the displacement that
+/// would balance its force.
 void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 {
-    Vector3 change{};
-    for (std::size_t k = 0; k < 3; ++k)
-        change[k] = (tried_.a[k] - motion_.a[k] - (fourth_ ? dt * jerk_[k] : 0.0)) * dt * dt / 12.0;
-    const Vector3 film = solveBody(stepper_.timeErrorLoad(), slowestRate * slowestRate, 0.0, response_.known());
+    Vector3 change = tried_.a - motion_.a;
+    if (fourth_) change -= dt * jerk_;
+    change = change * dt * dt / 12.0;
+    const std::array<double, 3> load = stepper_.timeErrorLoad();
+    const Vector3 film = solveBody({load[0], load[1], load[2]}, slowestRate * slowestRate, 0.0, response_.known());
     result.timeError = body_.displacement(change) + body_.displacement(film);
 }
 

@@ -16,9 +16,9 @@
 // monolithic   one Newton on pressure and attitude: with X = J^-1 dR/dq kept as long as the film's Jacobian is good,
 //              (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
 // staggered    the film is solved at the attitude, the slider moved by the forces, (M/(beta dt^2) + C/(2 beta dt) + K)
-// dq = G, and so on until
-//              neither changes: the established program's way. It converges where the film's and contact's stiffness k
-//              satisfies beta k dt^2 < M, and says so where it does not.
+// dq = G, until neither
+//              changes: the established program's way. It converges where the stiffness k of film and contact satisfies
+//              beta k dt^2 < M, and reports where it does not.
 #pragma once
 
 #include <array>
@@ -80,7 +80,7 @@ public:
     void start(std::span<const double> p, const SliderMotion& motion, double time);
     /// Tries a step of `dt` [s] from the last accepted state.
     CoupledStepResult step(double dt);
-    /// Makes the last tried step the state to go on from. Its step must have converged.
+    /// Makes the last tried step the accepted state. It must have converged.
     void accept();
     /// The contact's law has changed at the accepted state: the acceleration follows the forces that now act.
     void restartAcceleration();
@@ -89,9 +89,9 @@ public:
     const SliderMotion& motion() const { return motion_; } // accepted
     const SliderMotion& tried() const { return tried_; }   // of the last step
     std::span<const double> pressure() const { return stepper_.pressure(); }
-    /// Of film with shear, and of contact, of the last step.
+    /// Force of the film with shear, and of the contact, in the last step.
     const Vector3& filmForce() const { return filmForce_; }
-    /// Of the film's shear, contained in filmForce().
+    /// Torques of the film's shear, contained in filmForce().
     Vector3 shearTorques() const { return {0.0, -body_.shearArm() * shear_[0], -body_.shearArm() * shear_[1]}; }
     /// Heights of the disk under the film (padded) in the last step; empty where it is always flat [m].
     std::span<const double> surface() const
@@ -100,7 +100,7 @@ public:
     }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
-    /// How often a cell of the film has closed: the air in it is in no book.
+    /// How often a cell of the film has closed: the energy balance lacks the air in it.
     long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
     /// The largest angular frequency that the stiffness of film and contact makes; zero as long as it is not known,
@@ -133,23 +133,23 @@ private:
     CoupledStepOptions options_;
     FilmStepper stepper_;
     SliderMotion motion_, tried_; // accepted, tried
-    Vector3 jerk_{}, slope_{};    // a' at the accepted state, its mean over the last step
-    Vector3 triedJerk_{}, triedSlope_{};
-    Vector3 stiffJerk_{}, triedStiffJerk_{}; // what stiffness makes of a' at the accepted state, at the tried one
+    // a' at the accepted state, its mean over the last step, its part by stiffness; and of the tried state.
+    Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), stiffJerk_ = Vector3::Zero();
+    Vector3 triedJerk_ = Vector3::Zero(), triedSlope_ = Vector3::Zero(), triedStiffJerk_ = Vector3::Zero();
     double time_ = 0.0, dt_ = 0.0,
            lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
-    // Of the tried step's rule: beta, and (u - v)/a' [s^2].
+    // The rule of the tried step: beta, and (u - v)/a' [s^2].
     bool fourth_ = false;
     double later_ = 0.25, shift_ = 0.0;
-    Vector3 rate_{}; // u1
+    Vector3 rate_ = Vector3::Zero(); // u1
     FilmResponse response_;
     std::vector<double> change_, surface_;
     double surfaceTime_ = -1.0;               // of surface_ [s]
     bool inReach_ = false, deformed_ = false; // contact, at the last attitude; surface_ by it
-    Vector3 filmForce_{};
+    Vector3 filmForce_ = Vector3::Zero();
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
-    Matrix3 contactStiffness_{};
+    Matrix3 contactStiffness_ = Matrix3::Zero();
     double acceptedRate_ = 0.0; // fastestRate() at the accepted state [rad/s]
     bool starting_ = true;      // no step has been accepted yet
     CoupledCost cost_;

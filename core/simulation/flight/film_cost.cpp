@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/flight/film_cost.h"
 
+#include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/recording/run_summary.h"
+
 namespace touchdown {
 
 void addFigures(const CoupledCost& cost, Summary& summary)

@@ -3,10 +3,10 @@
 // What the parts of a film run took, as figures of its summary.
 #pragma once
 
-#include "core/simulation/flight/coupled_step.h"
-#include "core/simulation/recording/run_summary.h"
-
 namespace touchdown {
+
+struct CoupledCost;
+struct Summary;
 
 void addFigures(const CoupledCost& cost, Summary& summary);
 

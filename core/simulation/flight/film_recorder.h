@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the steps of a run of the film into samples at equal intervals, and tells of them. Within a step the slider
+// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider
 // moves along the polynomial of fifth degree through position, velocity and acceleration at its ends; forces and
 // energies along parabolas.
 #pragma once
@@ -9,52 +9,45 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/flight/coupled_step.h"
-#include "core/simulation/recording/run_statistics.h"
-#include "core/simulation/recording/run_updates.h"
+#include "core/physics/slider/air_bearing_surface.h"
+#include "core/simulation/flight/film_point.h"
+#include "core/simulation/recording/run_recorder.h"
 
 namespace touchdown {
 
-/// A state of the run, at one end of a step.
-struct FilmPoint {
-    double time = 0.0; // [s]
-    SliderMotion motion;
-    Vector3 filmForce{};
-    SliderContactForces contact;
-    double filmEnergy = 0.0; // stored by the air, from that of the static state [J]
-    double gained =
-        0.0; // by slider, suspension, air and contact since the start: what the disk gave, less what was dissipated [J]
-    double dt = 0.0; // of the step that led there [s]
-};
+class MinimumSpacing;
+class Recess;
+struct Case;
 
-/// Position and velocity at a share of the way from one point to the next.
-SliderMotion between(const FilmPoint& from, const FilmPoint& to, double share);
+/// A state as it is recorded: forces in N, energies in J.
+struct FilmSample {
+    double flyingHeight = 0.0, spacing = 0.0; // [m]
+    Attitude attitude;
+    SliderMotion motion;
+    double airForce = 0.0, kinetic = 0.0, suspension = 0.0, film = 0.0, gained = 0.0, dt = 0.0;
+    double contact = 0.0, adhesion = 0.0, friction = 0.0, stored = 0.0;
+    double area = 0.0, peakPressure = 0.0; // of contact [m^2], [Pa]
+};
+using FilmQuantity = RecordedQuantity<FilmSample>;
+std::vector<FilmQuantity> filmRows(const Case& c);
 
 class FilmRecorder {
 public:
     /// All must last.
     FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
-                 const RunCallback& callback);
+                 RunRecorder& run);
 
     void begin(const FilmPoint& start);
     /// A step from the last point to this one.
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point) { earlier_ = last_ = point; }
-    void addEvent(double time, std::string name) { updates_.addEvent(time, std::move(name)); }
-    void addFields(FieldSnapshot snapshot) { updates_.addFields(std::move(snapshot)); }
-
-    /// Tells where it is time to. False when somebody stopped the run.
-    bool lookAtClock();
-    void flush();
-    bool stopped() const { return stopped_; }
-    double secondsOutside() const { return updates_.secondsOutside(); }
 
     /// The largest difference so far between the change of the energy and what was gained, against the largest range of
     /// one of its parts [-].
     double energyImbalance() const;
-    /// Sets final values (of the last point, or at the duration where that is beyond), tail, peaks, events.
-    void finish(Summary& summary);
+    /// With the values of the last point, or at the duration where that is beyond.
+    Summary summary(const RunEnd& end);
 
 private:
     void record(const FilmPoint& to, double time);
@@ -65,9 +58,8 @@ private:
     const Case& case_;
     const SliderBody& body_;
     const MinimumSpacing& spacing_;
-    std::vector<Quantity> quantities_;
-    RunStatistics statistics_;
-    RunUpdates updates_;
+    RunRecorder& run_;
+    std::vector<FilmQuantity> rows_;
     SurfacePoint headAt_; // where the flying height is taken [m]
     double headRecess_ = 0.0;
     FilmPoint last_, earlier_; // the same where forces have jumped
@@ -75,7 +67,6 @@ private:
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]
     std::vector<double> values_;
-    bool stopped_ = false;
 };
 
 } // namespace touchdown

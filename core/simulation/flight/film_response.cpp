@@ -24,7 +24,7 @@ FilmResponse::FilmResponse(const GasFilm& film, FilmLoads& loads, const SliderBo
 void FilmResponse::forget()
 {
     perTime_ = 0.0;
-    stiffness_ = {};
+    stiffness_.setZero();
 }
 
 bool FilmResponse::isOld() const
@@ -59,9 +59,7 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
             slope[k] = forces_.byAttitude[k][m] - byPressure;
             if (m == 1) slope[k] -= halfLength * forces_.byAttitude[k][0];
         }
-        stiffness_[0][m] = -slope[0];
-        stiffness_[1][m] = -slope[1] + body_.shearArm() * slope[3];
-        stiffness_[2][m] = -slope[2] + body_.shearArm() * slope[4];
+        stiffness_.col(static_cast<Eigen::Index>(m)) = -body_.filmForce(slope);
     }
     perTime_ = film_.storagePerTime();
     age_ = 0;

@@ -3,7 +3,7 @@
 // What the film answers within a step of time to a small change of the attitude: with J dp = -dR/dq dq its pressure
 // changes by -X dq, X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both lead an iteration and have no
 // part in its result, so that they are kept while a step's length is about the same, for some 200 steps, until steps
-// tell that they are not good any more.
+// converge more slowly.
 #pragma once
 
 #include <array>
@@ -31,11 +31,11 @@ public:
     bool isOld() const;
     /// A step has been accepted.
     void age() { ++age_; }
-    /// Steps tell that it is not good any more.
+    /// Steps converge more slowly.
     void outdate() { age_ = oldest + 1; }
-    /// Of the film at pressures p (padded), by its linear systems, which are those of a pressure near to it; returns
-    /// the preconditioned iterations it took. The first call allocates. `goOn` is asked at each of them; where it says
-    /// false nothing is known.
+    /// Renews the response at pressures p (padded), by linear systems, which are those of a pressure near to it;
+    /// returns the preconditioned iterations it took. The first call allocates. `goOn` is asked at each of them; where
+    /// it says false nothing is known.
     int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
 
     /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.
@@ -50,7 +50,7 @@ private:
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     FilmLoads::Derivatives forces_;
     GasFilm::AttitudeWork attitudeWork_;
-    Matrix3 stiffness_{};
+    Matrix3 stiffness_ = Matrix3::Zero();
     double perTime_ = 0.0; // of the film's storage that they belong to; zero: none yet [1/s]
     int age_ = 0;          // in accepted steps
 };

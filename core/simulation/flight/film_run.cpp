@@ -7,31 +7,32 @@
 
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
-#include "core/numerics/wall_clock.h"
-#include "core/simulation/flight/film_books.h"
+#include "core/simulation/flight/coupled_step.h"
 #include "core/simulation/flight/film_cost.h"
+#include "core/simulation/flight/film_energy_balance.h"
+#include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/law_switch.h"
 #include "core/simulation/flight/step_length.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double firstStep = 2e-9;     // [s]
-constexpr double shortestStep = 1e-14; // [s]
-constexpr double jumpStep = 1e-11;     // so short a step whose error is too large leads over a jump of the forces [s]
-constexpr double longestShare = 0.01;  // of the run, for a step
-constexpr double positionShare = 5e-3; // of a step's error, for what is left of its iteration
-constexpr double filmShare = 0.1;      // and for what is left of the film, as what its force would displace a slider by
-constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
-constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
-constexpr double switchShare = 0.05;   // of a step's error, to which a switch's separation is located [-]
+constexpr double firstStep = 2e-9;       // [s]
+constexpr double shortestStep = 1e-14;   // [s]
+constexpr double jumpStep = 1e-11;       // so short a step whose error is too large leads over a jump of the forces [s]
+constexpr double longestShare = 0.01;    // of the run, for a step
+constexpr double positionShare = 5e-3;   // of a step's error, for the error of its iteration
+constexpr double filmShare = 0.1;        // and for the film's residual, as the displacement of a slider by its force
+constexpr double filmTimeShare = 0.3;    // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9;   // over which a film's force changes by the load [m]
+constexpr double switchShare = 0.05;     // of a step's error, to which a switch's separation is located [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
 constexpr double chatterSpan = 1e-7;     // within which many switches are chattering [s]
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
-constexpr double longestSilence = 0.015; // between calls while there is nothing to record yet [s]
 
 std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
 
@@ -39,7 +40,7 @@ class FilmRun {
 public:
     FilmRun(const Case& c, const RunCallback& callback)
         : case_(c),
-          callback_(callback),
+          run_(c, filmQuantities(c), callback),
           scene_(c),
           length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
                   c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
@@ -47,18 +48,9 @@ public:
 
     Summary run()
     {
-        const double begin = wallClock();
-        Summary summary;
-        lastCall_ = begin;
         if (prepare()) advance();
-        if (recorder_) {
-            recorder_->flush();
-            if (recorder_->stopped() && status_ == RunStatus::Completed) stop();
-            recorder_->finish(summary);
-        }
-        summary.status = status_;
-        summary.failure = failure_;
-        summary.message = message_;
+        if (recorder_ && !run_.send(reached()) && end_.completed()) stop();
+        Summary summary = recorder_ ? recorder_->summary(end_) : run_.summary(end_, 0.0, {});
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
@@ -74,12 +66,11 @@ public:
                                        " times where no law switches, as the film's do where its slip changes at once");
         if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
             summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
-                                       " times: the air that was left in them is lost, and in no book");
+                                       " times: the air that was left in them is lost from the energy balance");
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
-        summary.wallSeconds = wallClock() - begin;
-        summary.solverSeconds = summary.wallSeconds - (recorder_ ? recorder_->secondsOutside() : 0.0);
+        run_.setTimes(summary);
         return summary;
     }
 
@@ -95,7 +86,7 @@ private:
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
         add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient",
             worstFilm_);
-        add("energy_balance", "1", "Energy that the books miss, against the largest change of a part",
+        add("energy_balance", "1", "Energy imbalance, against the largest change of a part",
             recorder_->energyImbalance());
     }
 
@@ -125,13 +116,13 @@ private:
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
                     body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
         stepper_->start(level.pressure, motion, 0.0);
-        if (stopped_) return stop();
+        if (run_.stopped()) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
-        books_.emplace(level.film, *body_, scene_.restEnergy());
-        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), callback_);
+        balance_.emplace(level.film, *body_, scene_.restEnergy());
+        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), run_);
         point_ = pointNow(0.0);
-        books_->begin(*stepper_, point_);
+        balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
         takeFields();
         return true;
@@ -141,7 +132,7 @@ private:
     {
         const double duration = case_.run.duration;
         while (stepper_->time() < duration) {
-            if (!recorder_->lookAtClock()) {
+            if (!goOn()) {
                 stop();
                 return;
             }
@@ -168,7 +159,7 @@ private:
         switched_ = false;
         while (true) {
             const CoupledStepResult result = tryStep(dt);
-            if (recorder_->stopped()) return stop();
+            if (run_.stopped()) return stop();
             const bool jumps = dt < jumpStep && result.converged() && length_.isTooLong(result.timeError);
             jumps_ += jumps;
             if (!result.converged() || (length_.isTooLong(result.timeError) && !jumps)) {
@@ -188,7 +179,7 @@ private:
     {
         const CoupledStepResult result = tried_ = stepper_->step(dt);
         filmIterations_ += result.filmIterations;
-        recorder_->lookAtClock();
+        goOn();
         return result;
     }
 
@@ -201,7 +192,7 @@ private:
         worstFilm_ = std::max(worstFilm_, tried_.filmError);
         const FilmPoint before = point_;
         point_ = pointNow(dt);
-        books_->add(*stepper_, before, point_);
+        balance_->add(*stepper_, before, point_);
         recorder_->add(point_);
         takeFields();
         const Attitude attitude = body_->attitude(point_.motion.q);
@@ -234,7 +225,7 @@ private:
         SwitchAim aim;
         for (int k = 0;; ++k) {
             const CoupledStepResult result = tryStep(dt);
-            if (recorder_->stopped()) return stop();
+            if (run_.stopped()) return stop();
             if (!result.converged()) {
                 ++rejected_;
                 return length_.halved(dt) < shortestStep ? giveUp(result) : true;
@@ -248,7 +239,7 @@ private:
         if (!takeStep(dt)) return false;
         // The way that was looked at is not quite that of the shorter step.
         if (!aim.reached) return true;
-        recorder_->addEvent(point_.time, contact_->cross(aim.upper));
+        run_.addEvent(point_.time, contact_->cross(aim.upper));
         stepper_->restartAcceleration();
         switched_ = true;
         const double storedBefore = point_.contact.storedEnergy;
@@ -284,7 +275,7 @@ private:
         while (snapshots_ < count && reached >= snapshots_ * interval) ++snapshots_;
         for (FieldSnapshot& snapshot :
              scene_.snapshots(stepper_->time(), body_->attitude(stepper_->motion().q), stepper_->pressure()))
-            recorder_->addFields(std::move(snapshot));
+            run_.addFields(std::move(snapshot));
     }
 
     std::string reasonOf(const CoupledStepResult& result) const
@@ -312,9 +303,7 @@ private:
 
     bool end(RunStatus status, RunFailure failure, std::string message)
     {
-        status_ = status;
-        failure_ = failure;
-        message_ = std::move(message);
+        end_ = {status, failure, std::move(message)};
         return false;
     }
     bool fail(RunFailure failure, std::string message)
@@ -322,31 +311,20 @@ private:
         return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure,
                    std::move(message));
     }
-    bool stop()
-    {
-        return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(recorder_ ? point_.time : 0.0));
-    }
+    bool stop() { return end(RunStatus::Cancelled, RunFailure::None, "stopped at " + timeText(point_.time)); }
 
-    /// Asked where there is nothing to tell yet, and within long solutions.
-    bool goOn()
-    {
-        if (recorder_) return recorder_->lookAtClock();
-        if (stopped_ || wallClock() - lastCall_ < longestSilence) return !stopped_;
-        SampleBatch none;
-        none.columns.resize(filmQuantities(case_).size());
-        stopped_ = callback_ && !callback_({0.0, case_.run.duration, none, {}, {}});
-        lastCall_ = wallClock();
-        return !stopped_;
-    }
+    double reached() const { return std::min(point_.time, case_.run.duration); } // [s]
+    /// Asked within long solutions, too; false once somebody has stopped the run.
+    bool goOn() { return run_.lookAtClock(reached()); }
 
     const Case& case_;
-    const RunCallback& callback_;
+    RunRecorder run_;
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
     SliderContact* contact_ = nullptr;
     std::optional<CoupledStepper> stepper_;
     std::optional<FilmRecorder> recorder_;
-    std::optional<FilmBooks> books_;
+    std::optional<FilmEnergyBalance> balance_;
     StepLength length_;
     FilmPoint point_;       // the last accepted one
     bool switched_ = false; // the contact's law, at the last accepted point
@@ -358,11 +336,7 @@ private:
     int snapshots_ = 0;                                             // taken
     ChatterWatch switches_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
-    RunStatus status_ = RunStatus::Completed;
-    RunFailure failure_ = RunFailure::None;
-    std::string message_;
-    double lastCall_ = 0.0; // wall clock [s]
-    bool stopped_ = false;  // before there was a recorder
+    RunEnd end_;
 };
 
 } // namespace

@@ -9,6 +9,8 @@
 #include "core/formats/units.h"
 #include "core/physics/film/film_energy.h"
 #include "core/simulation/flight/film_run.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
@@ -27,6 +29,8 @@ Case staticCase(const Case& c)
 FilmScene::FilmScene(const Case& c)
     : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
 {}
+
+FilmScene::~FilmScene() = default;
 
 FilmScene::State FilmScene::fail(std::string message)
 {

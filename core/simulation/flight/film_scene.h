@@ -11,13 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/static_state/disk_under_film.h"
-#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/slider_body.h"
-#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
+
+struct FilmLevel;
+struct SteadyResult;
 
 /// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was
 /// ready.
@@ -26,6 +28,7 @@ public:
     /// `c` is valid, of the model "film", and must last.
     explicit FilmScene(const Case& c);
     FilmScene(const FilmScene&) = delete;
+    ~FilmScene();
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must
@@ -44,7 +47,7 @@ public:
     /// Stored by the air in the static state, or at the start where there is none [J].
     double restEnergy() const { return restEnergy_; }
 
-    /// Of filmMaps() and of the contact, at pressures p (padded).
+    /// Snapshots of filmMaps() and of the contact, at pressures p (padded).
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
 private:

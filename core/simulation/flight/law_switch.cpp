@@ -4,18 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/simulation/contact/slider_contact.h"
+
 namespace touchdown {
-
-namespace {
-
-Vector3 moved(const SliderMotion& motion, double dt)
-{
-    Vector3 q = motion.q;
-    for (std::size_t k = 0; k < 3; ++k) q[k] += dt * (motion.v[k] + 0.5 * dt * motion.a[k]);
-    return q;
-}
-
-} // namespace
 
 std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody& body, const FilmPoint& begin,
                                   const FilmPoint& end, double width, double shortest)
@@ -38,7 +29,7 @@ std::optional<double> wayToSwitch(const SliderContact& contact, const SliderBody
             inside = outside;
             continue;
         }
-        // Just crossed: what is left of it by rounding is no way back.
+        // Just crossed: a distance of the size of rounding is no way back.
         if (k == looks && beyond(outside) <= width) return dt;
         const double past = std::min(beyond(outside), 0.5 * width);
         for (int n = 0; n < 60; ++n) {
@@ -60,8 +51,9 @@ SwitchAim aimAtSwitch(const SliderContact& contact, const SliderBody& body, cons
     aim.miss = d - (aim.upper ? holds.upper + 0.5 * width : holds.lower - 0.5 * width);
     aim.reached = aim.upper ? d >= holds.upper : d <= holds.lower;
     // The rate, along the way from the step's beginning where it has no other sense.
-    const double ahead = contact.separation(body.attitude(moved(tried, 1e-3 * dt)));
-    aim.rate = (ahead - d) / (1e-3 * dt);
+    const double ahead = 1e-3 * dt;
+    const double there = contact.separation(body.attitude(tried.q + ahead * (tried.v + 0.5 * ahead * tried.a)));
+    aim.rate = (there - d) / ahead;
     if (!(aim.rate * (aim.upper ? 1.0 : -1.0) > 0.0)) aim.rate = (d - before) / dt;
     return aim;
 }

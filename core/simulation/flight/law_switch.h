@@ -8,11 +8,11 @@
 
 #include <optional>
 
-#include "core/simulation/contact/slider_contact.h"
-#include "core/simulation/flight/film_recorder.h"
-#include "core/simulation/static_state/slider_body.h"
+#include "core/simulation/flight/film_point.h"
 
 namespace touchdown {
+
+class SliderContact;
 
 /// How much of the step from `begin` to `end` there is to the first switch, at least `shortest` [s]; none: the law
 /// holds to the end. `width` is that within which a switch is located [m].

@@ -31,13 +31,13 @@ public:
     double factor(double error) const { return safety * std::cbrt(allowed_ / std::max(error, 1e-300)); }
     bool isTooLong(double error) const { return !fixed() && factor(error) < worstFactor; }
 
-    /// Of a step that is tried again.
+    /// Length of a step that is tried again.
     double shortened(double dt, double error)
     {
         sinceLimit_ = 0;
         return wanted_ = dt * std::max(factor(error), 0.25);
     }
-    /// Of a step that failed.
+    /// Length after a step that failed.
     double halved(double dt)
     {
         wanted_ = std::min(wanted_, 0.5 * dt);

@@ -17,6 +17,27 @@ struct Quantity {
     std::string longName;    // "Flying height at the contact pad"
 };
 
+/// A quantity with its value in a state, so that names and columns cannot disagree.
+template <class State>
+struct RecordedQuantity {
+    Quantity quantity;
+    double (*value)(const State&);
+};
+
+template <class State>
+std::vector<Quantity> quantitiesOf(const std::vector<RecordedQuantity<State>>& rows)
+{
+    std::vector<Quantity> list;
+    for (const auto& row : rows) list.push_back(row.quantity);
+    return list;
+}
+
+template <class State>
+void evaluate(const std::vector<RecordedQuantity<State>>& rows, const State& state, double* values)
+{
+    for (const auto& row : rows) *values++ = row.value(state);
+}
+
 /// Samples in the order of time; columns[i][k] is quantity i at time[k], in SI. Always finite.
 struct SampleBatch {
     std::vector<double> time; // [s]

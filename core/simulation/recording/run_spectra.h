@@ -14,7 +14,7 @@ namespace touchdown {
 
 class RunSpectra {
 public:
-    /// Of flying height, minimum spacing, pitch and roll, as far as they are recorded.
+    /// Spectra of flying height, minimum spacing, pitch and roll, as far as they are recorded.
     RunSpectra(const Case& c, const std::vector<Quantity>& quantities);
 
     void add(const SampleBatch& batch);

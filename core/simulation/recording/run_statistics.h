@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of a run as it goes, in bounded memory.
+// Statistics of a run while it advances, in bounded memory.
 #pragma once
 
 #include <cstddef>

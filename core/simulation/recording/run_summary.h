@@ -20,7 +20,7 @@ namespace touchdown {
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);
 
-/// What went wrong in a run that did not complete; the message tells it for a person.
+/// Why a run did not complete; the message states it for a person.
 enum class RunFailure : std::uint8_t {
     None,
     Diverged,        // beyond all bounds
@@ -42,7 +42,7 @@ struct RunEvent {
     std::string name;  // "touch-down", "rear spring lost"
 };
 
-/// What the core tells while it runs. Sent at least every 20 ms of wall time.
+/// A report of the core during a run. Sent at least every 20 ms of wall time.
 struct RunUpdate {
     double time = 0.0;                        // reached [s]
     double duration = 0.0;                    // of the whole run [s]
@@ -97,13 +97,13 @@ struct Summary {
     std::vector<SpectrumPeak> peaks; // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
-    std::vector<RunFigure> figures;       // models film and contact; springs with their energy's books
+    std::vector<RunFigure> figures;       // models film and contact; springs with their energy balance
     std::optional<CharacteristicFit> fit; // contact multi-asperity
 };
 
 struct RunOptions {
-    bool energyBooks =
-        false; // springs: how much energy the integrator makes, as figure "energy_balance"; film runs always tell
+    bool energyBalance =
+        false; // springs: report the integrator's energy error as figure "energy_balance", as film runs do
 };
 
 } // namespace touchdown

@@ -6,19 +6,19 @@
 //   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
 //
 // K of the suspension, q_0 where it exerts its load: the static state of the film alone. Apart, without contact, that
-// state itself is what is sought, and G has no springs. The film's force has the torques of its shear.
+// state itself is sought, and G has no springs. The film's force has the torques of its shear.
 #pragma once
-
-#include <Eigen/Core>
 
 #include <functional>
 #include <memory>
 
 #include "core/simulation/contact/ono_yamane_contact.h"
-#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
+
+struct FilmGaps;
+struct FilmLevel;
 
 /// Neither copied nor moved: its parts point at each other.
 class FilmBalance {
@@ -29,23 +29,24 @@ public:
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                              const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
+    ~FilmBalance();
 
     /// Takes another's pressure on the same grid for the start of the next solution.
     void startFrom(const FilmBalance& other);
     /// Makes the film steady at q; false where it is not solved.
     bool solve(const Vector3& q, const GoOn& goOn);
 
-    /// Of the following all but spacing() are at the last q.
-    Vector3 force(ContactRegion region);                               // G
-    Eigen::Matrix3d stiffness(ContactRegion region, const GoOn& goOn); // -dG/dq
-    /// Of small motions about q: the suspension's springs hold the slider apart, too.
-    Eigen::Matrix3d stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
-    Eigen::Matrix3d contactStiffness(ContactRegion region);
+    /// All of the following but spacing() are at the last q.
+    Vector3 force(ContactRegion region);                       // G
+    Matrix3 stiffness(ContactRegion region, const GoOn& goOn); // -dG/dq
+    /// The stiffness of small motions about q: with the suspension's springs, also apart.
+    Matrix3 stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
+    Matrix3 contactStiffness(ContactRegion region);
     double netContactForce(ContactRegion region); // [N]
     /// |G| as a share of the preload [-].
     double error(const Vector3& force) const;
     /// Newton's step: where the unknowns have none in a direction, as a held roll's, zero.
-    Vector3 newtonStep(const Eigen::Matrix3d& stiffness, const Vector3& force) const;
+    Vector3 newtonStep(const Matrix3& stiffness, const Vector3& force) const;
 
     double spacing(const Vector3& q) const { return spacing_.at(body_.attitude(q)).spacing; }
     /// Two without roll.
@@ -72,7 +73,7 @@ public:
 private:
     FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
     Vector3 contactForce(ContactRegion region);
-    Eigen::Matrix3d filmStiffness(const GoOn& goOn);
+    Matrix3 filmStiffness(const GoOn& goOn);
 
     Case case_;
     MinimumSpacing spacing_;
@@ -81,7 +82,7 @@ private:
     std::unique_ptr<FilmLevel> level_;
     OnoYamaneContact contact_;
     OnoYamaneLaw law_;
-    Vector3 q_{};
+    Vector3 q_ = Vector3::Zero();
 };
 
 } // namespace touchdown

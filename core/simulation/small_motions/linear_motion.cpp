@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/small_motions/linear_motion.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "core/simulation/small_motions/film_modes.h"
-#include "core/simulation/static_state/slider_body.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 
@@ -45,47 +44,49 @@ struct Wave {
     std::vector<double> real, quarter; // [m]; padded
 };
 
-std::vector<Wave> wavesOf(const Case& c, const FilmModes& film)
+std::vector<Wave> wavesOf(const Case& c, const FilmGaps& gaps)
 {
     std::vector<Wave> waves;
     for (const DiskSurface& surface : singleWaves(c.diskSurface)) {
         const DiskTopography topography(surface);
-        DiskUnderFilm under(c, topography, film.grid(), film.pad());
+        DiskUnderFilm under(c, topography, gaps.grid, gaps.pad);
         const double number = 2.0 * std::numbers::pi / surface.waveLengths[0],
                      angle = surface.waveAngles[0]; // [rad/m], [rad]
         const double omega = number * (under.velocity().x * std::cos(angle) + under.velocity().y * std::sin(angle));
         if (omega == 0.0) continue;
         Wave& wave = waves.emplace_back(Wave{.omega = omega, .real = {}, .quarter = {}});
-        wave.real.resize(film.pad().size());
-        wave.quarter.resize(film.pad().size());
+        wave.real.resize(gaps.pad.size());
+        wave.quarter.resize(gaps.pad.size());
         under.at(0.0, wave.real);
         under.at(-0.5 * std::numbers::pi / omega, wave.quarter);
     }
     return waves;
 }
 
-MotionTerm answerTo(FilmModes& film, const Wave& wave)
+MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
 {
     const Complex s(0.0, wave.omega);
-    const Eigen::Vector3cd force = film.force(s, wave.real, wave.quarter);
-    const bool solved = film.converged();
-    const Eigen::Vector3d scale = film.scale();
-    const Eigen::Matrix3cd dynamic = scale.asDiagonal() * film.dynamic(s, film.film(s)) * scale.asDiagonal();
-    MotionTerm term{.rate = s,
-                    .amplitude = scale.asDiagonal() * dynamic.partialPivLu().solve(scale.asDiagonal() * force)};
+    const ComplexVector3 force = motions.force(s, wave.real, wave.quarter);
+    const bool solved = motions.converged();
+    const Vector3 scale = motions.scale();
+    const Eigen::Index n = motions.unknowns();
+    const ComplexMatrix3 dynamic = scale.asDiagonal() * motions.dynamic(s, motions.film(s)) * scale.asDiagonal();
+    const ComplexVector3 right = scale.asDiagonal() * force;
+    MotionTerm term{.rate = s, .amplitude = ComplexVector3::Zero()};
+    term.amplitude.head(n) = scale.head(n).asDiagonal() * solveComplex(dynamic.topLeftCorner(n, n), right.head(n));
     if (!solved) term.amplitude.setConstant(std::numeric_limits<double>::quiet_NaN());
     return term;
 }
 
 /// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of
 /// a mode.
-MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::Vector3d& displacing,
-                    const Eigen::Vector3d& v, const std::vector<Wave>& waves)
+MotionTerm setGoing(SmallMotions& motions, const SmallMotions::Mode& mode, const Vector3& displacing, const Vector3& v,
+                    const std::vector<Wave>& waves)
 {
     const Complex s = mode.rate;
-    Eigen::Vector3cd right = film.mass() * v - displacing / s;
+    ComplexVector3 right = motions.mass().cwiseProduct(v) - displacing / s;
     if (!waves.empty()) {
-        std::vector<double> real(film.pad().size(), 0.0), imaginary(real), present(real);
+        std::vector<double> real(waves.front().real.size(), 0.0), imaginary(real), present(real);
         for (const Wave& wave : waves) {
             const Complex i(0.0, 1.0), before = 0.5 / (s - i * wave.omega), behind = 0.5 / (s + i * wave.omega);
             for (std::size_t at = 0; at < real.size(); ++at) {
@@ -95,14 +96,17 @@ MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::V
                 present[at] += wave.real[at];
             }
         }
-        right += film.force(s, real, imaginary, present);
+        right += motions.force(s, real, imaginary, present);
     }
-    const Eigen::Vector3d scale = film.scale();
-    const Eigen::JacobiSVD<Eigen::Matrix3cd> svd(scale.asDiagonal() * film.dynamic(s, mode.film) * scale.asDiagonal(),
-                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Vector3cd shape = scale.asDiagonal() * svd.matrixV().col(2);
-    const Eigen::RowVector3cd left = svd.matrixU().col(2).adjoint() * scale.asDiagonal();
-    const Complex share = (left * right)(0) / (left * film.dynamicSlope(s, mode.film) * shape)(0);
+    const Vector3 scale = motions.scale();
+    const Eigen::Index n = motions.unknowns();
+    const ComplexMatrix3 dynamic = scale.asDiagonal() * motions.dynamic(s, mode.film) * scale.asDiagonal();
+    const NullVectors null = nullVectorsOf(dynamic.topLeftCorner(n, n));
+    ComplexVector3 shape = ComplexVector3::Zero(), left = ComplexVector3::Zero();
+    shape.head(n) = scale.head(n).asDiagonal() * null.right;
+    left.head(n) = scale.head(n).asDiagonal() * null.left;
+    const Complex share =
+        left.cwiseProduct(right).sum() / left.cwiseProduct(motions.dynamicSlope(s, mode.film) * shape).sum();
     return {.rate = s, .amplitude = 2.0 * share * shape};
 }
 
@@ -110,7 +114,7 @@ MotionTerm setGoing(FilmModes& film, const FilmModes::Mode& mode, const Eigen::V
 
 Attitude LinearMotion::at(double time) const
 {
-    Eigen::Vector3d q = Eigen::Vector3d::Zero();
+    Vector3 q = Vector3::Zero();
     for (const auto* terms : {&modes, &waves})
         for (const MotionTerm& term : *terms) q += (std::exp(term.rate * time) * term.amplitude).real();
     return {steady.attitude.height + q[0] - halfLength * q[1], steady.attitude.pitch + q[1],
@@ -147,39 +151,38 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
         motion.message = "cancelled while the modes were sought";
         return true;
     };
-    FilmModes film(c, motion.steady);
+    StaticFilm film(c, motion.steady);
+    SmallMotions motions(film.level, film.body);
     const bool all = parts == MotionParts::All;
-    std::vector<FilmModes::Mode> found;
-    if (all) found = film.find([&](std::size_t) { return !stopped(); }, modeTolerance);
+    std::vector<SmallMotions::Mode> found;
+    if (all) found = motions.find(modeTolerance, [&](std::size_t) { return !stopped(); });
     if (motion.status == SteadyStatus::Cancelled) return motion;
     if (all && found.size() != static_cast<std::size_t>(c.degreesOfFreedom)) {
         motion.status = SteadyStatus::Failed;
         motion.message = "a mode is so strongly damped that it does not oscillate, or could not be followed";
         return motion;
     }
-    const std::vector<Wave> waves = wavesOf(c, film);
+    const std::vector<Wave> waves = wavesOf(c, film.level.gaps);
     for (const Wave& wave : waves) {
         if (stopped()) return motion;
-        motion.waves.push_back(answerTo(film, wave));
+        motion.waves.push_back(answerTo(motions, wave));
     }
 
-    const SliderBody body(c, motion.steady.attitude);
+    const SliderBody& body = film.body;
     const InitialCase& start = c.initial;
-    Eigen::Vector3d q, v(start.verticalVelocity, start.pitchVelocity, body.holdsRoll() ? 0.0 : start.rollVelocity);
+    Vector3 q, v(start.verticalVelocity, start.pitchVelocity, body.holdsRoll() ? 0.0 : start.rollVelocity);
     if (start.state == InitialState::Static) {
         q = {start.heightOffset, start.pitchOffset, body.holdsRoll() ? 0.0 : start.rollOffset};
     } else {
-        const Vector3 from = body.coordinates({start.nominalTrailingEdgeHeight, start.pitch, start.roll});
-        for (Eigen::Index k = 0; k < 3; ++k)
-            q[k] = from[static_cast<std::size_t>(k)] - body.rest()[static_cast<std::size_t>(k)];
+        q = body.coordinates({start.nominalTrailingEdgeHeight, start.pitch, start.roll}) - body.rest();
     }
-    Eigen::Vector3d displacing = Eigen::Vector3d::Zero();
-    if (all && !q.isZero(0.0)) displacing = film.dynamic({0.0, slow}, film.film({0.0, slow})).real() * q;
+    Vector3 displacing = Vector3::Zero();
+    if (all && !q.isZero(0.0)) displacing = motions.dynamic({0.0, slow}, motions.film({0.0, slow})).real() * q;
     const bool atRest = q.isZero(0.0) && v.isZero(0.0) && waves.empty();
-    for (const FilmModes::Mode& mode : found) {
+    for (const SmallMotions::Mode& mode : found) {
         if (stopped()) return motion;
-        motion.modes.push_back(atRest ? MotionTerm{mode.rate, Eigen::Vector3cd::Zero()}
-                                      : setGoing(film, mode, displacing, v, waves));
+        motion.modes.push_back(atRest ? MotionTerm{mode.rate, ComplexVector3::Zero()}
+                                      : setGoing(motions, mode, displacing, v, waves));
     }
     const auto finite = [](const MotionTerm& term) { return term.amplitude.allFinite(); };
     if (std::ranges::all_of(motion.modes, finite) && std::ranges::all_of(motion.waves, finite)) return motion;

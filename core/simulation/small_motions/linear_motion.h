@@ -18,8 +18,6 @@
 // at rates of its own are left out.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <complex>
 #include <string>
 #include <vector>
@@ -29,8 +27,8 @@
 namespace touchdown {
 
 struct MotionTerm {
-    std::complex<double> rate;  // [1/s]
-    Eigen::Vector3cd amplitude; // of q: height of the mass centre [m], pitch, roll [rad]
+    std::complex<double> rate; // [1/s]
+    ComplexVector3 amplitude;  // of q: height of the mass centre [m], pitch, roll [rad]
 };
 
 struct LinearMotion {

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Air bearing modes of a case, and what its film answers over frequency: see film_modes.h.
+// Air bearing modes of a case, and the dynamic stiffness of its film over frequency: see
+// small_motions.h.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/numerics/wall_clock.h"
-#include "core/simulation/small_motions/film_modes.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
 namespace {
 
-using Complex = FilmModes::Complex;
+using Complex = SmallMotions::Complex;
 
-AirBearingMode describe(const Case& c, Complex s, const Eigen::Vector3cd& shape)
+AirBearingMode describe(const Case& c, Complex s, const ComplexVector3& shape)
 {
     const double length = c.slider.length, width = c.slider.width;
     Complex largest = 0.0;
@@ -38,15 +40,11 @@ AirBearingMode describe(const Case& c, Complex s, const Eigen::Vector3cd& shape)
     return mode;
 }
 
-/// Says so where the grid is too coarse for the modes. The disk drags what a mode presses into the film along at half
-/// its speed U, in waves U/(2 f) long. Of a few cells each they fade or come too early under the next pad, and take
-/// from the damping ratio there or add to it: 5 % at ten cells, its sign at three.
+/// A sentence where the grid is too coarse for the modes.
 std::string coarseGrid(const Case& c, const ModesResult& result)
 {
-    constexpr double enough = 10.0; // cells along a wave
-    const double speed = c.disk.speed * c.disk.radius, cell = c.slider.length / result.steady.grid.nx();
-    const double highest = 0.5 * speed / (enough * cell); // [Hz]
-    if (speed == 0.0 || result.modes.empty() || result.modes.back().frequency <= highest) return {};
+    const double highest = resolvedFrequency(c, result.steady.grid);
+    if (highest == 0.0 || result.modes.empty() || result.modes.back().frequency <= highest) return {};
     return "above " + std::to_string(std::lround(highest / 1e3)) +
            " kHz the waves that the disk drags along span fewer than ten cells: damping ratios there need a finer grid";
 }
@@ -61,13 +59,14 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     result.message = result.steady.message;
     if (result.status != SteadyStatus::Converged) return result;
 
-    FilmModes solver(c, result.steady);
+    StaticFilm film(c, result.steady);
+    SmallMotions solver(film.level, film.body);
     std::string stage;
-    double told = 0.0;
-    const auto tell = [&](const std::string& doing) {
+    double reported = 0.0;
+    const auto report = [&](const std::string& doing) {
         if (result.status == SteadyStatus::Cancelled) return false;
         stage = doing;
-        told = wallClock();
+        reported = wallClock();
         const bool goOn = !callback || callback({.stage = stage,
                                                  .iteration = 0,
                                                  .residual = result.steady.residual,
@@ -81,29 +80,21 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     };
     constexpr double longestSilence = 0.03; // [s]
     solver.ask([&] {
-        return (result.status != SteadyStatus::Cancelled && wallClock() - told < longestSilence) || tell(stage);
+        return (result.status != SteadyStatus::Cancelled && wallClock() - reported < longestSilence) || report(stage);
     });
-    const std::vector<FilmModes::Mode> found =
-        solver.find([&](std::size_t known) { return tell("mode " + std::to_string(known + 1)); });
+    const std::vector<SmallMotions::Mode> found =
+        solver.find(1e-9, [&](std::size_t known) { return report("mode " + std::to_string(known + 1)); });
     if (result.status == SteadyStatus::Cancelled) return result;
-    for (const FilmModes::Mode& mode : found) result.modes.push_back(describe(c, mode.rate, mode.shape));
+    for (const SmallMotions::Mode& mode : found) result.modes.push_back(describe(c, mode.rate, mode.shape));
     const std::size_t lost = static_cast<std::size_t>(c.degreesOfFreedom) - found.size();
     bool filmSolved = true;
     for (int k = 0; k <= 8; ++k) {
         const double frequency = 1e4 * std::pow(10.0, 0.25 * k); // 10 kHz to 1 MHz
-        if (!tell("dynamic stiffness")) return result;
-        const FilmModes::Film film = solver.film({0.0, 2.0 * std::numbers::pi * frequency});
+        if (!report("dynamic stiffness")) return result;
+        const SmallMotions::Film answer = solver.film({0.0, 2.0 * std::numbers::pi * frequency});
         if (result.status == SteadyStatus::Cancelled) return result;
         filmSolved = filmSolved && solver.converged();
-        DynamicStiffness entry{.frequency = frequency};
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column) {
-                entry.stiffness[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-                    film.stiffness(row, column);
-                entry.damping[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-                    film.damping(row, column);
-            }
-        result.stiffness.push_back(entry);
+        result.stiffness.push_back({frequency, answer.stiffness, answer.damping});
     }
     const auto add = [&result](const std::string& sentence) {
         if (!result.message.empty() && !sentence.empty()) result.message += "; ";

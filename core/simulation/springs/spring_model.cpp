@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/simulation/contact/contact_model.h"
+
 namespace touchdown {
 
 namespace {
@@ -25,6 +27,7 @@ double square(double x) { return x * x; }
 SpringModel::SpringModel(const Case& c)
     : case_(c),
       contact_(c.onoYamane),
+      friction_(frictionOf(c)),
       hasContact_(c.contact == ContactKind::OnoYamane),
       frontDistance_(c.springs.frontDistance),
       rearDistance_(c.springs.rearDistance),
@@ -63,7 +66,7 @@ SpringModel::SpringModel(const Case& c)
     linear_.row(1) *= inverseInertia_;
 
     if (hasContact_) {
-        const double arm = 0.5 * c.slider.thickness * c.onoYamane.friction;
+        const double arm = friction_.noseDown();
         for (const ContactRegion region :
              {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
             const AffineForce real = contact_.contactLaw(region);
@@ -196,7 +199,7 @@ double SpringModel::power(const State& y, Mode mode) const
     if (hasContact_) {
         const double real = contact_.contactForce(mode.contact, separation(y));
         power += (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
-        power -= 0.5 * case_.slider.thickness * case_.onoYamane.friction * real * y[3];
+        power -= friction_.noseDown() * real * y[3];
     }
     return power;
 }
@@ -228,69 +231,65 @@ std::string SpringModel::eventName(int guard, Mode before, Mode after) const
     return {};
 }
 
-std::vector<Quantity> SpringModel::quantities(const Case& c)
+const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(bool hasContact)
 {
-    std::vector<Quantity> list{
-        {"flying_height", "m", "nm", "Flying height at the contact pad"},
-        {"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres"},
-        {"pitch", "rad", "urad", "Pitch"},
-        {"height", "m", "nm", "Height of the mass centre"},
-        {"front_spacing", "m", "nm", "Spacing at the front pressure centre"},
-        {"rear_spacing", "m", "nm", "Spacing at the rear pressure centre"},
-        {"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"},
-        {"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"},
-        {"air_bearing_force", "N", "mN", "Air bearing force, from that of the static state"},
-        {"kinetic_energy", "J", "pJ", "Kinetic energy"},
-        {"air_spring_energy", "J", "pJ", "Energy of the air springs"},
-        {"suspension_energy", "J", "pJ", "Energy of the suspension"},
-        {"energy", "J", "pJ", "Total energy without that of the contact"},
+    using S = const Sample&;
+    static const std::vector<RecordedQuantity<Sample>> free{
+        {{"flying_height", "m", "nm", "Flying height at the contact pad"}, [](S s) { return s.d; }},
+        {{"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres"},
+         [](S s) {
+             return std::min({s.d, s.zf, s.zr});
+         }},
+        {{"pitch", "rad", "urad", "Pitch"}, [](S s) { return s.y[1]; }},
+        {{"height", "m", "nm", "Height of the mass centre"}, [](S s) { return s.y[0]; }},
+        {{"front_spacing", "m", "nm", "Spacing at the front pressure centre"}, [](S s) { return s.zf; }},
+        {{"rear_spacing", "m", "nm", "Spacing at the rear pressure centre"}, [](S s) { return s.zr; }},
+        {{"vertical_velocity", "m/s", "mm/s", "Vertical velocity of the mass centre"}, [](S s) { return s.y[2]; }},
+        {{"pitch_velocity", "rad/s", "rad/s", "Pitch velocity"}, [](S s) { return s.y[3]; }},
+        {{"air_bearing_force", "N", "mN", "Air bearing force, from that of the static state"},
+         [](S s) { return s.airForce; }},
+        {{"kinetic_energy", "J", "pJ", "Kinetic energy"}, [](S s) { return s.kinetic; }},
+        {{"air_spring_energy", "J", "pJ", "Energy of the air springs"}, [](S s) { return s.air; }},
+        {{"suspension_energy", "J", "pJ", "Energy of the suspension"}, [](S s) { return s.suspension; }},
+        {{"energy", "J", "pJ", "Total energy without that of the contact"},
+         [](S s) { return s.kinetic + s.air + s.suspension; }},
     };
-    if (c.contact == ContactKind::OnoYamane) {
-        list.insert(list.end(), {
-                                    {"contact_force", "N", "mN", "Real contact force"},
-                                    {"adhesion_force", "N", "mN", "Adhesion force"},
-                                    {"net_contact_force", "N", "mN", "Net contact force"},
-                                    {"friction_force", "N", "mN", "Friction force"},
-                                    {"contact_energy", "J", "pJ", "Elastic energy of the contact"},
-                                });
-    }
-    return list;
+    static const std::vector<RecordedQuantity<Sample>> touching = [] {
+        std::vector<RecordedQuantity<Sample>> list = free;
+        list.insert(
+            list.end(),
+            {{{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.contact; }},
+             {{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.adhesion; }},
+             {{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.contact + s.adhesion; }},
+             {{"friction_force", "N", "mN", "Friction force"}, [](S s) { return s.friction; }},
+             {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}});
+        return list;
+    }();
+    return hasContact ? touching : free;
 }
 
 void SpringModel::observe(const State& y, Mode mode, double* values) const
 {
-    const double d = separation(y);
-    const double zf = frontSpacing(y);
-    const double zr = rearSpacing(y);
-    const Guards rate = guards(y.tail<2>());
     const PotentialBelowCutoff potential = case_.springs.potential;
-    const double kinetic = kineticEnergy(y);
-    const double air = front_.potential(zf, potential) + rear_.potential(zr, potential);
-    const double suspension = suspensionEnergy(y);
-
-    *values++ = d;
-    *values++ = std::min({d, zf, zr});
-    *values++ = y[1];
-    *values++ = y[0];
-    *values++ = zf;
-    *values++ = zr;
-    *values++ = y[2];
-    *values++ = y[3];
-    *values++ = (mode.frontSpring ? front_.force(zf) : 0.0) + (mode.rearSpring ? rear_.force(zr) : 0.0) -
-                frontDamping_ * rate[Front] - rearDamping_ * rate[Rear];
-    *values++ = kinetic;
-    *values++ = air;
-    *values++ = suspension;
-    *values++ = kinetic + air + suspension;
+    const Guards rate = guards(y.tail<2>());
+    Sample s{.y = y,
+             .d = separation(y),
+             .zf = frontSpacing(y),
+             .zr = rearSpacing(y),
+             .airForce = 0.0,
+             .kinetic = kineticEnergy(y),
+             .air = 0.0,
+             .suspension = suspensionEnergy(y)};
+    s.airForce = (mode.frontSpring ? front_.force(s.zf) : 0.0) + (mode.rearSpring ? rear_.force(s.zr) : 0.0) -
+                 frontDamping_ * rate[Front] - rearDamping_ * rate[Rear];
+    s.air = front_.potential(s.zf, potential) + rear_.potential(s.zr, potential);
     if (hasContact_) {
-        const double real = contact_.contactForce(mode.contact, d);
-        const double adhesion = contact_.adhesionForce(mode.contact, d);
-        *values++ = real;
-        *values++ = adhesion;
-        *values++ = real + adhesion;
-        *values++ = case_.onoYamane.friction * real;
-        *values++ = contact_.storedEnergy(mode.contact, d);
+        s.contact = contact_.contactForce(mode.contact, s.d);
+        s.adhesion = contact_.adhesionForce(mode.contact, s.d);
+        s.friction = friction_.coefficient * s.contact;
+        s.stored = contact_.storedEnergy(mode.contact, s.d);
     }
+    evaluate(rows(hasContact_), s, values);
 }
 
 } // namespace touchdown

@@ -23,6 +23,7 @@
 
 #include "core/case/case.h"
 #include "core/numerics/interval.h"
+#include "core/physics/contact/coulomb_friction.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/physics/film/air_spring.h"
 #include "core/simulation/recording/quantity.h"
@@ -95,11 +96,23 @@ public:
     /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
     std::string eventName(int guard, Mode before, Mode after) const;
 
-    static std::vector<Quantity> quantities(const Case& c);
+    static std::vector<Quantity> quantities(const Case& c)
+    {
+        return quantitiesOf(rows(c.contact == ContactKind::OnoYamane));
+    }
     /// All quantities of one state, in the order of quantities(); `values` has their size.
     void observe(const State& y, Mode mode, double* values) const;
 
 private:
+    /// A state as it is recorded.
+    struct Sample {
+        State y;                                                            // as above
+        double d, zf, zr;                                                   // separation, spacings [m]
+        double airForce, kinetic, air, suspension;                          // [N], energies [J]
+        double contact = 0.0, adhesion = 0.0, friction = 0.0, stored = 0.0; // [N], the last [J]
+    };
+    static const std::vector<RecordedQuantity<Sample>>& rows(bool hasContact);
+
     State derivative(const State& y, Mode mode, double d, double zf, double zr) const
     {
         const double front = mode.frontSpring ? (front_.staticSpacing - zf) / (zf * zf) : 0.0;
@@ -145,6 +158,7 @@ private:
     AirSpring front_;
     AirSpring rear_;
     OnoYamaneLaw contact_;
+    CoulombFriction friction_;
     bool hasContact_;
     double frontDistance_, rearDistance_, padDistance_;          // [m]
     double inverseMass_, inverseInertia_;                        // [1/kg], [1/(kg m^2)]

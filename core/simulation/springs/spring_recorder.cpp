@@ -12,15 +12,14 @@
 
 namespace touchdown {
 
-SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities,
-                               const RunCallback& callback)
+SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const RunCallback& callback)
     : model_(model),
-      points_(RunUpdates::samplesInBatch),
+      run_(c, SpringModel::quantities(c), callback),
+      points_(RunRecorder::samplesInBatch),
       interval_(c.run.sampleInterval),
       slack_(std::max(1e-9 * c.run.sampleInterval, 4.0 * std::numeric_limits<double>::epsilon() * c.run.duration)),
-      values_(quantities.size()),
-      energyColumn_(static_cast<std::size_t>(findQuantity(quantities, "energy"))),
-      updates_(quantities.size(), c.run.duration, callback)
+      values_(run_.quantities().size()),
+      energyColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "energy")))
 {}
 
 void SpringRecorder::begin(const State& y, Mode mode)
@@ -29,19 +28,19 @@ void SpringRecorder::begin(const State& y, Mode mode)
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
-    if (books) books->begin(y, mode);
+    if (balance) balance->begin(y, mode);
 }
 
 void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
 {
     if (guard != SpringModel::Pad) lostSince_[guard == SpringModel::Front ? 0 : 1] = upper ? -1.0 : time;
-    updates_.addEvent(time, model_.eventName(guard, before, after));
+    run_.addEvent(time, model_.eventName(guard, before, after));
 }
 
 void SpringRecorder::lookAtClock()
 {
     stepsSinceLook_ = 0;
-    if (updates_.silent()) flush();
+    if (run_.silent()) flush();
 }
 
 bool SpringRecorder::judge(const Point& point, const double* values)
@@ -50,14 +49,14 @@ bool SpringRecorder::judge(const Point& point, const double* values)
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
-        verdict_ = {RunStatus::Diverged, RunFailure::Diverged,
-                    "the motion diverged" + at() +
-                        ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
+        end_ = {RunStatus::Diverged, RunFailure::Diverged,
+                "the motion diverged" + at() +
+                    ": the energy grew beyond anything that the slider can store; use a smaller step or tolerance"};
     } else if (energy < -1e-12 * model_.energyBound()) {
-        verdict_ = {RunStatus::Failed, RunFailure::NegativeEnergy,
-                    "the total energy became negative" + at() +
-                        ": equation (5) of the paper as printed has no meaning where a spacing is negative; "
-                        "springs.potential = \"held\" keeps it"};
+        end_ = {RunStatus::Failed, RunFailure::NegativeEnergy,
+                "the total energy became negative" + at() +
+                    ": equation (5) of the paper as printed has no meaning where a spacing is negative; "
+                    "springs.potential = \"held\" keeps it"};
     } else {
         return true;
     }
@@ -68,24 +67,23 @@ bool SpringRecorder::judge(const Point& point, const double* values)
 void SpringRecorder::flush()
 {
     const double begin = wallClock();
-    for (std::size_t i = 0; i < filled_ && verdict_.status == RunStatus::Completed; ++i) {
+    for (std::size_t i = 0; i < filled_ && end_.completed(); ++i) {
         const Point& point = points_[i];
         model_.observe(point.y, point.mode, values_.data());
         if (!judge(point, values_.data())) break;
         lastGood_ = point;
-        updates_.addSample(point.time, values_);
+        run_.addSample(point.time, values_);
     }
     filled_ = 0;
-    // The newest step ends beyond the newest sample, unless it is not yet told to its end.
-    if (verdict_.status == RunStatus::Completed && last_.time > lastGood_.time) {
+    // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
+    if (end_.completed() && last_.time > lastGood_.time) {
         model_.observe(last_.y, last_.mode, values_.data());
         if (judge(last_, values_.data())) lastGood_ = last_;
     }
     last_ = lastGood_;
-    if (batchSeen) batchSeen(updates_.samples());
-    if (!updates_.send(last_.time, begin) && verdict_.status == RunStatus::Completed) {
-        verdict_ = {RunStatus::Cancelled, RunFailure::None,
-                    "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
+    if (!run_.send(last_.time, begin) && end_.completed()) {
+        end_ = {RunStatus::Cancelled, RunFailure::None,
+                "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
         goOn_ = false;
     }
 }

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/simulation/recording/run_updates.h"
-#include "core/simulation/springs/spring_books.h"
+#include "core/simulation/recording/run_recorder.h"
+#include "core/simulation/springs/spring_energy_balance.h"
 #include "core/simulation/springs/spring_model.h"
 
 namespace touchdown {
@@ -17,21 +17,13 @@ public:
     using State = SpringModel::State;
     using Mode = SpringModel::Mode;
 
-    /// How the run ends when its samples say so.
-    struct Verdict {
-        RunStatus status = RunStatus::Completed;
-        RunFailure failure = RunFailure::None;
-        std::string message;
-    };
-
     struct Point {
         double time = 0.0; // [s]
         State y;
         Mode mode;
     };
 
-    SpringRecorder(const SpringModel& model, const Case& c, const std::vector<Quantity>& quantities,
-                   const RunCallback& callback);
+    SpringRecorder(const SpringModel& model, const Case& c, const RunCallback& callback);
 
     /// The start itself.
     void begin(const State& y, Mode mode);
@@ -47,27 +39,24 @@ public:
             }
         }
         last_ = {t1, y1, mode};
-        if (books) books->add(t1, y1, mode);
+        if (balance) balance->add(t1, y1, mode);
         if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
         return goOn_;
     }
     void event(double time, int guard, bool upper, Mode before, Mode after);
-    /// Hands on what is left; call once after the last step.
+    /// Hands on the samples that were not yet sent; call once after the last step.
     void flush();
 
     /// The last state that can be trusted.
     const Point& last() const { return last_; }
-    const Verdict& verdict() const { return verdict_; }
-    /// Wall time spent in batches and callbacks [s].
-    double secondsOutside() const { return updates_.secondsOutside(); }
-    const std::vector<RunEvent>& events() const { return updates_.events(); }
+    /// How the run ends when its samples say so.
+    const RunEnd& end() const { return end_; }
+    const RunRecorder& run() const { return run_; }
     /// When the front or rear spring was lost and has not come back; negative if it carries [s].
     double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
 
-    /// What receives each batch besides the callback.
-    std::function<void(const SampleBatch&)> batchSeen;
     /// Kept from begin() on; may be null.
-    SpringBooks* books = nullptr;
+    SpringEnergyBalance* balance = nullptr;
 
 private:
     static constexpr int stepsBetweenLooks = 1024;
@@ -75,6 +64,7 @@ private:
     bool judge(const Point& point, const double* values);
 
     const SpringModel& model_;
+    RunRecorder run_;
     std::vector<Point> points_;
     std::size_t filled_ = 0;
     double interval_, slack_; // [s]
@@ -84,11 +74,10 @@ private:
     bool goOn_ = true;
     Point last_;
     Point lastGood_; // the newest that was looked at and sane
-    Verdict verdict_;
+    RunEnd end_;
     std::vector<double> values_;
     std::size_t energyColumn_;
     std::array<double, 2> lostSince_{-1.0, -1.0};
-    RunUpdates updates_;
 };
 
 } // namespace touchdown

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/springs/spring_run.h"
 
-#include <chrono>
 #include <cmath>
 
-#include "core/case/fields.h"
 #include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
 #include "core/numerics/cvode.h"
 #include "core/numerics/fixed_step.h"
 #include "core/numerics/newmark.h"
-#include "core/simulation/recording/run_statistics.h"
-#include "core/simulation/springs/spring_books.h"
+#include "core/simulation/springs/spring_recorder.h"
 
 namespace touchdown {
 
+namespace {
+
+/// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a
+/// fixed-step one.
 IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)
 {
     const Start<SpringModel> start{model.initialState(), model.initialMode()};
@@ -38,11 +39,9 @@ IntegrationResult integrateSprings(const SpringModel& model, const Case& c, doub
     return integrateAdaptive(model, start, until, adaptive, recorder);
 }
 
-namespace {
-
 constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
 constexpr double looseTolerance = 1e-4;     // from which on the energy of an adaptive run is looked at [-]
-constexpr double mostMissing = 0.01;        // that its books may miss, of the largest change of a part [-]
+constexpr double mostImbalance = 0.01;      // of the energy, of the largest change of a part [-]
 
 std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "us"); }
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
@@ -54,7 +53,7 @@ bool hasFixedStep(IntegratorKind integrator)
 }
 
 /// Why the integrator ended, for a person.
-SpringRecorder::Verdict explain(const IntegrationResult& result)
+RunEnd explain(const IntegrationResult& result)
 {
     const std::string at = " at " + time(result.time);
     switch (result.end) {
@@ -84,7 +83,7 @@ SpringRecorder::Verdict explain(const IntegrationResult& result)
 }
 
 /// A spring that does not carry at the end, and has not for the last tenth of the run, is lost for good.
-SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringModel& model, double duration)
+RunEnd lostSpring(const SpringRecorder& recorder, const SpringModel& model, double duration)
 {
     for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
         const double since = recorder.lostSince(guard);
@@ -103,50 +102,36 @@ SpringRecorder::Verdict lostSpring(const SpringRecorder& recorder, const SpringM
 
 Summary runOnce(const Case& c, double step, const RunCallback& callback, const RunOptions& options = {})
 {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::vector<Quantity> quantities = SpringModel::quantities(c);
     const SpringModel model(c);
-    SpringRecorder recorder(model, c, quantities, callback);
-    RunStatistics statistics(c, quantities);
-    recorder.batchSeen = [&](const SampleBatch& batch) { statistics.add(batch); };
-    SpringBooks books(model, c);
+    SpringRecorder recorder(model, c, callback);
+    SpringEnergyBalance balance(model, c);
     const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
-    if (options.energyBooks || loose) recorder.books = &books;
+    if (options.energyBalance || loose) recorder.balance = &balance;
 
-    const auto solverBegin = std::chrono::steady_clock::now();
+    const double solverBegin = wallClock();
     const IntegrationResult result = integrateSprings(model, c, step, recorder);
-    const double integration = std::chrono::duration<double>(std::chrono::steady_clock::now() - solverBegin).count();
-    const double outside = recorder.secondsOutside();
+    const double solverSeconds = wallClock() - solverBegin - recorder.run().secondsOutside();
     recorder.flush();
 
-    Summary summary;
+    RunEnd end = recorder.end();
+    if (end.completed()) end = explain(result);
+    if (end.completed()) end = lostSpring(recorder, model, c.run.duration);
+    std::vector<double> values(recorder.run().quantities().size());
+    model.observe(recorder.last().y, recorder.last().mode, values.data());
+    Summary summary = recorder.run().summary(end, recorder.last().time, values);
     summary.steps = result.steps;
     summary.rejectedSteps = result.rejectedSteps;
     summary.evaluations = result.evaluations;
-    summary.solverSeconds = integration - outside;
-    SpringRecorder::Verdict verdict = recorder.verdict();
-    if (verdict.status == RunStatus::Completed) verdict = explain(result);
-    if (verdict.status == RunStatus::Completed) verdict = lostSpring(recorder, model, c.run.duration);
-    summary.status = verdict.status;
-    summary.failure = verdict.failure;
-    summary.message = verdict.message;
-    summary.endTime = recorder.last().time;
-    summary.events = recorder.events();
-
-    std::vector<double> values(quantities.size());
-    model.observe(recorder.last().y, recorder.last().mode, values.data());
-    for (std::size_t i = 0; i < quantities.size(); ++i)
-        if (std::isfinite(values[i])) summary.final.emplace_back(quantities[i].name, values[i]);
-    statistics.finish(summary);
-    if (loose && books.imbalance() > mostMissing)
-        summary.warnings.push_back("the books of the energy miss " +
-                                   formatNumber(std::round(1e3 * books.imbalance()) / 10.0) +
-                                   " % of its largest change: run.tolerance is too loose for this run to be trusted");
-    if (options.energyBooks)
+    if (loose && balance.imbalance() > mostImbalance)
+        summary.warnings.push_back("the energy imbalance is " +
+                                   formatNumber(std::round(1e3 * balance.imbalance()) / 10.0) +
+                                   " % of the energy's largest change: run.tolerance is too loose for a valid run");
+    if (options.energyBalance)
         summary.figures.push_back(
-            {{"energy_balance", "1", "1", "Energy that the books miss, against the largest change of a part"},
-             books.imbalance()});
-    summary.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            {{"energy_balance", "1", "1", "Energy imbalance, against the largest change of a part"},
+             balance.imbalance()});
+    recorder.run().setTimes(summary);
+    summary.solverSeconds = solverSeconds;
     return summary;
 }
 
@@ -205,8 +190,6 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
 Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
     Summary summary = runOnce(c, c.run.step, callback, options);
-    summary.model = toText(c, *findField("model"));
-    summary.integrator = toText(c, *findField("run.integrator"));
     if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled &&
         !summary.tail.empty()) {
         summary.stepCheck = checkStep(c, summary, callback);

@@ -3,15 +3,11 @@
 // A run of the model "springs": the case's integrator, its samples, and what follows from them.
 #pragma once
 
-#include "core/simulation/springs/spring_recorder.h"
+#include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
 
-struct IntegrationResult;
-
-/// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a
-/// fixed-step one.
-IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder);
+struct Case;
 
 /// Never throws for numerics: see Summary::status.
 Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options = {});

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/simulation/static_state/steady.h"
+
 namespace touchdown {
 
 Air airOf(const AirCase& air)
@@ -60,6 +62,16 @@ KnownFilm FilmLevel::known(const Case& c) const
 void FilmLevel::take(const KnownFilm& known)
 {
     gaps.pad.pad<double>(transfer(known.grid, known.pressure, film.ambient(), gaps.grid), pressure);
+}
+
+StaticFilm::StaticFilm(const Case& c, const SteadyResult& state)
+    : recess(c.surface, c.slider.length, c.slider.width),
+      spacing(c.surface, recess),
+      level(c, recess, spacing, state.grid),
+      body(c, state.attitude)
+{
+    level.gaps.pad.pad<double>(state.pressure, level.pressure);
+    level.film.setAttitude(state.attitude);
 }
 
 } // namespace touchdown

@@ -6,10 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/physics/film/film_grid.h"
 #include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {
+
+struct SteadyResult;
 
 /// The air that a case's film has: as given, of the atmosphere, or what the established program takes.
 Air airOf(const AirCase& air);
@@ -23,7 +26,7 @@ struct FilmLevel {
     FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
         : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
     {}
-    /// For who asks in between whether to go on: the gaps take half of the time.
+    /// For a caller that asks in between whether to continue: the gaps take half of the time.
     FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
     FilmLevel(const FilmLevel&) = delete;
 
@@ -36,6 +39,16 @@ struct FilmLevel {
     /// Pressure and gap row by row, for the next grid.
     KnownFilm known(const Case& c) const;
     void take(const KnownFilm& known);
+};
+
+/// The film of a static state on the state's grid, with the slider's body. Neither copied nor moved, as its level.
+struct StaticFilm {
+    StaticFilm(const Case& c, const SteadyResult& state);
+
+    Recess recess;
+    MinimumSpacing spacing;
+    FilmLevel level;
+    SliderBody body;
 };
 
 } // namespace touchdown

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/flying_attitude.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,12 @@ namespace touchdown {
 
 namespace {
 
-Eigen::Matrix3d toEigen(const Matrix3& m)
-{
-    Eigen::Matrix3d result;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) result(i, k) = m[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-    return result;
-}
-
 Attitude changed(const Attitude& attitude, const Vector3& change, double share)
 {
     return {attitude.height + share * change[0], attitude.pitch + share * change[1], attitude.roll + share * change[2]};
 }
 
-/// Asks the monitor whether to go on; once it said no, it is not asked again. What is given must last.
+/// Asks the monitor whether to continue; after it returned false it is not asked again. The arguments must last.
 auto asking(const AttitudeMonitor& monitor, const Attitude& attitude, AttitudeSolution& result)
 {
     return [&monitor, &attitude, &result] {
@@ -33,33 +25,10 @@ auto asking(const AttitudeMonitor& monitor, const Attitude& attitude, AttitudeSo
     };
 }
 
-/// Of a roll that is held; any value holds it exactly [N m/rad].
+/// Stiffness of a roll that is held; any value holds it exactly [N m/rad].
 constexpr double holding = 1.0;
 
 } // namespace
-
-SliderLoad sliderLoad(const Case& c)
-{
-    const SuspensionCase& s = c.suspension;
-    SliderLoad load;
-    load.preload = s.preload;
-    // Pressing down behind the centre lifts the nose, outside of it the inner edge.
-    load.pitchTorque = s.preload * s.offsetX;
-    load.rollTorque = s.preload * s.offsetY;
-    if (s.holdsAttitude) {
-        load.pitchStiffness = s.pitchStiffness;
-        load.rollStiffness = s.rollStiffness;
-        load.staticPitch = s.staticPitch;
-        load.staticRoll = s.staticRoll;
-    } else {
-        load.pitchTorque += s.pitchTorque;
-        load.rollTorque += s.rollTorque;
-    }
-    load.shearArm = c.steady.torqueSign * c.steady.shearArm * c.slider.thickness;
-    load.holdsRoll = c.degreesOfFreedom == 2;
-    load.heldRoll = c.initial.roll;
-    return load;
-}
 
 FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad& load, const MinimumSpacing& spacing)
     : film_(film),
@@ -124,7 +93,7 @@ double FlyingAttitude::linearise(std::span<const double> p, const Attitude& atti
 
 Vector3 FlyingAttitude::balanceProduct(std::span<const double> v) const
 {
-    Vector3 sum{};
+    Vector3 sum = Vector3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t at = 0; at < v.size(); ++at) sum[k] += balanceRows_[k][at] * v[at];
     return sum;
@@ -142,17 +111,17 @@ void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count, con
 /// dG/da with the film following.
 Matrix3 FlyingAttitude::balanceSlopes() const
 {
-    Matrix3 slopes{};
+    Matrix3 slopes = Matrix3::Zero();
     for (std::size_t m = 0; m < 3; ++m) {
         const Vector3 film = balanceProduct(responses_[m]);
         for (std::size_t k = 0; k < 3; ++k) {
-            slopes[k][m] = forces_.byAttitude[k][m] - film[k];
-            if (k > 0) slopes[k][m] -= load_.shearArm * forces_.byAttitude[k + 2][m];
+            slopes(k, m) = forces_.byAttitude[k][m] - film[k];
+            if (k > 0) slopes(k, m) -= load_.shearArm * forces_.byAttitude[k + 2][m];
         }
     }
-    slopes[1][1] -= load_.pitchStiffness;
-    slopes[2][2] -= load_.rollStiffness;
-    if (load_.holdsRoll) slopes[2] = {0.0, 0.0, -holding};
+    slopes(1, 1) -= load_.pitchStiffness;
+    slopes(2, 2) -= load_.rollStiffness;
+    if (load_.holdsRoll) slopes.row(2) << 0.0, 0.0, -holding;
     return slopes;
 }
 
@@ -161,7 +130,7 @@ Matrix3 FlyingAttitude::balanceSlopes() const
 Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;
-    Eigen::Matrix3d matrix = -toEigen(balanceSlopes());
+    Matrix3 matrix = -balanceSlopes();
     // Over which the film's force changes [m]: that of a flying slider, or half of what lies below.
     const double scaleHeight = std::max(10e-9, 0.5 * spacing_.at(film_.attitude()).spacing);
     const double stiffness = leading * load_.preload / scaleHeight;
@@ -169,11 +138,9 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
     matrix(1, 1) += stiffness * length * length / 12.0;
     matrix(2, 2) += stiffness * width * width / 12.0;
     // Rows and columns in lengths of the slider, so that the elimination weighs like with like.
-    const Eigen::Vector3d scale(1.0, 1.0 / length, 1.0 / width);
-    const Eigen::Matrix3d scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::Vector3d b = scale.asDiagonal() * Eigen::Vector3d(right[0], right[1], right[2]);
-    const Eigen::Vector3d x = scale.asDiagonal() * Eigen::Vector3d(scaled.fullPivLu().solve(b));
-    return {x[0], x[1], x[2]};
+    const Vector3 scale(1.0, 1.0 / length, 1.0 / width);
+    return scale.asDiagonal() *
+           solveFullPivoting(scale.asDiagonal() * matrix * scale.asDiagonal(), scale.asDiagonal() * right);
 }
 
 /// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing
@@ -307,8 +274,7 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
         solveColumns(tolerance, result, goOn);
         if (result.cancelled) return result;
         const Vector3 film = balanceProduct(filmStep_);
-        const Vector3 change =
-            attitudeStep({imbalance_[0] + film[0], imbalance_[1] + film[1], imbalance_[2] + film[2]}, 0.0);
+        const Vector3 change = attitudeStep(imbalance_ + film, 0.0);
         step(p, attitude, change, stepShare(attitude, change), filmStep_);
     }
     const AttitudeSolution first = result;
@@ -335,7 +301,7 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count, goOn);
-    Matrix3 result{};
+    Matrix3 result = Matrix3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {
             const auto answer = [&](std::size_t force) {
@@ -344,8 +310,8 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
                     film += forces_.byPressure[force][at] * responses_[m][at];
                 return film - forces_.byAttitude[force][m];
             };
-            result[k][m] = answer(k);
-            if (k > 0 && shearArm != 0.0) result[k][m] -= shearArm * answer(k + 2);
+            result(k, m) = answer(k);
+            if (k > 0 && shearArm != 0.0) result(k, m) -= shearArm * answer(k + 2);
         }
     return result;
 }
@@ -357,7 +323,7 @@ FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count);
-    const Eigen::Matrix3d inverse = toEigen(balanceSlopes()).inverse();
+    const Matrix3 inverse = balanceSlopes().inverse();
     std::array<std::vector<double>, 3> adjoints;
     newton_.linear().prepareTransposed();
     for (std::size_t m = 0; m < 3; ++m) {
@@ -365,12 +331,11 @@ FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
         newton_.linear().solveTransposed(balanceRows_[m], adjoints[m], {.tolerance = 1e-9, .maximumIterations = 200});
     }
     Adjoint result;
+    result.balance = inverse;
     for (std::size_t k = 0; k < 3; ++k) {
         result.film[k].assign(p.size(), 0.0);
         for (std::size_t m = 0; m < 3; ++m) {
-            const double weight = inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
-            result.balance[k][m] = weight;
-            for (std::size_t at = 0; at < p.size(); ++at) result.film[k][at] -= weight * adjoints[m][at];
+            for (std::size_t at = 0; at < p.size(); ++at) result.film[k][at] -= inverse(k, m) * adjoints[m][at];
         }
     }
     return result;

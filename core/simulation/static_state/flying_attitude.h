@@ -21,23 +21,9 @@
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/slider/minimum_spacing.h"
+#include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
-
-/// What holds the slider down.
-struct SliderLoad {
-    double preload = 0.0;                             // [N]
-    double pitchTorque = 0.0, rollTorque = 0.0;       // of preload and static torques about the slider's centre [N m]
-    double pitchStiffness = 0.0, rollStiffness = 0.0; // [N m/rad]; zero unless the suspension holds the attitude
-    double staticPitch = 0.0, staticRoll = 0.0;       // [rad]
-    double shearArm = 0.0;                            // pitch and roll torque per shear force [m]
-    bool holdsRoll = false;                           // two degrees of freedom: the roll stays what it is
-    double heldRoll = 0.0;                            // [rad]
-};
-SliderLoad sliderLoad(const Case& c);
-
-using Vector3 = std::array<double, 3>;
-using Matrix3 = std::array<Vector3, 3>;
 
 struct AttitudeOptions {
     double filmTolerance = 1e-7; // FilmCase::tolerance [-]
@@ -49,7 +35,7 @@ struct AttitudeSolution {
     bool converged = false, cancelled = false;
     int iterations = 0, solves = 0;
     double residual = 0.0, loadError = 0.0; // [-]
-    Vector3 imbalance{};                    // G [N], [N m]
+    Vector3 imbalance = Vector3::Zero();    // G [N], [N m]
 };
 
 /// Told at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
@@ -77,7 +63,7 @@ public:
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
     /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn`
-    /// says false the result means nothing.
+    /// returns false the result is invalid.
     Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
     /// The same of the torques that the balance has: with those of the shear.
     Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
@@ -85,7 +71,7 @@ public:
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
     struct Adjoint {
         std::array<std::vector<double>, 3> film; // padded
-        Matrix3 balance{};
+        Matrix3 balance = Matrix3::Zero();
     };
     Adjoint adjoint(std::span<const double> p);
 
@@ -116,7 +102,7 @@ private:
     GasFilm::AttitudeWork attitudeWork_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
-    Vector3 imbalance_{};
+    Vector3 imbalance_ = Vector3::Zero();
 };
 
 } // namespace touchdown

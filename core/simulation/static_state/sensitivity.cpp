@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "core/simulation/static_state/film_setup.h"
+
 namespace touchdown {
 
 namespace {
@@ -78,7 +80,7 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
     std::vector<double> residual(pad.size());
     std::vector<Sensitivity> result;
     for (const Parameter& parameter : parametersOf(c)) {
-        std::array<double, 3> attitudeChange{};
+        Vector3 attitudeChange = Vector3::Zero();
         double direct = 0.0;
         for (const double sign : {1.0, -1.0}) {
             Case moved = c;
@@ -97,7 +99,7 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
             for (std::size_t k = 0; k < 3; ++k) {
                 double sum = 0.0;
                 for (std::size_t at = 0; at < residual.size(); ++at) sum += adjoint.film[k][at] * residual[at];
-                for (std::size_t m = 0; m < 3; ++m) sum += adjoint.balance[k][m] * balance[m];
+                for (std::size_t m = 0; m < 3; ++m) sum += adjoint.balance(k, m) * balance[m];
                 attitudeChange[k] -= weight * sum;
             }
             if (parameter.surface) direct += weight * MinimumSpacing(moved.surface, recess).at(attitude).spacing;

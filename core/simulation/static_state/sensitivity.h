@@ -6,10 +6,12 @@
 
 #include <vector>
 
-#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
+
+class MinimumSpacing;
+struct FilmLevel;
 
 /// The level must be solved for its flying attitude.
 std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);

@@ -3,7 +3,32 @@
 
 #include <cmath>
 
+#include "core/case/case.h"
+
 namespace touchdown {
+
+SliderLoad sliderLoad(const Case& c)
+{
+    const SuspensionCase& s = c.suspension;
+    SliderLoad load;
+    load.preload = s.preload;
+    // Pressing down behind the centre lifts the nose, outside of it the inner edge.
+    load.pitchTorque = s.preload * s.offsetX;
+    load.rollTorque = s.preload * s.offsetY;
+    if (s.holdsAttitude) {
+        load.pitchStiffness = s.pitchStiffness;
+        load.rollStiffness = s.rollStiffness;
+        load.staticPitch = s.staticPitch;
+        load.staticRoll = s.staticRoll;
+    } else {
+        load.pitchTorque += s.pitchTorque;
+        load.rollTorque += s.rollTorque;
+    }
+    load.shearArm = c.steady.torqueSign * c.steady.shearArm * c.slider.thickness;
+    load.holdsRoll = c.degreesOfFreedom == 2;
+    load.heldRoll = c.initial.roll;
+    return load;
+}
 
 SliderBody::SliderBody(const Case& c, const Attitude& rest) : length_(c.slider.length), width_(c.slider.width)
 {
@@ -21,9 +46,7 @@ SliderBody::SliderBody(const Case& c, const Attitude& rest) : length_(c.slider.l
 
 Vector3 SliderBody::suspension(const Vector3& q, const Vector3& v) const
 {
-    Vector3 force{};
-    for (std::size_t k = 0; k < 3; ++k) force[k] = load_[k] - springs_[k] * (q[k] - rest_[k]) - dampers_[k] * v[k];
-    return force;
+    return load_ - springs_.cwiseProduct(q - rest_) - dampers_.cwiseProduct(v);
 }
 
 double SliderBody::kineticEnergy(const Vector3& v) const

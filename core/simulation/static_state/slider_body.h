@@ -8,13 +8,29 @@
 // K, C: suspension, about the state q_0 in which it exerts the load: preload and torques.
 #pragma once
 
+#include <array>
+
+#include "core/numerics/small_matrix.h"
 #include "core/physics/slider/attitude.h"
-#include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {
 
+struct Case;
+
+/// What holds the slider down.
+struct SliderLoad {
+    double preload = 0.0;                             // [N]
+    double pitchTorque = 0.0, rollTorque = 0.0;       // of preload and static torques about the slider's centre [N m]
+    double pitchStiffness = 0.0, rollStiffness = 0.0; // [N m/rad]; zero unless the suspension holds the attitude
+    double staticPitch = 0.0, staticRoll = 0.0;       // [rad]
+    double shearArm = 0.0;                            // pitch and roll torque per shear force [m]
+    bool holdsRoll = false;                           // two degrees of freedom: the roll is constant
+    double heldRoll = 0.0;                            // [rad]
+};
+SliderLoad sliderLoad(const Case& c);
+
 struct SliderMotion {
-    Vector3 q{}, v{}, a{}; // position, velocity, acceleration
+    Vector3 q = Vector3::Zero(), v = Vector3::Zero(), a = Vector3::Zero(); // position, velocity, acceleration
 };
 
 class SliderBody {
@@ -25,7 +41,7 @@ public:
     Attitude attitude(const Vector3& q) const { return {q[0] - 0.5 * length_ * q[1], q[1], q[2]}; }
     Vector3 coordinates(const Attitude& a) const { return {a.height + 0.5 * length_ * a.pitch, a.pitch, a.roll}; }
 
-    /// Of the suspension: load, springs, dampers.
+    /// Force of the suspension: load, springs, dampers.
     Vector3 suspension(const Vector3& q, const Vector3& v) const;
     const Vector3& inertia() const { return inertia_; }
     const Vector3& springs() const { return springs_; }
@@ -35,16 +51,21 @@ public:
     /// Pitch and roll torque per shear force of the film [m], signs as in SliderLoad.
     double shearArm() const { return shearArm_; }
     bool holdsRoll() const { return holdsRoll_; }
+    /// Load and torques of the film about the mass centre, of GasFilm::loadAndShear().
+    Vector3 filmForce(const std::array<double, 5>& film) const
+    {
+        return {film[0], film[1] - shearArm_ * film[3], film[2] - shearArm_ * film[4]};
+    }
 
     double kineticEnergy(const Vector3& v) const; // [J]
-    /// Of springs and load, zero at rest [J].
+    /// Energy of springs and load, zero at rest [J].
     double suspensionEnergy(const Vector3& q) const;
     /// The largest displacement of the slider's corners for a change of q [m].
     double displacement(const Vector3& change) const;
 
 private:
     double length_, width_; // [m]
-    Vector3 inertia_{}, springs_{}, dampers_{}, rest_{}, load_{};
+    Vector3 inertia_, springs_, dampers_, rest_, load_;
     double shearArm_ = 0.0;
     bool holdsRoll_ = false;
 };

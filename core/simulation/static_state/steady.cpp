@@ -226,7 +226,7 @@ private:
             error.load = estimate([](const LevelSummary& s) { return s.load; });
         else if (result_.stiffness) {
             // The load that the coarser grid would miss at this attitude.
-            const auto& row = (*result_.stiffness)[0];
+            const Vector3 row = result_.stiffness->row(0);
             error.load = estimate([&](const LevelSummary& s) {
                 return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
             });

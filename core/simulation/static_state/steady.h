@@ -4,7 +4,6 @@
 // suspension balance, with forces, stiffness matrix, sensitivities and an estimate of the discretisation error.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "core/case/case.h"
 #include "core/numerics/cell_grid.h"
+#include "core/numerics/small_matrix.h"
 #include "core/physics/film/film_forces.h"
 #include "core/physics/slider/attitude.h"
 
@@ -54,7 +54,7 @@ struct SteadyResult {
     double shearRollTorque = 0.0;  // [N m]
     /// Rows: force [N], pitch torque, roll torque [N m]; columns: d/dheight [1/m], d/dpitch, d/droll [1/rad]. Of the
     /// film, about the slider's centre, with the trailing edge height as the first coordinate; positive: restoring.
-    std::optional<std::array<std::array<double, 3>, 3>> stiffness;
+    std::optional<Matrix3> stiffness;
     std::vector<Sensitivity> sensitivities;
     DiscretisationError discretisationError;
     std::vector<double> interestSpacing; // at the surface's points of interest [m]
@@ -100,9 +100,9 @@ struct AirBearingMode {
 };
 /// What the film answers to an oscillation, with the torques of its shear.
 struct DynamicStiffness {
-    double frequency = 0.0;                           // [Hz]
-    std::array<std::array<double, 3>, 3> stiffness{}; // real part, about the mass centre [N/m ...]
-    std::array<std::array<double, 3>, 3> damping{};   // imaginary part over omega [N s/m ...]
+    double frequency = 0.0; // [Hz]
+    Matrix3 stiffness;      // real part, about the mass centre [N/m ...]
+    Matrix3 damping;        // imaginary part over omega [N s/m ...]
 };
 struct ModesResult {
     SteadyResult steady;

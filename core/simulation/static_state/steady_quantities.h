@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers of a static state by name, with units: what JSON, the results file and tables of a series tell.
+// The numbers of a static state by name, with units: as in JSON, the results file and tables of a series.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct SteadyQuantity {
     double value = 0.0; // SI
 };
 
-/// All numbers that are one value each, in the order in which they are told.
+/// All numbers that are one value each, in the order of the report.
 std::vector<SteadyQuantity> steadyQuantities(const SteadyResult& result);
 
 /// What sets the states of a series apart: radius, skew, speed and, if any, altitude.

@@ -64,8 +64,8 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     flat.diskSurface.kind = DiskSurfaceKind::Flat;
     const FilmEquilibria equilibria = filmEquilibria(flat, {}, [&] { return !goOn || goOn(); });
     outcome.problem = equilibria.problem;
-    const FilmEquilibrium* nearest = nullptr;
-    for (const FilmEquilibrium& at : equilibria.found) {
+    const Equilibrium* nearest = nullptr;
+    for (const Equilibrium& at : equilibria.found) {
         if (!at.touching || at.stability != Stability::Stable || at.lost > 0) continue;
         if (nearest == nullptr || std::abs(at.spacing - end) < std::abs(nearest->spacing - end)) nearest = &at;
     }
@@ -75,7 +75,7 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     }
     outcome.tail = atRest(nearest->spacing);
     outcome.tail.kind = EndKind::Contact;
-    outcome.found = startedAtRest(std::move(flat), nearest->attitude);
+    outcome.found = startedAtRest(std::move(flat), SliderBody(c, {}).attitude(nearest->q));
     outcome.command = "run";
 }
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "core/case/fields.h"
-#include "core/simulation/small_motions/film_modes.h"
-#include "core/simulation/static_state/slider_body.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 
@@ -93,8 +93,9 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     const SteadyResult rest = steady(flat, [&](const SteadyProgress&) { return ask(); });
     if (rest.status != SteadyStatus::Converged)
         return failed("there is no static state to fit springs about: " + rest.message);
-    FilmModes film(flat, rest);
-    const std::vector<FilmModes::Mode> modes = film.find([&](std::size_t) { return ask(); });
+    StaticFilm film(flat, rest);
+    SmallMotions motions(film.level, film.body);
+    const std::vector<SmallMotions::Mode> modes = motions.find(1e-9, [&](std::size_t) { return ask(); });
     if (!ask()) return failed("stopped");
     if (modes.size() != 2) return failed("the film does not have two modes of height and pitch that oscillate");
 
@@ -106,7 +107,7 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
         ratios[k] = fit.filmDamping[k];
     }
     const double middle = std::sqrt(modes[0].rate.imag() * modes[1].rate.imag());
-    const Eigen::Matrix2d answer = film.film({0.0, middle}).stiffness.topLeftCorner<2, 2>();
+    const Eigen::Matrix2d answer = motions.film({0.0, middle}).stiffness.topLeftCorner<2, 2>();
     const Eigen::Matrix2d K = 0.5 * (answer + answer.transpose());
     const double padDistance = rest.minimumAt.x - 0.5 * c.slider.length;
     const double mean = K(0, 1) / K(0, 0), variance = K(1, 1) / K(0, 0) - mean * mean, toRear = mean + padDistance;

@@ -54,7 +54,7 @@ ConvergenceLevel solveLevel(Case c, double cell, const std::function<bool()>& go
     level.problem = forces.problem;
     const std::vector<Quantity> all = contactQuantities(c);
     std::vector<double> values(all.size());
-    contactValues(c, forces, values.data());
+    contactValues(c, contactRows(c), forces, values.data());
     for (const Quantity& quantity : studied(c))
         level.values.push_back(values[static_cast<std::size_t>(findQuantity(all, quantity.name))]);
     level.seconds = wallClock() - begin;

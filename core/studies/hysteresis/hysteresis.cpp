@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/hysteresis/hysteresis.h"
+#include "core/simulation/equilibria/film_branches.h"
+#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/equilibria/spring_equilibria.h"
 
 #include <algorithm>
 #include <atomic>
@@ -175,13 +178,13 @@ private:
         };
         const double from = task_.values.front(), to = task_.values.back();
         if (task_.start.model == ModelKind::Film) {
-            const FilmBranches found = traceFilmBranches(caseAt, from, to, filmLooks, tell);
+            const EquilibriumBranches found = traceFilmBranches(caseAt, from, to, filmLooks, tell);
             if (found.stopped) return;
             const std::lock_guard lock(mutex_);
             addFilmEquilibria(found, result_);
         } else {
             const int looks = std::clamp(static_cast<int>(task_.values.size()), 9, 65);
-            const SpringEquilibria found = traceSpringEquilibria(caseAt, from, to, looks, tell);
+            const EquilibriumBranches found = traceSpringEquilibria(caseAt, from, to, looks, tell);
             if (found.stopped) return;
             const std::lock_guard lock(mutex_);
             addSpringEquilibria(found, result_);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/simulation/small_motions/small_motions.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
 #include "core/studies/study/few_digits.h"
 
@@ -10,20 +11,9 @@ namespace touchdown {
 
 namespace {
 
-/// Along a wave that the disk drags through the film, for the damping of its motion to 5 %, and for its sign:
-/// core/simulation/small_motions/modes.cpp.
-constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
-
-StudiedEquilibrium studied(const SpringEquilibrium& at)
+StudiedEquilibrium studied(const Equilibrium& at)
 {
-    return {at.parameter, at.flyingHeight, at.q[1], at.stability, {at.eigenvalues.begin(), at.eigenvalues.end()}, 0,
-            false};
-}
-
-StudiedEquilibrium studied(const FilmBranchPoint& point)
-{
-    const FilmEquilibrium& at = point.at;
-    return {point.parameter, at.spacing, at.attitude.pitch, at.stability, at.eigenvalues, at.lost, false};
+    return {at.parameter, at.spacing, at.q[1], at.stability, at.eigenvalues, at.lost, false};
 }
 
 /// Tells the points of lines that are folds or Hopf points.
@@ -48,19 +38,19 @@ void addLostEnds(int count, HysteresisResult& result)
 
 } // namespace
 
-void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result)
+void addSpringEquilibria(const EquilibriumBranches& found, HysteresisResult& result)
 {
     result.traced = true;
     // A spring that was never there is not lost: then no line has it.
-    const auto has = [&](bool SpringModel::Mode::*spring) {
-        return std::ranges::any_of(found.pieces, [&](const EquilibriumPiece& each) { return each.mode.*spring; });
+    const auto has = [&](bool EquilibriumBranch::*spring) {
+        return std::ranges::any_of(found.branches, [&](const EquilibriumBranch& each) { return each.*spring; });
     };
-    const bool hasFront = has(&SpringModel::Mode::frontSpring), hasRear = has(&SpringModel::Mode::rearSpring);
-    for (const EquilibriumPiece& piece : found.pieces) {
+    const bool hasFront = has(&EquilibriumBranch::frontSpring), hasRear = has(&EquilibriumBranch::rearSpring);
+    for (const EquilibriumBranch& branch : found.branches) {
         EquilibriumLine line;
-        line.state = piece.mode.contact == ContactRegion::Apart ? "flying" : "in contact";
-        for (const SpringEquilibrium& point : piece.points) line.points.push_back(studied(point));
-        const bool frontLost = !piece.mode.frontSpring && hasFront, rearLost = !piece.mode.rearSpring && hasRear;
+        line.state = branch.contact == ContactRegion::Apart ? "flying" : "in contact";
+        for (const Equilibrium& point : branch.points) line.points.push_back(studied(point));
+        const bool frontLost = !branch.frontSpring && hasFront, rearLost = !branch.rearSpring && hasRear;
         if (frontLost) line.state += ", front spring lost";
         if (rearLost) line.state += ", rear spring lost";
         const auto below = [](const StudiedEquilibrium& at) { return at.spacing < 0.0; };
@@ -71,7 +61,7 @@ void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result
         StudiedMark& added = result.marks.emplace_back(StudiedMark{mark.kind, mark.name, studied(mark.at), false});
         for (const EquilibriumLine& line : result.lines) {
             const auto isHere = [&](const StudiedEquilibrium& at) {
-                return at.value == mark.at.parameter && at.spacing == mark.at.flyingHeight;
+                return at.value == mark.at.parameter && at.spacing == mark.at.spacing;
             };
             added.outside = added.outside || (line.outside && std::ranges::any_of(line.points, isHere));
         }
@@ -80,24 +70,24 @@ void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result
     addLostEnds(found.endsLost, result);
 }
 
-void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result)
+void addFilmEquilibria(const EquilibriumBranches& found, HysteresisResult& result)
 {
     result.traced = true;
     result.unsought = !found.problems.empty() || found.givenUp > 0 || found.endsLost > 0;
     bool lost = false;
     double fastest = 0.0; // [Hz]
-    for (const FilmBranch& branch : found.branches) {
-        EquilibriumLine line{branch.region == ContactRegion::Apart ? "flying" : "in contact", false, {}};
-        for (const FilmBranchPoint& point : branch.points) {
+    for (const EquilibriumBranch& branch : found.branches) {
+        EquilibriumLine line{branch.contact == ContactRegion::Apart ? "flying" : "in contact", false, {}};
+        for (const Equilibrium& point : branch.points) {
             line.points.push_back(studied(point));
             lost = lost || !line.points.back().followed();
-            for (const auto& eigenvalue : point.at.eigenvalues)
+            for (const auto& eigenvalue : point.eigenvalues)
                 fastest = std::max(fastest, eigenvalue.imag() / (2.0 * std::numbers::pi));
         }
         result.lines.push_back(std::move(line));
     }
     if (found.resolved > 0.0) result.resolved = found.resolved * cellsForDamping / cellsForItsSign;
-    for (const MarkedFilmEquilibrium& mark : found.marks) {
+    for (const MarkedEquilibrium& mark : found.marks) {
         StudiedMark added{mark.kind, mark.name, studied(mark.at), false};
         // Where the grid gives damping a wrong sign, a change of sign means nothing.
         const auto& rates = added.at.eigenvalues;

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/equilibria/film_branches.h"
-#include "core/simulation/equilibria/spring_equilibria.h"
+#include "core/simulation/equilibria/equilibrium.h"
 #include "core/studies/hysteresis/held_steps.h"
 #include "core/studies/study/study.h"
 
@@ -65,9 +64,9 @@ struct HysteresisResult {
 };
 
 /// Lines and marks of the spring model.
-void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result);
+void addSpringEquilibria(const EquilibriumBranches& found, HysteresisResult& result);
 /// Those of the film.
-void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result);
+void addFilmEquilibria(const EquilibriumBranches& found, HysteresisResult& result);
 
 /// The parameter as charts and sentences name it.
 struct ParameterText {

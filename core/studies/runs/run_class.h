@@ -5,8 +5,8 @@
 //   failed            by its failure: chatter, lost spring, diverged, stopped; or just as the reference, whose failure
 //   is the truth not determined    the end of the reference wrong end state   it completed, and ends otherwise than the
 //   reference drifting energy   |E(t) - E(0) - gained| exceeds `energyDrift` of the largest change of a part of the
-//   energy (spring_books.h,
-//                     film_books.h), and what the reference misses, which is the grid's, by half
+//   energy (spring_energy_balance.h,
+//                     film_energy_balance.h), and what the reference misses, which is the grid's, by half
 //   cut steps         steps of a fixed length had to be cut, as they found no solution
 //   another way       to the right end, by a trajectory further than the agreement from the reference's, where that is
 //   determined agrees            none of these

@@ -53,7 +53,7 @@ bool performJobs(std::vector<Job>& jobs, int threads, double begin, double end, 
         jobs.size(), threads,
         [&](std::size_t i, const GoOn& goOn) {
             const Case c = lean(*jobs[i].c);
-            *jobs[i].result = measureRun(c, {std::string(spacingOf(c))}, goOn, {.energyBooks = true});
+            *jobs[i].result = measureRun(c, {std::string(spacingOf(c))}, goOn, {.energyBalance = true});
         },
         [&](std::size_t done) {
             const std::string doing = done < jobs.size() ? jobs[done].doing : std::string();

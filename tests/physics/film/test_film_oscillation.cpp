@@ -45,14 +45,14 @@ struct Plates {
     {
         for (std::size_t k = 0; k < 3; ++k) {
             byPressure[k] = forces.byPressure[k];
-            byAttitude[k] = forces.byAttitude[k];
+            for (std::size_t m = 0; m < 3; ++m) byAttitude(k, m) = forces.byAttitude[k][m];
         }
     }
     std::complex<double> heave(std::complex<double> s)
     {
         bool converged = true;
         const auto z = FilmOscillation(film, pressure).stiffness(s, byPressure, byAttitude, converged);
-        return converged ? z[0][0] : std::complex<double>(std::nan(""), 0.0);
+        return converged ? z(0, 0) : std::complex<double>(std::nan(""), 0.0);
     }
     static AirBearingSurface surface()
     {
@@ -66,7 +66,7 @@ struct Plates {
     FilmLoads loads;
     std::vector<double> pressure, residual;
     std::array<std::vector<double>, 3> byPressure;
-    std::array<std::array<double, 3>, 3> byAttitude{};
+    Matrix3 byAttitude = Matrix3::Zero();
 };
 
 /// Blech 1983, "On isothermal squeeze films", rectangular plates: spring and damping force per height, with the squeeze

@@ -55,7 +55,7 @@ private slots:
         const double mu = frictionOf(c).coefficient;
         QVERIFY(mu > 0.0);
         std::vector<double> values(quantities.size() + 1, NAN);
-        contactValues(c, forces, values.data());
+        contactValues(c, contactRows(c), forces, values.data());
         const auto at = [&](const char* name) {
             return values[static_cast<std::size_t>(findQuantity(quantities, name))];
         };

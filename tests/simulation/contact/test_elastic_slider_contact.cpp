@@ -275,7 +275,7 @@ private slots:
     {
         Scene scene(withPad());
         const double force = scene.contact.at(at(-2e-9), 0.0).contact;
-        const double stiffness = scene.contact.stiffness()[0][0];
+        const double stiffness = scene.contact.stiffness()(0, 0);
         const double deeper = scene.contact.at(at(-2.1e-9), 0.0).contact;
         QVERIFY(near(stiffness, (deeper - force) / 0.1e-9, 0.5));
     }

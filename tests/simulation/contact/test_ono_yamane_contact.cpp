@@ -154,10 +154,10 @@ private slots:
         contact.law.at(at(1e-9, 2e-6), 0.0); // one corner bears, so that roll does not move the force much
         const Matrix3 k = contact.law.stiffness();
         const double arm = 0.5 * length - edge;
-        QVERIFY(std::abs(k[0][0] / 5e6 - 1.0) < 1e-3);
-        QVERIFY(std::abs(k[0][1] / (5e6 * arm) - 1.0) < 1e-3);
-        QVERIFY(std::abs(k[1][0] / (5e6 * (arm - 0.3 * 0.15e-3)) - 1.0) < 1e-3);
-        QVERIFY(std::abs(k[0][2] / (5e6 * -20e-6) - 1.0) < 1e-3);
+        QVERIFY(std::abs(k(0, 0) / 5e6 - 1.0) < 1e-3);
+        QVERIFY(std::abs(k(0, 1) / (5e6 * arm) - 1.0) < 1e-3);
+        QVERIFY(std::abs(k(1, 0) / (5e6 * (arm - 0.3 * 0.15e-3)) - 1.0) < 1e-3);
+        QVERIFY(std::abs(k(0, 2) / (5e6 * -20e-6) - 1.0) < 1e-3);
     }
     /// 1/2 k_c (d_s + f_c0/k_c - d)^2 = 1/2 5e6 (2 nm)^2 at 2 nm.
     void storesItsElasticEnergy()

@@ -36,18 +36,18 @@ private slots:
         c.onoYamane.touchDown = 0.5 * (lower + upper);
         c.onoYamane.takeOff = c.onoYamane.touchDown; // what is pressed does not reach farther
         c.onoYamane.meniscusForce = 2e-3;
-        const FilmBranches all = traceFilmBranches(at, light, heavy, 2);
+        const EquilibriumBranches all = traceFilmBranches(at, light, heavy, 2);
         QVERIFY(!all.branches.empty());
-        const FilmBranch& flying = all.branches.front();
-        QCOMPARE(flying.region, ContactRegion::Apart);
+        const EquilibriumBranch& flying = all.branches.front();
+        QCOMPARE(flying.contact, ContactRegion::Apart);
         QCOMPARE(flying.points.front().parameter, light);
         // Loads to 1e-9 of the preload over a stiffness of some 1e5 N/m: 1e-13 m; Newton's last change is 1e-5 of ten
         // nanometres, and what is left after it smaller by its square.
-        QVERIFY(std::abs(flying.points.front().at.spacing - upper) < 1e-12);
-        const MarkedFilmEquilibrium* mark = markOf(all, EquilibriumMark::Switch);
+        QVERIFY(std::abs(flying.points.front().spacing - upper) < 1e-12);
+        const MarkedEquilibrium* mark = markOf(all, EquilibriumMark::Switch);
         QVERIFY(mark != nullptr);
         QCOMPARE(mark->name, std::string("touch-down"));
-        const double value = mark->at.parameter, slack = 2.0 * FilmBranches::locatedTo * (heavy - light);
+        const double value = mark->at.parameter, slack = 2.0 * branchesLocatedTo * (heavy - light);
         QVERIFY(staticSpacing(at(value - slack)) > c.onoYamane.touchDown);
         QVERIFY(staticSpacing(at(value + slack)) < c.onoYamane.touchDown);
     }
@@ -65,21 +65,21 @@ private slots:
             c.onoYamane.takeOff = takeOff;
             return c;
         };
-        const FilmBranches all = traceFilmBranches(caseAt, from, to, 3);
-        const MarkedFilmEquilibrium* mark = nullptr;
-        for (const MarkedFilmEquilibrium& each : all.marks)
+        const EquilibriumBranches all = traceFilmBranches(caseAt, from, to, 3);
+        const MarkedEquilibrium* mark = nullptr;
+        for (const MarkedEquilibrium& each : all.marks)
             if (each.name == "take-off") mark = &each;
         QVERIFY(mark != nullptr);
         QCOMPARE(mark->kind, EquilibriumMark::Switch);
-        QVERIFY(std::abs(mark->at.parameter - held) < 2.0 * FilmBranches::locatedTo * (from - to));
-        QVERIFY(std::abs(mark->at.at.spacing - held) < 1e-12);
+        QVERIFY(std::abs(mark->at.parameter - held) < 2.0 * branchesLocatedTo * (from - to));
+        QVERIFY(std::abs(mark->at.spacing - held) < 1e-12);
     }
 
     void stopsWhenAsked()
     {
         const double spacing = staticSpacing(smallCase());
         int left = 300;
-        const FilmBranches all = traceFilmBranches(
+        const EquilibriumBranches all = traceFilmBranches(
             [&](double force) {
                 Case c = withMenisci(spacing, TakeOffShape::Constant);
                 c.onoYamane.meniscusForce = force;

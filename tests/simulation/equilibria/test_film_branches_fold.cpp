@@ -57,17 +57,17 @@ private slots:
             c.onoYamane.meniscusForce = meniscusForce;
             return c;
         };
-        const FilmBranches all = traceFilmBranches(caseAt, 0.95 * least, 1.1 * least, 2);
-        const MarkedFilmEquilibrium* fold = markOf(all, EquilibriumMark::Fold);
+        const EquilibriumBranches all = traceFilmBranches(caseAt, 0.95 * least, 1.1 * least, 2);
+        const MarkedEquilibrium* fold = markOf(all, EquilibriumMark::Fold);
         QVERIFY(fold != nullptr);
         // Both are stationary: errors of the force and along the branch count by their squares.
         QVERIFY2(std::abs(fold->at.parameter - least) < 1e-5 * least,
                  qPrintable(QString::number(fold->at.parameter / least - 1.0)));
-        const auto branch = std::ranges::find(all.branches, ContactRegion::Bridged, &FilmBranch::region);
+        const auto branch = std::ranges::find(all.branches, ContactRegion::Bridged, &EquilibriumBranch::contact);
         QVERIFY(branch != all.branches.end());
         // One side grows without oscillating, the other does not.
-        const bool first = branch->points.front().at.stability == Stability::Divergence;
-        const bool last = branch->points.back().at.stability == Stability::Divergence;
+        const bool first = branch->points.front().stability == Stability::Divergence;
+        const bool last = branch->points.back().stability == Stability::Divergence;
         QVERIFY(first != last);
     }
 };

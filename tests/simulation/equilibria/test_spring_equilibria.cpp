@@ -172,23 +172,23 @@ private slots:
         const double z = (26.0 - std::sqrt(116.0)) / 4.0 * 1e-9;
         const double pull = 1e6 * 49e-18 * (7e-9 - z) / (z * z) * (5e-9 - 2e-9) / (5e-9 - z);
         const CaseAt at = byField(c, "ono_yamane.meniscus_force");
-        const SpringEquilibria all = traceSpringEquilibria(at, 0.2 * pull, 1.7 * pull, 9);
+        const EquilibriumBranches all = traceSpringEquilibria(at, 0.2 * pull, 1.7 * pull, 9);
         QCOMPARE(all.endsLost, 0);
         int folds = 0;
         for (const MarkedEquilibrium& mark : all.marks) {
             if (mark.kind != EquilibriumMark::Fold) continue;
             ++folds;
             // Across p a fold is flat: its place is known to the root of the solver's accuracy.
-            QVERIFY2(std::abs(mark.at.flyingHeight - z) < 1e-15, qPrintable(QString::number(mark.at.flyingHeight - z)));
+            QVERIFY2(std::abs(mark.at.spacing - z) < 1e-15, qPrintable(QString::number(mark.at.spacing - z)));
             QVERIFY(std::abs(mark.at.parameter - pull) < 1e-12 * pull);
         }
         QCOMPARE(folds, 1);
         // The branch beyond the fold is the unstable one.
-        for (const EquilibriumPiece& piece : all.pieces)
-            for (const SpringEquilibrium& point : piece.points) {
-                if (piece.mode.contact == ContactRegion::Apart || std::abs(point.flyingHeight - z) < 1e-12) continue;
-                const bool stiffer = 1e6 * 49e-18 * (14e-9 - point.flyingHeight) / std::pow(point.flyingHeight, 3) >
-                                     point.parameter / 3e-9;
+        for (const EquilibriumBranch& branch : all.branches)
+            for (const Equilibrium& point : branch.points) {
+                if (branch.contact == ContactRegion::Apart || std::abs(point.spacing - z) < 1e-12) continue;
+                const bool stiffer =
+                    1e6 * 49e-18 * (14e-9 - point.spacing) / std::pow(point.spacing, 3) > point.parameter / 3e-9;
                 QCOMPARE(point.stability == Stability::Stable, stiffer);
                 if (!stiffer) QCOMPARE(point.stability, Stability::Divergence);
             }
@@ -220,7 +220,7 @@ private slots:
         QVERIFY(hurwitz(low) > 0.0 && hurwitz(high) < 0.0);
         for (int i = 0; i < 100; ++i) (hurwitz(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
 
-        const SpringEquilibria all = traceSpringEquilibria(byField(c, "ono_yamane.friction"), 0.5, 0.7, 9);
+        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "ono_yamane.friction"), 0.5, 0.7, 9);
         std::vector<double> onsets;
         for (const MarkedEquilibrium& mark : all.marks)
             if (mark.kind == EquilibriumMark::Hopf) onsets.push_back(mark.at.parameter);
@@ -228,9 +228,9 @@ private slots:
         const double nearest = *std::ranges::min_element(onsets, {}, [&](double mu) { return std::abs(mu - low); });
         QVERIFY2(std::abs(nearest - low) < 1e-9, qPrintable(QString::number(nearest - low)));
         bool flutters = false;
-        for (const EquilibriumPiece& piece : all.pieces)
-            for (const SpringEquilibrium& point : piece.points) {
-                if (std::abs(point.parameter - low) < 1e-6 || piece.mode.contact == ContactRegion::Apart) continue;
+        for (const EquilibriumBranch& branch : all.branches)
+            for (const Equilibrium& point : branch.points) {
+                if (std::abs(point.parameter - low) < 1e-6 || branch.contact == ContactRegion::Apart) continue;
                 flutters = flutters || point.stability == Stability::Flutter;
                 if (point.parameter < low) QCOMPARE(point.stability, Stability::Stable);
             }
@@ -242,14 +242,14 @@ private slots:
         // The default slider, set lower and lower: it touches down where its static height is d_s; caught, it takes off
         // where the pad has risen to d_e.
         const Case c;
-        const SpringEquilibria all = traceSpringEquilibria(byField(c, "springs.flying_height"), 14e-9, 1e-9, 9);
+        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "springs.flying_height"), 14e-9, 1e-9, 9);
         const auto mark = [&](const char* title) {
             return std::ranges::find_if(all.marks, [&](const MarkedEquilibrium& m) { return m.name == title; });
         };
         QVERIFY(mark("touch-down") != all.marks.end());
         QVERIFY(std::abs(mark("touch-down")->at.parameter - 3e-9) < 1e-18);
         QVERIFY(mark("take-off") != all.marks.end());
-        QVERIFY(std::abs(mark("take-off")->at.flyingHeight - 5e-9) < 1e-18);
+        QVERIFY(std::abs(mark("take-off")->at.spacing - 5e-9) < 1e-18);
         QVERIFY(mark("take-off")->at.parameter > 7e-9);
         QCOMPARE(mark("take-off")->kind, EquilibriumMark::Switch);
     }
@@ -259,17 +259,17 @@ private slots:
         Case c;
         c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.0;
         c.suspension.dampingRatio = c.suspension.pitchDampingRatio = 0.0;
-        const SpringEquilibria all = traceSpringEquilibria(byField(c, "ono_yamane.meniscus_force"), 0.0, 50e-3, 5);
+        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "ono_yamane.meniscus_force"), 0.0, 50e-3, 5);
         for (const MarkedEquilibrium& mark : all.marks) QVERIFY(mark.kind != EquilibriumMark::Hopf);
-        for (const EquilibriumPiece& piece : all.pieces)
-            for (const SpringEquilibrium& point : piece.points) QCOMPARE(point.stability, Stability::Neutral);
+        for (const EquilibriumBranch& branch : all.branches)
+            for (const Equilibrium& point : branch.points) QCOMPARE(point.stability, Stability::Neutral);
     }
 
     void stopsWhenAsked()
     {
         int asked = 0;
-        const SpringEquilibria all = traceSpringEquilibria(byField(Case{}, "springs.flying_height"), 14e-9, 1e-9, 9,
-                                                           [&](double) { return ++asked < 20; });
+        const EquilibriumBranches all = traceSpringEquilibria(byField(Case{}, "springs.flying_height"), 14e-9, 1e-9, 9,
+                                                              [&](double) { return ++asked < 20; });
         QVERIFY(all.stopped);
         QCOMPARE(asked, 20);
     }

@@ -50,8 +50,8 @@ public:
     }
     Matrix3 stiffness() const override
     {
-        Matrix3 result{};
-        result[0][0] = stiffness_;
+        Matrix3 result = Matrix3::Zero();
+        result(0, 0) = stiffness_;
         return result;
     }
     bool outOfReach(const Attitude&) const override { return false; }
@@ -80,8 +80,8 @@ public:
     }
     Matrix3 stiffness() const override
     {
-        Matrix3 result{};
-        if (depth_ > 0.0) result[0][0] = stiffness_;
+        Matrix3 result = Matrix3::Zero();
+        if (depth_ > 0.0) result(0, 0) = stiffness_;
         return result;
     }
     bool outOfReach(const Attitude&) const override { return false; }
@@ -132,7 +132,7 @@ private slots:
     {
         QFETCH(int, coupling);
         const int steps = 100;
-        Vector3 last{};
+        Vector3 last = Vector3::Zero();
         double before = 0.0;
         for (int k = 0; k < 4; ++k) {
             FlyingSlider slider(pico(), picoAtRest(), tight(FilmCoupling(coupling)), {1e-9, 0.0, 0.0});
@@ -151,7 +151,7 @@ private slots:
     /// slider has gone 1 nm; what is left of either is of the third order, a hundredth of the last change.
     void bothWaysGoToTheSameMotion()
     {
-        std::array<Vector3, 2> limits{};
+        std::array<Vector3, 2> limits{Vector3::Zero(), Vector3::Zero()};
         double coarse = 0.0;
         for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
             Vector3& limit = limits[coupling == FilmCoupling::Staggered ? 1 : 0];
@@ -159,19 +159,17 @@ private slots:
                 FlyingSlider slider(pico(), picoAtRest(), tight(coupling), {1e-9, 0.0, 0.0});
                 QVERIFY(slider.takeAll(4e-6, steps));
                 if (steps == 400) coarse = std::max(coarse, slider.from(limit));
-                for (std::size_t k = 0; k < 3; ++k)
-                    limit[k] = steps == 200 ? slider.q()[k] : (4.0 * slider.q()[k] - limit[k]) / 3.0;
+                limit = steps == 200 ? slider.q() : Vector3((4.0 * slider.q() - limit) / 3.0);
             }
         }
         const SliderBody body(pico(), picoAtRest().attitude);
-        const double apart =
-            body.displacement({limits[0][0] - limits[1][0], limits[0][1] - limits[1][1], limits[0][2] - limits[1][2]});
+        const double apart = body.displacement(limits[0] - limits[1]);
         QVERIFY2(apart < 0.02 * coarse, qPrintable(QString("%1 of %2 m").arg(apart).arg(coarse)));
     }
     /// A force of a third of the preload sets in between steps.
     void orderAfterAJump()
     {
-        Vector3 last{};
+        Vector3 last = Vector3::Zero();
         double before = 0.0;
         for (int k = 0; k < 4; ++k) {
             SpringAndJump contact(0.0, 0.0, 5e-3);

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/case/fields.h"
+#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"
 #include "tests/support/test_program.h"
 
@@ -76,6 +77,7 @@ struct Recording {
     std::vector<RunEvent> events;
     std::size_t calls = 0, callsUntilStop = 0; // zero: never
     RunCallback callback;
+    RunRecorder run;
     FilmRecorder recorder;
 
     explicit Recording(const Case& of)
@@ -85,7 +87,8 @@ struct Recording {
           body(c, {1e-8, 1e-4, 0.0}),
           columns(filmQuantities(c).size()),
           callback([this](const RunUpdate& update) { return take(update); }),
-          recorder(c, body, recess, spacing, callback)
+          run(c, filmQuantities(c), callback),
+          recorder(c, body, recess, spacing, run)
     {
         const std::vector<Quantity> quantities = filmQuantities(c);
         for (std::size_t i = 0; i < quantities.size(); ++i) columnOf[quantities[i].name] = i;
@@ -142,7 +145,7 @@ private slots:
     {
         Recording r(plainSlider());
         r.record({0.03e-6, 0.04e-6, 0.35e-6, 0.4e-6, 0.95e-6, 1.2e-6});
-        r.recorder.flush();
+        r.run.send(r.c.run.duration);
         QCOMPARE(r.time.size(), std::size_t(11));
         for (std::size_t n = 0; n < r.time.size(); ++n) {
             QVERIFY(std::abs(r.time[n] - 0.1e-6 * double(n)) < 1e-18);
@@ -167,7 +170,7 @@ private slots:
     {
         Recording r(plainSlider());
         r.record({1e-6});
-        r.recorder.flush();
+        r.run.send(r.c.run.duration);
         QVERIFY(std::abs(r.value("flying_height", 0) - 3.75e-9) < 1e-20);
         QVERIFY(std::abs(r.value("minimum_spacing", 0) - 3.65e-9) < 1e-13); // edges are taken 0.1 nm beside them
     }
@@ -176,9 +179,8 @@ private slots:
     {
         Recording r(plainSlider());
         r.record({0.5e-6, 1.1e-6});
-        r.recorder.flush();
-        Summary summary;
-        r.recorder.finish(summary);
+        r.run.send(r.c.run.duration);
+        const Summary summary = r.recorder.summary({});
         QCOMPARE(summary.endTime, 1e-6);
         const auto height =
             std::ranges::find(summary.final, std::string("height"), &std::pair<std::string, double>::first);
@@ -196,15 +198,15 @@ private slots:
         FilmPoint end = pointAt(0.45e-6, 0.2e-6);
         end.contact.adhesion = -3e-3;
         r.recorder.add(end);
-        r.recorder.flush();
+        r.run.send(r.c.run.duration);
         QCOMPARE(r.time.size(), std::size_t(5));
         QVERIFY(std::abs(r.value("adhesion_force", 2) - -1e-3) < 1e-18);
         QVERIFY(std::abs(r.value("adhesion_force", 3) - -3e-3) < 1e-18);
         QVERIFY(std::abs(r.value("height", 3) - polynomial(0.3e-6).q[0]) < 1e-19);
     }
-    /// The books are closed where what was gained is the change of the energy; what is missing counts against the part
+    /// The balance closes where the energy gained is the change of the energy; an imbalance counts against the part
     /// that changed most.
-    void tellsWhatTheBooksMiss()
+    void reportsTheEnergyImbalance()
     {
         Case c = plainSlider();
         c.suspension.stiffness = c.suspension.pitchStiffness = c.suspension.rollStiffness = 0.0;
@@ -224,14 +226,13 @@ private slots:
     {
         Recording r(plainSlider());
         r.record({0.5e-6});
-        r.recorder.addEvent(0.5e-6, "touch-down");
-        r.recorder.flush();
-        r.recorder.flush();
+        r.run.addEvent(0.5e-6, "touch-down");
+        r.run.send(r.c.run.duration);
+        r.run.send(r.c.run.duration);
         QCOMPARE(r.events.size(), std::size_t(1));
         QCOMPARE(r.events[0].name, std::string("touch-down"));
         QCOMPARE(r.time.size(), std::size_t(6));
-        Summary summary;
-        r.recorder.finish(summary);
+        const Summary summary = r.recorder.summary({});
         QCOMPARE(summary.events.size(), std::size_t(1));
     }
     void stopsWhenAsked()
@@ -239,10 +240,10 @@ private slots:
         Recording r(plainSlider());
         r.callsUntilStop = 1;
         r.record({0.5e-6});
-        QVERIFY(!r.recorder.stopped());
-        r.recorder.flush();
-        QVERIFY(r.recorder.stopped());
-        QVERIFY(!r.recorder.lookAtClock());
+        QVERIFY(!r.run.stopped());
+        r.run.send(r.c.run.duration);
+        QVERIFY(r.run.stopped());
+        QVERIFY(!r.run.lookAtClock(0.0));
     }
 };
 

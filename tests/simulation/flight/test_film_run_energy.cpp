@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The books of the energy over runs that bounce.
+// The energy balance of runs that bounce.
 #include "core/simulation/flight/film_run.h"
 
 #include <cmath>

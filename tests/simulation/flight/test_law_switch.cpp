@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "core/case/fields.h"
+#include "core/simulation/contact/slider_contact.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -18,7 +19,7 @@ constexpr double width = 0.1e-9, shortest = 1e-14, dt = 1e-6;
 class Law : public SliderContact {
 public:
     const SliderContactForces& at(const Attitude&, double) override { return none_; }
-    Matrix3 stiffness() const override { return {}; }
+    Matrix3 stiffness() const override { return Matrix3::Zero(); }
     bool outOfReach(const Attitude&) const override { return false; }
     void accept() override {}
     double separation(const Attitude& attitude) const override { return attitude.height; }

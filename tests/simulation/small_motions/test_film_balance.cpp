@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
@@ -69,25 +70,23 @@ private slots:
         balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
         const Vector3 q = balance->body().coordinates(rest.attitude);
         QVERIFY(balance->solve(q, always));
-        const Eigen::Matrix3d stiffness = balance->stiffness(law, always);
-        const Eigen::Vector3d scale(1.0, 1.0 / c.slider.length, 1.0 / c.slider.width);
-        const Eigen::Matrix3d scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
+        const Matrix3 stiffness = balance->stiffness(law, always);
+        const Vector3 scale(1.0, 1.0 / c.slider.length, 1.0 / c.slider.width);
+        const Matrix3 scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
         // A roll moves the place of the contact's force within a hundredth of a nanometre: without contact alone it is
         // smooth so far.
         for (int m = 0; m < (law == ContactRegion::Apart ? 3 : 2); ++m) {
-            const auto column = static_cast<std::size_t>(m);
             const double step = 2e-11 * scale[m];
             Vector3 forces[2];
             for (int side = 0; side < 2; ++side) {
                 Vector3 moved = q;
-                moved[column] += side == 0 ? step : -step;
+                moved[m] += side == 0 ? step : -step;
                 QVERIFY(balance->solve(moved, always));
                 forces[side] = balance->force(law);
             }
             for (int k = 0; k < 3; ++k) {
                 if (law != ContactRegion::Apart && k == 2) continue;
-                const auto row = static_cast<std::size_t>(k);
-                const double slope = -(forces[0][row] - forces[1][row]) / (2.0 * step) * scale[k] * scale[m];
+                const double slope = -(forces[0][k] - forces[1][k]) / (2.0 * step) * scale[k] * scale[m];
                 QVERIFY2(std::abs(slope - scaled(k, m)) < 1e-5 * scaled.norm(),
                          qPrintable(QString("%1 %2: %3 %4").arg(k).arg(m).arg(slope).arg(scaled(k, m))));
             }
@@ -106,8 +105,8 @@ private slots:
         const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
         balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
         QVERIFY(balance->solve(balance->body().coordinates(rest.attitude), always));
-        const Eigen::Matrix3d more = balance->stiffnessWithSprings(ContactRegion::Apart, always) -
-                                     balance->stiffness(ContactRegion::Apart, always);
+        const Matrix3 more = balance->stiffnessWithSprings(ContactRegion::Apart, always) -
+                             balance->stiffness(ContactRegion::Apart, always);
         // Of a stiffness of some 1e5 N/m rounding leaves 1e-11 N/m; twice the springs would leave 15 N/m and 2e-5 N
         // m/rad.
         QVERIFY2(std::abs(more(0, 0) - c.suspension.stiffness) < 1e-9, qPrintable(QString::number(more(0, 0))));

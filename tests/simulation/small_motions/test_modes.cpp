@@ -45,10 +45,10 @@ double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& 
     FilmLoads::Derivatives forces;
     level.loads.derivatives(level.pressure, forces);
     std::array<std::vector<double>, 3> byPressure;
-    std::array<std::array<double, 3>, 3> byAttitude{};
+    Matrix3 byAttitude;
     for (std::size_t k = 0; k < 3; ++k) {
         byPressure[k] = forces.byPressure[k];
-        byAttitude[k] = forces.byAttitude[k];
+        for (std::size_t m = 0; m < 3; ++m) byAttitude(k, m) = forces.byAttitude[k][m];
     }
     // 2 pi f = |s| sqrt(1 - zeta^2).
     const double omega = twoPi * mode.frequency, zeta = mode.dampingRatio;
@@ -70,8 +70,8 @@ double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& 
         Complex sum = inertia + held;
         double size = std::abs(inertia) + std::abs(held);
         for (std::size_t m = 0; m < 3; ++m) {
-            sum += z[k][m] * film[m];
-            size += std::abs(z[k][m] * film[m]);
+            sum += z(k, m) * film[m];
+            size += std::abs(z(k, m) * film[m]);
         }
         worst = std::max(worst, std::abs(sum) / size);
     }
@@ -89,7 +89,7 @@ void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
     c.slider.pitchInertia = c.slider.rollInertia = 1e3;
     const ModesResult r = modes(c);
     QCOMPARE(r.status, SteadyStatus::Converged);
-    const double expected = std::sqrt(((*r.steady.stiffness)[0][0] + c.suspension.stiffness) / c.slider.mass) / twoPi;
+    const double expected = std::sqrt(((*r.steady.stiffness)(0, 0) + c.suspension.stiffness) / c.slider.mass) / twoPi;
     const auto vertical =
         std::find_if(r.modes.begin(), r.modes.end(), [](const auto& m) { return m.kind == "vertical"; });
     QVERIFY(vertical != r.modes.end());
@@ -198,8 +198,8 @@ void TestModes::stiffAndSoftLimitsOfTheFilm()
             const std::size_t k = static_cast<std::size_t>(j * s.grid.nx() + i);
             trapped += s.pressure[k] * s.grid.widthX(i) * s.grid.widthY(j) / s.gap[k];
         }
-    const double fast = r.stiffness.back().stiffness[0][0];
-    QVERIFY(fast > (*s.stiffness)[0][0]);
+    const double fast = r.stiffness.back().stiffness(0, 0);
+    QVERIFY(fast > (*s.stiffness)(0, 0));
     QVERIFY2(fast < trapped && fast > 0.5 * trapped, qPrintable(QString("%1 %2").arg(fast).arg(trapped)));
 }
 

@@ -29,7 +29,7 @@ constexpr int stepsPerPeriod = 24, ledSteps = 2 * stepsPerPeriod, freeSteps = 4 
 class MovingSlider {
 public:
     /// The film's stiffness is about the mass centre.
-    MovingSlider(const Case& c, const SteadyResult& rest, const Eigen::Matrix3d& stiffness, double dt)
+    MovingSlider(const Case& c, const SteadyResult& rest, const Matrix3& stiffness, double dt)
         : case_(c),
           rest_(rest.attitude),
           dt_(dt),
@@ -50,7 +50,7 @@ public:
     }
 
     /// The slider is led along a motion; the film follows.
-    bool lead(const Eigen::Vector3d& motion, const Eigen::Vector3d& velocity)
+    bool lead(const Vector3& motion, const Vector3& velocity)
     {
         const bool converged = stepFilm(motion);
         accept(motion, velocity);
@@ -62,17 +62,16 @@ public:
     bool fly()
     {
         const double h = 2.0 / 3.0 * dt_;
-        const Eigen::Vector3d before = (4.0 * motion_[0] - motion_[1]) / 3.0;
-        const Eigen::Vector3d velocityBefore = (4.0 * velocity_[0] - velocity_[1]) / 3.0;
-        const Eigen::Matrix3d slopes =
-            (inertia_ / (h * h) + damper_ / h + spring_).asDiagonal().toDenseMatrix() + stiffness_;
-        Eigen::Vector3d motion = 3.0 * motion_[0] - 3.0 * motion_[1] + motion_[2];
+        const Vector3 before = (4.0 * motion_[0] - motion_[1]) / 3.0;
+        const Vector3 velocityBefore = (4.0 * velocity_[0] - velocity_[1]) / 3.0;
+        const Matrix3 slopes = (inertia_ / (h * h) + damper_ / h + spring_).asDiagonal().toDenseMatrix() + stiffness_;
+        Vector3 motion = 3.0 * motion_[0] - 3.0 * motion_[1] + motion_[2];
         for (int pass = 0; pass < 12; ++pass) {
             if (!stepFilm(motion)) return false;
-            const Eigen::Vector3d velocity = (motion - before) / h, acceleration = (velocity - velocityBefore) / h;
-            const Eigen::Vector3d imbalance = forces() - held_ - spring_.cwiseProduct(motion) -
-                                              damper_.cwiseProduct(velocity) - inertia_.cwiseProduct(acceleration);
-            const Eigen::Vector3d change = slopes.partialPivLu().solve(imbalance);
+            const Vector3 velocity = (motion - before) / h, acceleration = (velocity - velocityBefore) / h;
+            const Vector3 imbalance = forces() - held_ - spring_.cwiseProduct(motion) - damper_.cwiseProduct(velocity) -
+                                      inertia_.cwiseProduct(acceleration);
+            const Vector3 change = slopes.partialPivLu().solve(imbalance);
             if (scaled(change).norm() < 1e-7 * scaled(motion).norm()) {
                 accept(motion, velocity);
                 return true;
@@ -83,28 +82,28 @@ public:
     }
 
     /// As lengths: of the centre, of the leading edge, of a side [m].
-    Eigen::Vector3d scaled(const Eigen::Vector3d& motion) const
+    Vector3 scaled(const Vector3& motion) const
     {
-        return motion.cwiseProduct(Eigen::Vector3d(1.0, 0.5 * case_.slider.length, 0.5 * case_.slider.width));
+        return motion.cwiseProduct(Vector3(1.0, 0.5 * case_.slider.length, 0.5 * case_.slider.width));
     }
-    const Eigen::Vector3d& motion() const { return motion_[0]; }
+    const Vector3& motion() const { return motion_[0]; }
 
 private:
-    Eigen::Vector3d forces() const
+    Vector3 forces() const
     {
         const std::array<double, 3> load = level_.loads.load(stepper_.pressure());
         const std::array<double, 2> shear = level_.loads.shear(stepper_.pressure());
         const double arm = sliderLoad(case_).shearArm;
         return {load[0], load[1] - arm * shear[0], load[2] - arm * shear[1]};
     }
-    bool stepFilm(const Eigen::Vector3d& motion)
+    bool stepFilm(const Vector3& motion)
     {
         return stepper_
             .step(dt_, {rest_.height + motion[0] - 0.5 * case_.slider.length * motion[1], rest_.pitch + motion[1],
                         rest_.roll + motion[2]})
             .converged;
     }
-    void accept(const Eigen::Vector3d& motion, const Eigen::Vector3d& velocity)
+    void accept(const Vector3& motion, const Vector3& velocity)
     {
         if (!stepper_.accept()) qFatal("a step that did not converge cannot be gone on from");
         motion_ = {motion, motion_[0], motion_[1]};
@@ -118,10 +117,10 @@ private:
     MinimumSpacing spacing_;
     FilmLevel level_;
     FilmStepper stepper_;
-    Eigen::Matrix3d stiffness_;
-    Eigen::Vector3d held_, inertia_, spring_, damper_;
-    std::array<Eigen::Vector3d, 3> motion_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-    std::array<Eigen::Vector3d, 2> velocity_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    Matrix3 stiffness_;
+    Vector3 held_, inertia_, spring_, damper_;
+    std::array<Vector3, 3> motion_{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+    std::array<Vector3, 2> velocity_{Vector3::Zero(), Vector3::Zero()};
 };
 
 /// s of the free motion that follows when the slider has been led along a mode.
@@ -130,23 +129,20 @@ Complex freeDecay(const Case& c, const ModesResult& modes, const AirBearingMode&
     const double omega = 2.0 * std::numbers::pi * mode.frequency;
     const double growth = -mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio);
     const Complex s(growth, omega);
-    Eigen::Vector3cd shape;
+    ComplexVector3 shape;
     for (int k = 0; k < 3; ++k) shape[k] = {mode.shape[std::size_t(k)][0], mode.shape[std::size_t(k)][1]};
     shape *= amplitude;
 
     const double dt = 1.0 / (stepsPerPeriod * mode.frequency);
-    const auto& known = modes.stiffness[4].stiffness; // at 100 kHz
-    Eigen::Matrix3d stiffness;
-    for (int k = 0; k < 9; ++k) stiffness(k / 3, k % 3) = known[std::size_t(k / 3)][std::size_t(k % 3)];
-    MovingSlider slider(c, modes.steady, stiffness, dt);
+    MovingSlider slider(c, modes.steady, modes.stiffness[4].stiffness, dt); // at 100 kHz
     // Faded in smoothly, so that the film moves as in the mode when the slider is let go.
     for (int n = 1; n <= ledSteps; ++n) {
         const double share = std::min(1.0, double(n) / (ledSteps - 4));
         const double weight = share * share * share * (10.0 + share * (6.0 * share - 15.0));
-        const Eigen::Vector3cd motion = weight * std::exp(s * (dt * (n - ledSteps))) * shape;
+        const ComplexVector3 motion = weight * std::exp(s * (dt * (n - ledSteps))) * shape;
         if (!slider.lead(motion.real(), (s * motion).real())) return std::nan("");
     }
-    std::vector<Eigen::Vector3d> samples;
+    std::vector<Vector3> samples;
     for (int n = 0; n < freeSteps; ++n) {
         if (!slider.fly()) return std::nan("");
         samples.push_back(slider.scaled(slider.motion()));

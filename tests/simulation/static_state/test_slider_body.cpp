@@ -80,7 +80,7 @@ private slots:
     void exertsItsLoadAtRest()
     {
         const SliderBody body(unlike(), rest);
-        const Vector3 f = body.suspension(body.rest(), {});
+        const Vector3 f = body.suspension(body.rest(), Vector3::Zero());
         QVERIFY(near(f[0], -15e-3));
         QVERIFY(near(f[1], 8e-7));
         QVERIFY(near(f[2], -5e-8));
@@ -90,7 +90,7 @@ private slots:
     void springsAndDampersResist()
     {
         const SliderBody body(unlike(), rest);
-        const Vector3 atRest = body.suspension(body.rest(), {});
+        const Vector3 atRest = body.suspension(body.rest(), Vector3::Zero());
         Vector3 q = body.rest();
         q[0] += 2e-9;
         q[1] += 10e-6;
@@ -109,12 +109,12 @@ private slots:
         c.suspension.staticPitch = 100e-6;
         c.suspension.staticRoll = 2e-6;
         const SliderBody body(c, rest), other(c, {20e-9, 120e-6, 5e-6});
-        QVERIFY(near(body.suspension(body.rest(), {})[1], 15e-3 * 20e-6 - 2e-5 * 50e-6));
-        QVERIFY(near(body.suspension(body.rest(), {})[2], -15e-3 * 10e-6 + 3e-5 * 5e-6));
+        QVERIFY(near(body.suspension(body.rest(), Vector3::Zero())[1], 15e-3 * 20e-6 - 2e-5 * 50e-6));
+        QVERIFY(near(body.suspension(body.rest(), Vector3::Zero())[2], -15e-3 * 10e-6 + 3e-5 * 5e-6));
         // The torque at an attitude does not depend on the place of rest.
         const Vector3 q = body.coordinates({15e-9, 90e-6, 8e-6});
         for (const std::size_t k : {std::size_t(1), std::size_t(2)})
-            QVERIFY(std::abs(body.suspension(q, {})[k] - other.suspension(q, {})[k]) <
+            QVERIFY(std::abs(body.suspension(q, Vector3::Zero())[k] - other.suspension(q, Vector3::Zero())[k]) <
                     1e-12 * std::abs(body.load()[k]));
     }
     /// 1/2 (1.6e-6 (1 mm/s)^2 + 2.2e-13 (2 rad/s)^2 + 1.45e-13 (3 rad/s)^2) = 8e-13 + 4.4e-13 + 6.525e-13 J.
@@ -133,7 +133,7 @@ private slots:
             q[0] += 40e-9;
             q[1] -= 30e-6;
             q[2] += 5e-6;
-            const Vector3 f = body.suspension(q, {}), steps{1e-8, 1e-5, 1e-5};
+            const Vector3 f = body.suspension(q, Vector3::Zero()), steps{1e-8, 1e-5, 1e-5};
             for (std::size_t k = 0; k < 3; ++k) {
                 Vector3 high = q, low = q;
                 high[k] += steps[k];

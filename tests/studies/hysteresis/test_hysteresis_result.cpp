@@ -12,6 +12,18 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace {
+
+/// A branch from 0 to a value, the same at both ends.
+EquilibriumBranch between(ContactRegion contact, Equilibrium at, double value)
+{
+    Equilibrium last = at;
+    last.parameter = value;
+    return {.contact = contact, .points = {at, last}};
+}
+
+} // namespace
+
 class TestHysteresisResult : public QObject {
     Q_OBJECT
 
@@ -80,17 +92,16 @@ private slots:
 
     void whatWasNotFollowedIsNotCalledStable()
     {
-        FilmBranches found;
-        FilmEquilibrium one{.attitude = {},
-                            .spacing = 7e-9,
-                            .touching = false,
-                            .netContactForce = 0.0,
-                            .eigenvalues = {},
-                            .stability = Stability::Stable,
-                            .lost = 2};
-        found.branches = {{ContactRegion::Apart, {{0.0, one}, {3e-3, one}}}};
-        found.branches[0].points[1].at.eigenvalues = {{-1e4, 6.283185307179586e5}};
-        found.branches[0].points[1].at.lost = 1;
+        EquilibriumBranches found;
+        Equilibrium one{.spacing = 7e-9,
+                        .touching = false,
+                        .netContactForce = 0.0,
+                        .eigenvalues = {},
+                        .stability = Stability::Stable,
+                        .lost = 2};
+        found.branches = {between(ContactRegion::Apart, one, 3e-3)};
+        found.branches[0].points[1].eigenvalues = {{-1e4, 6.283185307179586e5}};
+        found.branches[0].points[1].lost = 1;
         HysteresisResult result;
         result.steps = loop();
         addFilmEquilibria(found, result);
@@ -145,19 +156,18 @@ private slots:
     /// A crossing at 596 kHz on a grid that knows signs up to 200 kHz is none.
     void aHopfPointThatTheGridDoesNotKnowIsNotMarked()
     {
-        const FilmEquilibrium one{.attitude = {},
-                                  .spacing = 3e-9,
-                                  .touching = true,
-                                  .netContactForce = 0.0,
-                                  .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}},
-                                  .stability = Stability::Flutter,
-                                  .lost = 0};
-        FilmBranches found;
-        found.branches = {{ContactRegion::Bridged, {{0.0, one}, {1.0, one}}}};
-        MarkedFilmEquilibrium mark;
+        const Equilibrium one{.spacing = 3e-9,
+                              .touching = true,
+                              .netContactForce = 0.0,
+                              .eigenvalues = {{0.0, 2.0 * 3.141592653589793 * 596e3}},
+                              .stability = Stability::Flutter,
+                              .lost = 0};
+        EquilibriumBranches found;
+        found.branches = {between(ContactRegion::Bridged, one, 1.0)};
+        MarkedEquilibrium mark;
         mark.kind = EquilibriumMark::Hopf;
+        mark.at = one;
         mark.at.parameter = 0.5;
-        mark.at.at = one;
         found.marks.push_back(mark);
         found.resolved = 60e3; // ten cells a wave: the sign is known from three
         HysteresisResult coarse;
@@ -174,22 +184,21 @@ private slots:
     /// Of two degrees of freedom one grows without oscillating: the other is all that oscillates.
     void aSaddleHasOneOscillationLess()
     {
-        FilmBranches found;
-        const FilmEquilibrium saddle{.attitude = {},
-                                     .spacing = 4e-9,
-                                     .touching = true,
-                                     .netContactForce = 0.0,
-                                     .eigenvalues = {{-1e4, 6.283185307179586e5}},
-                                     .stability = Stability::Divergence,
-                                     .lost = 1};
-        found.branches = {{ContactRegion::Bridged, {{0.0, saddle}, {3e-3, saddle}}}};
+        EquilibriumBranches found;
+        const Equilibrium saddle{.spacing = 4e-9,
+                                 .touching = true,
+                                 .netContactForce = 0.0,
+                                 .eigenvalues = {{-1e4, 6.283185307179586e5}},
+                                 .stability = Stability::Divergence,
+                                 .lost = 1};
+        found.branches = {between(ContactRegion::Bridged, saddle, 3e-3)};
         HysteresisResult result;
         result.steps = loop();
         addFilmEquilibria(found, result);
         QVERIFY(result.warnings.empty());
         QVERIFY(!says(hysteresisFindings(task(), result), "Not known"));
-        found.branches[0].points[1].at.lost = 2;
-        found.branches[0].points[1].at.eigenvalues.clear();
+        found.branches[0].points[1].lost = 2;
+        found.branches[0].points[1].eigenvalues.clear();
         HysteresisResult unknown;
         unknown.steps = loop();
         addFilmEquilibria(found, unknown);
@@ -199,7 +208,7 @@ private slots:
 
     void aHopfPointWithoutAnOscillationIsNone()
     {
-        FilmBranches found;
+        EquilibriumBranches found;
         found.marks = {{EquilibriumMark::Hopf, {}, "Hopf point"}};
         HysteresisResult result;
         addFilmEquilibria(found, result);

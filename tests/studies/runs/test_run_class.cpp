@@ -15,7 +15,7 @@ namespace {
 
 constexpr ClassRule rule{};
 
-MeasuredRun measured(const Case& c) { return measureRun(c, {std::string(spacingOf(c))}, {}, {.energyBooks = true}); }
+MeasuredRun measured(const Case& c) { return measureRun(c, {std::string(spacingOf(c))}, {}, {.energyBalance = true}); }
 
 ProvenReference referenceOf(const Case& c, bool nudged = false)
 {

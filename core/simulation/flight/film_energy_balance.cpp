@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/flight/film_books.h"
+#include "core/simulation/flight/film_energy_balance.h"
 
 #include <algorithm>
 
+#include "core/simulation/flight/coupled_step.h"
+
 namespace touchdown {
 
-void FilmBooks::begin(const CoupledStepper& stepper, FilmPoint& point)
+void FilmEnergyBalance::begin(const CoupledStepper& stepper, FilmPoint& point)
 {
     point.filmEnergy = energy_.at(stepper.pressure()).stored - rest_;
     shear_ = stepper.shearTorques();
@@ -13,7 +15,7 @@ void FilmBooks::begin(const CoupledStepper& stepper, FilmPoint& point)
     surface_.assign(stepper.surface().begin(), stepper.surface().end());
 }
 
-double FilmBooks::power(const FilmPoint& point) const
+double FilmEnergyBalance::power(const FilmPoint& point) const
 {
     const Vector3 contact = point.contact.load();
     double sum = flows_;
@@ -24,7 +26,7 @@ double FilmBooks::power(const FilmPoint& point) const
 
 /// Power is integrated along a parabola through three points, or a straight line where the contact's law has just
 /// changed.
-void FilmBooks::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
+void FilmEnergyBalance::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
 {
     const double powerBefore = power(before), dt = point.time - before.time;
     const FilmEnergyState air = energy_.at(stepper.pressure());

@@ -2,7 +2,7 @@
 //
 // The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case
 // changes, as a continuation needs it: G(x, p) and its derivatives, distances from the ends of a law of contact, and
-// what an equilibrium is. All in shares and scales:
+// the description of an equilibrium. All in shares and scales:
 //
 //   p  0 at one end of its range, 1 at the other
 //   x  height of the trailing edge, pitch and roll times a fifth of length and width, in units of a length near the
@@ -22,22 +22,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/cell_grid.h"
 #include "core/numerics/continuation.h"
-#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/equilibria/equilibrium.h"
+#include "core/simulation/small_motions/film_balance.h"
 
 namespace touchdown {
 
-struct FilmBranchPoint {
-    double parameter = 0.0; // [its unit]
-    FilmEquilibrium at;
-};
-
-class FilmPath {
+class ParametricBalance {
 public:
     using GoOn = std::function<bool()>;
 
     /// `goOn` must last, and once it said false stay so.
-    FilmPath(const CaseAt& caseAt, double from, double to, const GoOn& goOn)
+    ParametricBalance(const CaseAt& caseAt, double from, double to, const GoOn& goOn)
         : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn)
     {}
 
@@ -60,14 +57,14 @@ public:
     double length() const { return length_; }              // unit of x [m]
     double sliderLength() const { return slider_.length; } // [m]
 
-    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G goes on
+    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G continues
     /// along its slope.
     bool linearise(const Eigen::VectorXd& x, double p, ContactRegion region, ContinuationProblem::Linearised& at);
     /// From the lower and the upper end of the law's interval, and from the disk.
     std::vector<double> distances(const Eigen::VectorXd& x, double p, ContactRegion region);
     /// Its rates are followed from those of the last one.
-    FilmBranchPoint describe(const Eigen::VectorXd& x, double p, ContactRegion region);
-    void followRatesOf(const FilmBranchPoint& point) { near_ = {point.at.eigenvalues, point.at.lost}; }
+    Equilibrium describe(const Eigen::VectorXd& x, double p, ContactRegion region);
+    void followRatesOf(const Equilibrium& point) { near_ = point.eigenvalues; }
     struct Crossing {
         FilmBalance::Beyond beyond;
         Vector3 q;
@@ -79,7 +76,7 @@ public:
 private:
     Attitude restAt(double p) const;
     Vector3 toPlace(const Eigen::VectorXd& x) const;
-    Eigen::Matrix3d placeSlope() const;
+    Matrix3 placeSlope() const;
     Eigen::VectorXd scaledForce(const Vector3& g, Eigen::Index unknowns) const;
     bool moveTo(const Eigen::VectorXd& x, double p);
 
@@ -102,8 +99,8 @@ private:
     Eigen::VectorXd lastX_;
     double lastP_ = 0.0;
     std::optional<Known> known_;
-    FilmOscillations near_;
-    std::map<std::vector<double>, FilmBranchPoint> described_;
+    std::vector<std::complex<double>> near_;
+    std::map<std::vector<double>, Equilibrium> described_;
     double resolved_ = 0.0;
 };
 

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The books of a run's energy. Slider, suspension, air and contact hold an energy E; what they gain is
+// The energy balance of a run. Slider, suspension, air and contact hold an energy E. They gain energy
 //
-//   by flows through the air   what the disk puts in, less what viscosity dissipates (core/physics/film/film_energy.h)
+//   by flows through the air   the disk's input less the viscous dissipation (core/physics/film/film_energy.h)
 //   by the disk's surface      which rises and falls under the air
 //   by shear, friction         through their torques
-//   by contact and adhesion    what they do on the slider and do not store
-//   by the dampers             less than nothing
+//   by contact and adhesion    their work on the slider that is not stored
+//   by the dampers             a negative amount
 //
-// so that E - gained stays what it was, but for the discretisation: of time, and of the load, which counts layers at
-// steps that the cells' own pressure does not have (some 1e-3 of the air's exchange).
+// so that E - gained is constant but for the discretisation: of time, and of the load, which includes layers at steps
+// that the cells' own pressure does not have (some 1e-3 of the air's exchange).
 #pragma once
 
 #include "core/physics/film/film_energy.h"
-#include "core/simulation/flight/coupled_step.h"
-#include "core/simulation/flight/film_recorder.h"
+#include "core/simulation/flight/film_point.h"
 
 namespace touchdown {
 
-class FilmBooks {
+class CoupledStepper;
+
+class FilmEnergyBalance {
 public:
     /// Film and body must last. `restEnergy`: of the air, from which it is counted [J].
-    FilmBooks(const GasFilm& film, const SliderBody& body, double restEnergy)
+    FilmEnergyBalance(const GasFilm& film, const SliderBody& body, double restEnergy)
         : energy_(film), body_(body), rest_(restEnergy)
     {}
 
@@ -31,15 +32,15 @@ public:
     void add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point);
 
 private:
-    /// That flows, contact, shear and dampers bring at a point, whose flows and shear are the last ones [W].
+    /// Of flows, contact, shear and dampers at a point, whose flows and shear are the last ones [W].
     double power(const FilmPoint& point) const;
 
     FilmEnergy energy_;
     const SliderBody& body_;
     double rest_;                                 // [J]
     std::vector<double> pressure_, surface_;      // at the last point, where the disk is not flat (padded) [Pa], [m]
-    double flows_ = 0.0;                          // what they bring the air there [W]
-    Vector3 shear_{};                             // torques there [N m]
+    double flows_ = 0.0;                          // their power into the air there [W]
+    Vector3 shear_ = Vector3::Zero();             // torques there [N m]
     double lastPower_ = 0.0, earlierPower_ = 0.0; // at the end and the beginning of the last step [W],
     double lastDt_ = 0.0;                         // its length; zero: none yet [s]
 };

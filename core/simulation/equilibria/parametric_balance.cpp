@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/equilibria/film_path.h"
+#include "core/simulation/equilibria/parametric_balance.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 
@@ -18,7 +22,7 @@ constexpr double turning = 5.0;     // by which the leading edge moves more than
 
 } // namespace
 
-std::vector<FilmPath::Look> FilmPath::look(int looks, std::vector<std::string>& problems)
+std::vector<ParametricBalance::Look> ParametricBalance::look(int looks, std::vector<std::string>& problems)
 {
     std::vector<Look> found;
     double best = std::numeric_limits<double>::infinity();
@@ -48,7 +52,7 @@ std::vector<FilmPath::Look> FilmPath::look(int looks, std::vector<std::string>& 
     return found;
 }
 
-Attitude FilmPath::restAt(double p) const
+Attitude ParametricBalance::restAt(double p) const
 {
     const auto above = std::ranges::lower_bound(rests_, p, {}, &std::pair<double, Attitude>::first);
     if (above == rests_.begin()) return above->second;
@@ -59,14 +63,14 @@ Attitude FilmPath::restAt(double p) const
     return {std::lerp(a.height, b.height, share), std::lerp(a.pitch, b.pitch, share), std::lerp(a.roll, b.roll, share)};
 }
 
-void FilmPath::leave()
+void ParametricBalance::leave()
 {
     last_.reset();
     known_.reset();
-    near_ = {};
+    near_.clear();
 }
 
-Vector FilmPath::toScaled(const Vector3& q, Eigen::Index n) const
+Vector ParametricBalance::toScaled(const Vector3& q, Eigen::Index n) const
 {
     const double ends[] = {q[0] - 0.5 * slider_.length * q[1], slider_.length * q[1] / turning,
                            slider_.width * q[2] / turning};
@@ -76,16 +80,16 @@ Vector FilmPath::toScaled(const Vector3& q, Eigen::Index n) const
 }
 
 /// A roll that is no unknown is held where it is.
-Vector3 FilmPath::toPlace(const Vector& x) const
+Vector3 ParametricBalance::toPlace(const Vector& x) const
 {
     const double pitch = length_ * turning * x[1] / slider_.length;
     return {length_ * x[0] + 0.5 * slider_.length * pitch, pitch,
             x.size() > 2 ? length_ * turning * x[2] / slider_.width : last_->body().rest()[2]};
 }
 
-Eigen::Matrix3d FilmPath::placeSlope() const
+Matrix3 ParametricBalance::placeSlope() const
 {
-    Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+    Matrix3 slope = Matrix3::Zero();
     slope(0, 0) = length_;
     slope(0, 1) = 0.5 * length_ * turning;
     slope(1, 1) = length_ * turning / slider_.length;
@@ -93,12 +97,12 @@ Eigen::Matrix3d FilmPath::placeSlope() const
     return slope;
 }
 
-Vector FilmPath::scaledForce(const Vector3& g, Eigen::Index n) const
+Vector ParametricBalance::scaledForce(const Vector3& g, Eigen::Index n) const
 {
-    return Eigen::Vector3d(g[0], g[1] / slider_.length, g[2] / slider_.width).head(n) / preload_;
+    return Vector3(g[0], g[1] / slider_.length, g[2] / slider_.width).head(n) / preload_;
 }
 
-std::unique_ptr<FilmBalance> FilmPath::balanceAt(double p)
+std::unique_ptr<FilmBalance> ParametricBalance::balanceAt(double p)
 {
     const std::optional<Case> c = caseAt_(parameter(p));
     if (!c) return nullptr;
@@ -115,7 +119,7 @@ std::unique_ptr<FilmBalance> FilmPath::balanceAt(double p)
 }
 
 /// The last balance becomes that at (x, p), its film steady there.
-bool FilmPath::moveTo(const Vector& x, double p)
+bool ParametricBalance::moveTo(const Vector& x, double p)
 {
     if (last_ && p == lastP_ && (x - lastX_).norm() < unmoved) return true;
     if (!last_ || p != lastP_) {
@@ -132,7 +136,7 @@ bool FilmPath::moveTo(const Vector& x, double p)
     return false;
 }
 
-bool FilmPath::linearise(const Vector& x, double p, ContactRegion region, ContinuationProblem::Linearised& at)
+bool ParametricBalance::linearise(const Vector& x, double p, ContactRegion region, ContinuationProblem::Linearised& at)
 {
     if (known_ && known_->region == region && known_->p == p && (x - known_->x).norm() < unmoved) {
         at = known_->at;
@@ -142,8 +146,8 @@ bool FilmPath::linearise(const Vector& x, double p, ContactRegion region, Contin
     if (!moveTo(x, inside)) return false;
     const Eigen::Index n = x.size();
     const Vector here = scaledForce(last_->force(region), n);
-    const Eigen::Matrix3d stiffness = last_->stiffness(region, goOn_) * placeSlope();
-    const Eigen::Vector3d perForce = Eigen::Vector3d(1.0, 1.0 / slider_.length, 1.0 / slider_.width) / preload_;
+    const Matrix3 stiffness = last_->stiffness(region, goOn_) * placeSlope();
+    const Vector3 perForce = Vector3(1.0, 1.0 / slider_.length, 1.0 / slider_.width) / preload_;
     at.byState = -(perForce.asDiagonal() * stiffness).topLeftCorner(n, n);
     const double aside = inside + (inside < 0.5 ? difference : -difference);
     const std::unique_ptr<FilmBalance> there = balanceAt(aside);
@@ -155,7 +159,7 @@ bool FilmPath::linearise(const Vector& x, double p, ContactRegion region, Contin
     return true;
 }
 
-std::vector<double> FilmPath::distances(const Vector& x, double p, ContactRegion region)
+std::vector<double> ParametricBalance::distances(const Vector& x, double p, ContactRegion region)
 {
     if (!moveTo(x, std::clamp(p, 0.0, 1.0))) return {-1.0, -1.0, -1.0};
     const double spacing = last_->spacing(toPlace(x));
@@ -164,23 +168,24 @@ std::vector<double> FilmPath::distances(const Vector& x, double p, ContactRegion
             std::isfinite(holds.upper) ? (holds.upper - spacing) / length_ : far, spacing / length_};
 }
 
-FilmBranchPoint FilmPath::describe(const Vector& x, double p, ContactRegion region)
+Equilibrium ParametricBalance::describe(const Vector& x, double p, ContactRegion region)
 {
     std::vector<double> key(x.begin(), x.end());
     key.push_back(p);
     key.push_back(static_cast<double>(region));
     if (const auto found = described_.find(key); found != described_.end()) return found->second;
-    FilmBranchPoint point{parameter(p), {}};
-    if (!moveTo(x, std::clamp(p, 0.0, 1.0))) return point;
-    point.at = describeEquilibrium(*last_, region, near_, goOn_);
+    if (!moveTo(x, std::clamp(p, 0.0, 1.0))) return {.parameter = parameter(p)};
+    Equilibrium point = describeEquilibrium(*last_, region, near_, goOn_);
+    point.parameter = parameter(p);
     followRatesOf(point);
     described_.emplace(std::move(key), point);
-    const double resolved = resolvedFrequency(*last_);
+    const double resolved = resolvedFrequency(last_->setup(), grid_);
     if (!(resolved_ > 0.0) || resolved < resolved_) resolved_ = resolved;
     return point;
 }
 
-std::optional<FilmPath::Crossing> FilmPath::cross(const Vector& x, double p, ContactRegion region, bool upper)
+std::optional<ParametricBalance::Crossing> ParametricBalance::cross(const Vector& x, double p, ContactRegion region,
+                                                                    bool upper)
 {
     if (!moveTo(x, std::clamp(p, 0.0, 1.0))) return {};
     return Crossing{last_->beyond(region, upper), last_->place()};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The books of a spring run's energy. Slider, air springs and suspension hold an energy E (equation (5), held below
-// d_1); what they gain is
+// The energy balance of a spring run. Slider, air springs and suspension hold an energy E (equation (5), held below
+// d_1). They gain energy
 //
-//   by the dashpots            less than nothing, by Simpson's rule along each step
+//   by the dashpots            a negative amount, by Simpson's rule along each step
 //   by contact and adhesion    int F_c dd along the way of the pad, through the regions of the law as it passes them
 //   by friction                -(b/2) mu int F_cr dtheta
 //
-// so that E - gained stays what it was, but for what the integrator makes. As the contact's work follows the way and
-// not the law that a step used, a switch that a step misses shows here.
+// so that E - gained is constant but for the integrator's error. The contact's work follows the way of the pad and not
+// the law that a step used: a switch that a step misses shows here.
 #pragma once
 
 #include <array>
@@ -17,16 +17,16 @@
 
 namespace touchdown {
 
-class SpringBooks {
+class SpringEnergyBalance {
 public:
     /// The model must last.
-    SpringBooks(const SpringModel& model, const Case& c);
+    SpringEnergyBalance(const SpringModel& model, const Case& c);
 
     void begin(const SpringModel::State& y, SpringModel::Mode mode);
-    /// After a step to `time` [s], taken in `mode`, or ended in it where a step looks for its laws as it goes.
+    /// After a step to `time` [s], taken in `mode`; ended in it where a step chooses its laws by itself.
     void add(double time, const SpringModel::State& y, SpringModel::Mode mode);
 
-    /// The largest energy that the books missed so far, against the largest change of a part [-].
+    /// The largest energy imbalance so far, against the largest change of a part [-].
     double imbalance() const;
 
 private:
@@ -40,7 +40,7 @@ private:
     const SpringModel& model_;
     OnoYamaneLaw law_;
     bool hasContact_;
-    double frictionArm_; // (b/2) mu [m]
+    CoulombFriction friction_;
     double time_ = 0.0;
     SpringModel::State y_;
     ContactRegion region_ = ContactRegion::Apart; // as the way has come

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/springs/spring_books.h"
+#include "core/simulation/springs/spring_energy_balance.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 double imbalance(const Case& c)
 {
-    const Summary summary = run(c, {}, {.energyBooks = true});
+    const Summary summary = run(c, {}, {.energyBalance = true});
     for (const RunFigure& figure : summary.figures)
         if (figure.quantity.name == "energy_balance" && summary.status == RunStatus::Completed) return figure.value;
     return std::nan("");
@@ -32,7 +32,7 @@ Case drop(IntegratorKind integrator, double step = 10e-9)
 
 } // namespace
 
-class TestSpringBooks : public QObject {
+class TestSpringEnergyBalance : public QObject {
     Q_OBJECT
 
 private slots:
@@ -88,7 +88,7 @@ private slots:
         const double damped = imbalance(c);
         QVERIFY2(damped > 3.0 * right && damped > 0.05, qPrintable(QString("%1, %2").arg(damped).arg(right)));
     }
-    /// The linear take-off law, a start in contact, friction: every part of the books counts.
+    /// The linear take-off law, a start in contact, friction: every part of the balance counts.
     void closesInContact()
     {
         Case c = drop(IntegratorKind::Dopri5);
@@ -99,13 +99,13 @@ private slots:
         c.initial.flyingHeight = 1e-9;
         QVERIFY2(imbalance(c) < 1e-5, qPrintable(QString::number(imbalance(c))));
     }
-    /// Nobody pays for books that are not asked for.
+    /// The balance is computed on request alone.
     void onlyWhenAsked()
     {
         QVERIFY(run(drop(IntegratorKind::Rk4Events)).figures.empty());
-        QCOMPARE(run(drop(IntegratorKind::Rk4Events), {}, {.energyBooks = true}).figures.size(), std::size_t{1});
+        QCOMPARE(run(drop(IntegratorKind::Rk4Events), {}, {.energyBalance = true}).figures.size(), std::size_t{1});
     }
 };
 
-TOUCHDOWN_TEST(TestSpringBooks)
-#include "test_spring_books.moc"
+TOUCHDOWN_TEST(TestSpringEnergyBalance)
+#include "test_spring_energy_balance.moc"

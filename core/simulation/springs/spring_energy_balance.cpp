@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/springs/spring_books.h"
+#include "core/simulation/springs/spring_energy_balance.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/simulation/contact/contact_model.h"
 
 namespace touchdown {
 
@@ -12,14 +14,11 @@ constexpr double onBoundary = 1e-15; // [m]
 
 } // namespace
 
-SpringBooks::SpringBooks(const SpringModel& model, const Case& c)
-    : model_(model),
-      law_(c.onoYamane),
-      hasContact_(c.contact == ContactKind::OnoYamane),
-      frictionArm_(0.5 * c.slider.thickness * c.onoYamane.friction)
+SpringEnergyBalance::SpringEnergyBalance(const SpringModel& model, const Case& c)
+    : model_(model), law_(c.onoYamane), hasContact_(c.contact == ContactKind::OnoYamane), friction_(frictionOf(c))
 {}
 
-void SpringBooks::begin(const SpringModel::State& y, SpringModel::Mode mode)
+void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode mode)
 {
     time_ = 0.0;
     y_ = y;
@@ -31,7 +30,7 @@ void SpringBooks::begin(const SpringModel::State& y, SpringModel::Mode mode)
     least_ = most_ = {};
 }
 
-SpringBooks::Way SpringBooks::walk(double to)
+SpringEnergyBalance::Way SpringEnergyBalance::walk(double to)
 {
     const double way = to - separation_;
     Way sum;
@@ -53,7 +52,7 @@ SpringBooks::Way SpringBooks::walk(double to)
     return sum;
 }
 
-void SpringBooks::add(double time, const SpringModel::State& y, SpringModel::Mode mode)
+void SpringEnergyBalance::add(double time, const SpringModel::State& y, SpringModel::Mode mode)
 {
     const double h = time - time_;
     if (!(h > 0.0) || !y.allFinite()) return;
@@ -69,7 +68,7 @@ void SpringBooks::add(double time, const SpringModel::State& y, SpringModel::Mod
             region_ = mode.contact;
         const Way way = walk(model_.guards(y.head<2>())[SpringModel::Pad]);
         gained_[1] += way.work;
-        gained_[2] -= frictionArm_ * way.meanContact * (y[1] - y_[1]);
+        gained_[2] -= friction_.noseDown() * way.meanContact * (y[1] - y_[1]);
         const Interval next = law_.interval(mode.contact);
         if (separation_ > next.lower - onBoundary && separation_ < next.upper + onBoundary) region_ = mode.contact;
     }
@@ -78,7 +77,7 @@ void SpringBooks::add(double time, const SpringModel::State& y, SpringModel::Mod
     keep(model_.energy(y) - start_);
 }
 
-void SpringBooks::keep(double energy)
+void SpringEnergyBalance::keep(double energy)
 {
     const std::array<double, 4> parts{energy, gained_[0], gained_[1], gained_[2]};
     for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -88,7 +87,7 @@ void SpringBooks::keep(double energy)
     missing_ = std::max(missing_, std::abs(energy - gained_[0] - gained_[1] - gained_[2]));
 }
 
-double SpringBooks::imbalance() const
+double SpringEnergyBalance::imbalance() const
 {
     double range = 0.0;
     for (std::size_t k = 0; k < least_.size(); ++k) range = std::max(range, most_[k] - least_[k]);

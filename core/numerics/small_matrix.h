@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Vectors and matrices of few rows, as of the slider's height, pitch and roll; and their decompositions, which are slow
+// to compile, in one place. Mind that Vector3 v{} has no defined value: write Vector3::Zero().
+#pragma once
+
+#include <Eigen/Core>
+
+namespace touchdown {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using ComplexVector3 = Eigen::Vector3cd;
+using ComplexMatrix3 = Eigen::Matrix3cd;
+
+/// x of A x = b by elimination with partial pivoting; without allocation.
+Vector3 solvePartialPivoting(const Matrix3& a, const Vector3& b);
+/// The same with complete pivoting, also for a nearly singular matrix.
+Vector3 solveFullPivoting(const Matrix3& a, const Vector3& b);
+/// The largest magnitude of an eigenvalue; without allocation.
+double spectralRadius(const Matrix3& a);
+
+Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& a);
+struct Eigenpairs {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors; // columns
+};
+Eigenpairs eigenpairsOf(const Eigen::MatrixXd& a);
+
+Eigen::VectorXcd solveComplex(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
+/// x and y of A x = 0, y^T A = 0 where A is singular; of length one.
+struct NullVectors {
+    Eigen::VectorXcd right;
+    Eigen::RowVectorXcd left;
+};
+NullVectors nullVectorsOf(const Eigen::MatrixXcd& a);
+
+} // namespace touchdown

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/recording/run_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace touchdown {
+
+namespace {
+
+constexpr double longestSilence = 0.015; // [s]
+constexpr std::size_t mostEvents = 100'000;
+
+} // namespace
+
+RunRecorder::RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback)
+    : quantities_(std::move(quantities)), duration_(c.run.duration), callback_(callback), statistics_(c, quantities_)
+{
+    samples_.time.reserve(samplesInBatch);
+    samples_.columns.resize(quantities_.size());
+    for (std::vector<double>& column : samples_.columns) column.reserve(samplesInBatch);
+}
+
+void RunRecorder::addSample(double time, std::span<const double> values)
+{
+    samples_.time.push_back(time);
+    for (std::size_t i = 0; i < values.size(); ++i) samples_.columns[i].push_back(values[i]);
+}
+
+void RunRecorder::addEvent(double time, std::string name)
+{
+    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, std::move(name)});
+}
+
+bool RunRecorder::silent() const { return wallClock() - lastSent_ > longestSilence; }
+
+bool RunRecorder::send(double time, double begin)
+{
+    statistics_.add(samples_);
+    if (callback_ && !callback_({time, duration_, samples_, newEvents_, fields_})) stopped_ = true;
+    std::ranges::move(newEvents_, std::back_inserter(events_));
+    newEvents_.clear();
+    fields_.clear();
+    samples_.time.clear();
+    for (std::vector<double>& column : samples_.columns) column.clear();
+    lastSent_ = wallClock();
+    secondsOutside_ += lastSent_ - begin;
+    return !stopped_;
+}
+
+Summary RunRecorder::summary(const RunEnd& end, double endTime, std::span<const double> values) const
+{
+    Summary summary;
+    summary.status = end.status;
+    summary.failure = end.failure;
+    summary.message = end.message;
+    summary.endTime = endTime;
+    summary.events = events_;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isfinite(values[i])) summary.final.emplace_back(quantities_[i].name, values[i]);
+    statistics_.finish(summary);
+    return summary;
+}
+
+void RunRecorder::setTimes(Summary& summary) const
+{
+    summary.wallSeconds = wallClock() - begin_;
+    summary.solverSeconds = summary.wallSeconds - secondsOutside_;
+}
+
+} // namespace touchdown

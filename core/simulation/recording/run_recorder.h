@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run of any model reports: samples, events and fields in batches, sent before a silence becomes long; and the
+// parts of the Summary that all models have in common.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/numerics/wall_clock.h"
+#include "core/simulation/recording/run_statistics.h"
+
+namespace touchdown {
+
+/// How a run ends.
+struct RunEnd {
+    RunStatus status = RunStatus::Completed;
+    RunFailure failure = RunFailure::None;
+    std::string message{};
+    bool completed() const { return status == RunStatus::Completed; }
+};
+
+class RunRecorder {
+public:
+    static constexpr std::size_t samplesInBatch = 1024;
+
+    /// Case and callback must last.
+    RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback);
+    RunRecorder(const RunRecorder&) = delete;
+
+    const std::vector<Quantity>& quantities() const { return quantities_; }
+    void addSample(double time, std::span<const double> values);
+    /// The first 100 000 are kept.
+    void addEvent(double time, std::string name);
+    void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
+
+    /// Whether it is time to send.
+    bool full() const { return samples_.size() >= samplesInBatch; }
+    bool silent() const;
+    /// Sends what came since the last time, of a run that has reached `time`; false once somebody has stopped it. The
+    /// caller's work for it since `begin` does not count as the solver's.
+    bool send(double time, double begin = wallClock());
+    /// Sends when it is time to, also within long solutions; false once somebody has stopped the run.
+    bool lookAtClock(double time) { return stopped_ || !silent() ? !stopped_ : send(time); }
+    bool stopped() const { return stopped_; }
+
+    /// Wall time spent outside the solver [s].
+    double secondsOutside() const { return secondsOutside_; }
+    /// Status, events, statistics and the final values, of the quantities in their order; empty where there are none.
+    Summary summary(const RunEnd& end, double endTime, std::span<const double> values) const;
+    /// Wall and solver time, since the construction.
+    void setTimes(Summary& summary) const;
+
+private:
+    std::vector<Quantity> quantities_;
+    double duration_; // [s]
+    const RunCallback& callback_;
+    RunStatistics statistics_;
+    SampleBatch samples_;
+    std::vector<RunEvent> events_, newEvents_;
+    std::vector<FieldSnapshot> fields_;
+    double begin_ = wallClock(), lastSent_ = begin_, secondsOutside_ = 0.0; // [s]
+    bool stopped_ = false;
+};
+
+} // namespace touchdown
