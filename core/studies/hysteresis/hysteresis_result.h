@@ -12,6 +12,7 @@
 #include "core/simulation/equilibria/film_branches.h"
 #include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/studies/hysteresis/held_steps.h"
+#include "core/studies/hysteresis/parameter_text.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
@@ -68,16 +69,6 @@ struct HysteresisResult {
 void addSpringEquilibria(const SpringEquilibria& found, HysteresisResult& result);
 /// Those of the film.
 void addFilmEquilibria(const FilmBranches& found, HysteresisResult& result);
-
-/// The parameter as charts and sentences name it.
-struct ParameterText {
-    std::string label;              // "Static flying height"
-    std::string inSentence() const; // "static flying height"
-    std::string unit, displayUnit;
-    /// Four digits.
-    std::string of(double value) const;
-};
-ParameterText parameterText(const DesignKey& key);
 
 /// In contact, at every sample or at some.
 bool touches(const EndState& end);
