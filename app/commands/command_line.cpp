@@ -12,10 +12,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/case_commands.h"
-#include "app/commands/convergence_command.h"
 #include "app/commands/convert_command.h"
 #include "app/commands/describe_command.h"
-#include "app/commands/design_command.h"
 #include "app/commands/modes_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/steady_command.h"
@@ -51,8 +49,7 @@ void findCase(const CLI::App& command, CaseArguments& arguments)
     findCase(command, arguments.name, {&arguments.settings});
 }
 
-// What all studies that give a report have.
-void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name)
+void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name, const StudyKind& kind)
 {
     command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
     command.add_option("--set", arguments.study.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
@@ -61,7 +58,9 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
         ->type_name("KEY=VALUE");
     command.add_option("--out", arguments.out, "Writes findings, charts and tables as HDF5")->type_name("FILE.h5");
     command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
-    command.add_option("--jobs", arguments.jobs, "Solutions at a time; as many as there are cores without it")
+    if (kind.findsCase)
+        command.add_option("--apply", arguments.apply, "Writes the case that the study found")->type_name("FILE.toml");
+    command.add_option("--jobs", arguments.jobs, "Solutions at a time; default: the number of cores")
         ->check(CLI::Range(1, 64));
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
     command.add_flag("--template", arguments.asTemplate,
@@ -94,16 +93,17 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
     return arguments;
 }
 
-// --tolerance is one of the options.
-void addTolerance(const std::string& tolerance, std::vector<std::string>& options)
+// An option of the command line that stands for a key of the study: --tolerance, --levels.
+void addShortcut(const std::string& kind, const std::string& key, const std::string& value,
+                 std::vector<std::string>& options)
 {
+    if (value.empty()) return;
     for (const std::string& option : options)
-        if (option.starts_with("tolerance") &&
-            option.find_first_not_of(' ', std::string_view("tolerance").size()) == option.find('='))
-            throw CLI::ParseError("advise: --tolerance " + tolerance + " and --option " + option +
+        if (option.starts_with(key) && option.find_first_not_of(' ', key.size()) == option.find('='))
+            throw CLI::ParseError(kind + ": --" + key + ' ' + value + " and --option " + option +
                                       " are one value; give it once",
                                   CLI::ExitCodes::ExcludesError);
-    options.push_back("tolerance=" + tolerance);
+    options.push_back(key + '=' + value);
 }
 
 // What stands first and is no option must be a command, and of "study" a kind.
@@ -171,49 +171,26 @@ int commandLine(int argc, char** argv)
     modes.add_flag("--progress", modesArguments.progress, "Shows progress even when standard error is no terminal");
     addJson(modes);
 
-    ConvergenceArguments convergenceArguments;
-    CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
-    study.require_subcommand(0, 1); // as above
-    CLI::App& convergence = *study.add_subcommand(
-        "convergence", "How the closest approach of a contact case depends on the cells of its patch");
-    addCase(convergence, convergenceArguments.caseArguments);
-    convergence.add_option("--out", convergenceArguments.out, "Writes the table as HDF5")->type_name("FILE.h5");
-    convergence.add_option("--csv", convergenceArguments.csv, "Writes the table as CSV")->type_name("FILE.csv");
-    convergence
-        .add_option("--levels", convergenceArguments.options.levels, "Levels of cells, the finest half of elastic.cell")
-        ->check(CLI::Range(fewestLevels, mostLevels));
-    convergence.add_option("--jobs", convergenceArguments.options.jobs, "Levels that are solved at a time")
-        ->check(CLI::Range(1, 64));
-    addJson(convergence);
-    DesignArguments designArguments;
-    CLI::App& design =
-        *study.add_subcommand("design", "Searches for values of a film case with which it flies as wanted");
-    design.add_option("FILE", designArguments.study.name, "A study: its case, what may change, and what is wanted");
-    design
-        .add_option("--set", designArguments.study.settings,
-                    "Changes a value of the case, such as film.nodes=\"97, 97\"")
-        ->type_name("KEY=VALUE");
-    design.add_option("--out", designArguments.out, "Writes the case with the values that were found")
-        ->type_name("FILE.toml");
-    design.add_option("--csv", designArguments.csv, "Writes the steps of the search as CSV")->type_name("FILE.csv");
-    design.add_flag("--template", designArguments.asTemplate, "Prints the study, to begin a file with");
-    design.add_flag("--progress", designArguments.progress, "Shows progress even when standard error is no terminal");
-    addJson(design);
-
     StudyArguments studyArguments;
+    std::string tolerance, levels;
+    CLI::App& study = *app.add_subcommand("study", "Solves a case many times and reports what that shows");
+    study.require_subcommand(0, 1); // as above
     std::vector<CLI::App*> kinds;
-    for (const StudyKind& kind : studyKinds()) {
-        CLI::App& command = *study.add_subcommand(kind.name, kind.help);
-        addStudy(command, studyArguments, "FILE");
+    const auto addKind = [&](CLI::App& parent, const std::string& name, const StudyKind& kind,
+                             const std::string& help) {
+        CLI::App& command = *parent.add_subcommand(name, help);
+        addStudy(command, studyArguments, &parent == &app ? "CASE" : "FILE", kind);
+        if (kind.name == "advise" && &parent == &app)
+            command.add_option("--tolerance", tolerance, "Error that the advice may have, such as 1%");
+        if (kind.name == "convergence")
+            command.add_option("--levels", levels, "Levels of cells, the finest half of elastic.cell");
         addJson(command);
         kinds.push_back(&command);
-    }
-    std::string tolerance;
-    CLI::App& advise = *app.add_subcommand("advise", "Finds the least model of a film case that is good enough");
-    addStudy(advise, studyArguments, "CASE");
-    advise.add_option("--tolerance", tolerance, "What the advice may be wrong by, such as 1%");
-    advise.add_option("--apply", studyArguments.apply, "Writes the case as it is advised")->type_name("FILE.toml");
-    addJson(advise);
+    };
+    for (const StudyKind& kind : studyKinds()) addKind(study, kind.name, kind, kind.help);
+    for (const StudyKind& kind : studyKinds())
+        if (kind.name == "advise")
+            addKind(app, kind.name, kind, "Finds the cheapest model of a film case that is good enough");
 
     std::string from;
     std::string to;
@@ -248,16 +225,14 @@ int commandLine(int argc, char** argv)
         if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
         if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
         if (study.parsed() && study.get_subcommands().empty()) checkWords(app, {"study"});
-        if (convergence.parsed()) findCase(convergence, convergenceArguments.caseArguments);
-        if (design.parsed()) findCase(design, designArguments.study.name, {&designArguments.study.settings}, "FILE");
-        kinds.push_back(&advise);
         for (const CLI::App* kind : kinds) {
             if (!kind->parsed()) continue;
             studyArguments.kind = kind->get_name();
             findCase(*kind, studyArguments.study.name, {&studyArguments.study.settings, &studyArguments.options},
                      "FILE, a study or a case, or a sample of `touchdown list`,");
         }
-        if (!tolerance.empty()) addTolerance(tolerance, studyArguments.options);
+        addShortcut(studyArguments.kind, "tolerance", tolerance, studyArguments.options);
+        addShortcut(studyArguments.kind, "levels", levels, studyArguments.options);
         if (validate.parsed()) findCase(validate, validated);
     } catch (const CLI::ExtrasError& error) {
         app.exit(CLI::ParseError(notTakenBy(app), error.get_exit_code()));
@@ -265,13 +240,10 @@ int commandLine(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = convergenceArguments.json = designArguments.json =
-        studyArguments.json = json;
+    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = json;
     if (run.parsed()) return finishOutput(runCommand(runArguments));
     if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
     if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
-    if (convergence.parsed()) return finishOutput(convergenceCommand(convergenceArguments));
-    if (design.parsed()) return finishOutput(designCommand(designArguments));
     if (!studyArguments.kind.empty()) return finishOutput(studyCommand(studyArguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(validated, json));

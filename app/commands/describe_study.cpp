@@ -19,7 +19,7 @@ namespace touchdown {
 namespace {
 
 /// "5; film: 3".
-std::string standardText(const StudyKey& key)
+std::string standardText(const DescribedKey& key)
 {
     std::string text;
     for (const auto& [model, value] : key.standards) {
@@ -31,46 +31,46 @@ std::string standardText(const StudyKey& key)
     return text;
 }
 
-std::string keyText(const StudyKey& key, std::size_t width)
+std::string keyText(const DescribedKey& key, std::size_t width)
 {
     const std::string standard = standardText(key);
     const std::string allowed = wrapped(key.allowed + (key.varies ? ", by the case" : ""), width + 2).substr(width + 2);
-    const std::string text = padded(key.key, width) + allowed;
-    std::string more = key.help == key.allowed || key.allowed.ends_with(key.help) ? "" : key.help;
+    std::string more = key.key.help;
     if (!more.empty())
         more = static_cast<char>(std::toupper(static_cast<unsigned char>(more.front()))) + more.substr(1) + ". ";
     if (!standard.empty()) more += "Default: " + standard + ".";
-    return text + (more.empty() ? "" : wrapped(more, 6));
+    return padded(key.key.key, width) + allowed + (more.empty() ? "" : wrapped(more, 6));
 }
 
-std::string keysText(const std::vector<StudyKey>& keys)
+std::string keysText(const std::vector<DescribedKey>& keys)
 {
     std::size_t width = 3;
-    for (const StudyKey& key : keys) width = std::max(width, key.key.size());
+    for (const DescribedKey& each : keys) width = std::max(width, each.key.key.size());
     std::string text = padded("KEY", width) + "ALLOWED\n", table;
-    for (const StudyKey& key : keys) {
-        const auto dot = key.key.find('.');
-        const std::string its = dot == std::string::npos ? "" : key.key.substr(0, dot);
-        if (its != table) text += key.inList ? "\n[[" + its + "]], any number of them\n" : "\n[" + its + "]\n";
+    for (const DescribedKey& each : keys) {
+        const std::string& key = each.key.key;
+        const auto dot = key.find('.');
+        const std::string its = dot == std::string::npos ? "" : key.substr(0, dot);
+        if (its != table) text += each.key.inList ? "\n[[" + its + "]], any number of them\n" : "\n[" + its + "]\n";
         table = its;
-        text += keyText(key, width);
+        text += keyText(each, width);
     }
     return text;
 }
 
-Json keysJson(const std::vector<StudyKey>& keys)
+Json keysJson(const std::vector<DescribedKey>& keys)
 {
     Json all = Json::array();
-    for (const StudyKey& key : keys) {
+    for (const DescribedKey& each : keys) {
         Json standards = Json::object();
-        for (const auto& [model, value] : key.standards) standards[model] = value;
-        all.push_back({{"key", key.key},
-                       {"allowed", key.allowed},
-                       {"varies", key.varies},
-                       {"unit", key.unit},
-                       {"display_unit", key.displayUnit},
+        for (const auto& [model, value] : each.standards) standards[model] = value;
+        all.push_back({{"key", each.key.key},
+                       {"allowed", each.allowed},
+                       {"varies", each.varies},
+                       {"unit", each.key.unit},
+                       {"display_unit", each.key.displayUnit},
                        {"default", standards},
-                       {"help", key.help}});
+                       {"help", each.key.help}});
     }
     return all;
 }
@@ -90,12 +90,13 @@ int describeKinds(bool json)
 
 int describeKind(const StudyKind& kind, const std::string& wanted, bool json)
 {
-    std::vector<StudyKey> keys = studyKeys(kind.name);
+    std::vector<DescribedKey> keys = studyKeys(kind.name);
     std::vector<std::string> names;
-    for (const StudyKey& key : keys) names.push_back(key.key);
+    for (const DescribedKey& each : keys) names.push_back(each.key.key);
     if (!wanted.empty())
-        std::erase_if(keys,
-                      [&](const StudyKey& key) { return key.key != wanted && !key.key.starts_with(wanted + '.'); });
+        std::erase_if(keys, [&](const DescribedKey& each) {
+            return each.key.key != wanted && !each.key.key.starts_with(wanted + '.');
+        });
     if (keys.empty()) {
         complain(wanted + ": unknown key of a study of kind " + kind.name + didYouMean(nearestName(wanted, names)));
         return exitWrongInput;
@@ -126,11 +127,6 @@ std::optional<int> describeStudy(const std::string& key, bool json)
         list += (list.empty() ? "" : ", ") + kind.name;
         if (name == kind.name) return describeKind(kind, {}, json);
         if (name.starts_with(kind.name + '.')) return describeKind(kind, name.substr(kind.name.size() + 1), json);
-    }
-    if (key == "study.design") {
-        complain("study.design: its keys are those of the designs that `touchdown study design NAME --template` "
-                 "prints, such as film_fig4_pico");
-        return exitWrongInput;
     }
     if (!key.starts_with(prefix)) return {};
     complain(key + ": unknown kind of study: allowed is one of " + list + didYouMean(nearestName(name, kinds)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown describe` of a kind of study: the reference of its keys, from its reader and its template.
+// `touchdown describe` of a kind of study: the reference of its keys.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace touchdown {
 
-/// Tells of "study", of "study.KIND" or "KIND", and of a key below it; the exit code. Nothing where the key is none of
-/// a study.
+/// Describes "study", "study.KIND" or "KIND", or a key of it; returns the exit code. Nothing where the key does not
+/// belong to a study.
 std::optional<int> describeStudy(const std::string& key, bool json);
 
 } // namespace touchdown

@@ -20,14 +20,14 @@ namespace touchdown {
 
 namespace {
 
-/// The case that a study advises, as the text of the case it began with. Returns the problem, or "".
-std::string writeAdvised(const std::string& file, const StudyPlan& plan, const Case& found)
+/// The case that a study found, as the text of the case it began with. Returns the problem, or "".
+std::string writeFound(const std::string& file, const StudyPlan& plan, const Case& found)
 {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     return writeCaseFile(file, updateCaseText(plan.start.text, found, folder.empty() ? "." : folder));
 }
 
-/// All files that were asked for, of a study that ended early, too. Returns the problems.
+/// Writes all files that were asked for, also of a study that ended early. Returns the problems.
 std::vector<std::string> writeFiles(const StudyArguments& arguments, const StudyPlan& plan, const StudyReport& report)
 {
     std::vector<std::string> problems;
@@ -39,17 +39,20 @@ std::vector<std::string> writeFiles(const StudyArguments& arguments, const Study
     if (!arguments.out.empty())
         keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
     if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
-    if (!arguments.apply.empty() && report.found) keep(writeAdvised(arguments.apply, plan, *report.found));
+    if (!arguments.apply.empty() && report.found) keep(writeFound(arguments.apply, plan, *report.found));
     return problems;
 }
 
 int coresOfThis() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
-void complainOf(const StudyPlan& plan)
+/// Where --out names a case file, the user may expect the case that was found there.
+bool outIsGood(const StudyArguments& arguments)
 {
-    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
-        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
-    for (const InputProblem& problem : plan.problems) complain(problem.text());
+    const auto kind = std::ranges::find(studyKinds(), arguments.kind, &StudyKind::name);
+    if (kind == studyKinds().end() || !kind->findsCase || !arguments.out.ends_with(".toml")) return true;
+    complain("--out: writes findings, charts and tables as HDF5; write the case that was found with --apply " +
+             arguments.out);
+    return false;
 }
 
 /// Prints the study that the arguments name, or one of their case with the defaults.
@@ -61,9 +64,10 @@ int printTemplate(const StudyArguments& arguments)
     const char* ignored = !arguments.options.empty()                     ? "--option"
                           : isStudy && !arguments.study.settings.empty() ? "--set"
                                                                          : "";
+    const std::string shortcut = arguments.kind == "advise" ? "--tolerance" : "--levels";
     if (*ignored != 0)
-        complain(ignored +
-                 std::string(arguments.kind == "advise" ? ": has no effect, nor has --tolerance," : ": has no effect") +
+        complain(std::string(ignored) + ": has no effect" +
+                 (arguments.kind == "advise" || arguments.kind == "convergence" ? ", nor has " + shortcut + "," : "") +
                  " on what --template prints; write it into the file");
     if (!plan.valid() || *ignored != 0) return exitWrongInput;
     if (isStudy) {
@@ -81,6 +85,13 @@ int printTemplate(const StudyArguments& arguments)
 
 } // namespace
 
+void complainOf(const StudyPlan& plan)
+{
+    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
+        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
+    for (const InputProblem& problem : plan.problems) complain(problem.text());
+}
+
 int studyCommand(const StudyArguments& arguments)
 {
     if (arguments.asTemplate) return printTemplate(arguments);
@@ -88,7 +99,7 @@ int studyCommand(const StudyArguments& arguments)
     complainOf(plan);
     const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
                                      arguments.study.name);
-    if (!plan.valid() || !good) return exitWrongInput;
+    if (!plan.valid() || !outIsGood(arguments) || !good) return exitWrongInput;
 
     const StopSignal stop;
     ProgressLine line(arguments.progress);
@@ -110,7 +121,7 @@ int studyCommand(const StudyArguments& arguments)
     }
     if (arguments.apply.empty() || report.found) return exitDone;
     complain("--apply: nothing is written to " + arguments.apply +
-             ": no case has this answer; the findings say what to run instead");
+             ": no case has this answer; the findings name the command that has it");
     return exitNoAnswer;
 }
 

@@ -4,17 +4,15 @@
 #include <algorithm>
 
 #include "app/commands/case_commands.h"
+#include "app/commands/study_command.h"
 #include "app/terminal/json_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
-#include "core/studies/design/design_file.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
 
 namespace {
-
-constexpr const char* designKind = "design"; // read by itself
 
 Json jsonList(const std::vector<InputProblem>& problems)
 {
@@ -41,46 +39,34 @@ Json validation(const char* what, const CaseDocument& document, const std::strin
 /// What is wrong with the kind that a study names.
 std::optional<InputProblem> kindProblem(const std::string& name, const StudySource& study)
 {
-    std::vector<std::string> kinds{designKind};
+    std::vector<std::string> kinds;
     for (const StudyKind& each : studyKinds()) kinds.push_back(each.name);
     if (std::ranges::find(kinds, study.kind) != kinds.end()) return {};
     std::string list;
     for (const std::string& each : kinds) list += (list.empty() ? "" : ", ") + each;
-    const std::string said = study.kind.empty() ? "is missing, so that nothing says how to read it: it is one of "
+    const std::string said = study.kind.empty() ? "is missing: it is one of "
                                                 : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
     return InputProblem{name, study.kindLine, "kind", said + list + didYouMean(nearestName(study.kind, kinds))};
 }
 
 int validateStudy(const CaseArguments& arguments, const StudySource& study, bool json)
 {
-    CaseDocument start;
-    std::string title;
-    std::vector<InputProblem> problems;
-    if (const auto problem = kindProblem(arguments.name, study)) {
-        problems.push_back(*problem);
-    } else if (study.kind == designKind) {
-        DesignDocument document = readDesign(arguments.name, arguments.settings);
-        start = std::move(document.start);
-        title = document.title;
-        problems = std::move(document.problems);
-    } else {
-        StudyPlan plan = openStudy(study.kind, arguments.name, arguments.settings);
-        start = std::move(plan.start);
-        title = plan.title;
-        problems = std::move(plan.problems);
-    }
+    StudyPlan plan;
+    if (const auto problem = kindProblem(arguments.name, study))
+        plan.problems.push_back(*problem);
+    else
+        plan = openStudy(study.kind, arguments.name, arguments.settings);
+    CaseDocument& start = plan.start;
     start.name = arguments.name;
-    for (const auto* list : {&start.warnings, &start.unused})
-        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
-    for (const InputProblem& problem : problems) complain(problem.text());
+    complainOf(plan);
     if (json) {
-        Json object = validation("study", start, title, problems);
+        Json object = validation("study", start, plan.title, plan.problems);
         object["kind"] = study.kind;
         print(jsonText(object));
-    } else if (problems.empty()) {
+    } else if (plan.valid()) {
         print(arguments.name + ": valid, a study of kind " + study.kind + "\n");
     }
-    return problems.empty() ? exitDone : exitWrongInput;
+    return plan.valid() ? exitDone : exitWrongInput;
 }
 
 } // namespace

@@ -11,6 +11,8 @@
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
 #include "core/studies/advice/advisor.h"
+#include "core/studies/convergence/convergence_study.h"
+#include "core/studies/design/design_study.h"
 #include "core/studies/hysteresis/hysteresis.h"
 #include "core/studies/precision/work_precision.h"
 #include "core/studies/stability/stability.h"
@@ -26,7 +28,7 @@ namespace {
 struct Study {
     StudyKind kind;
     StudyPerformance (*plan)(StudyReader&);
-    std::string (*text)(const Case&);
+    StudyForm (*form)(const Case&);
 };
 
 const std::vector<Study>& studies()
@@ -36,22 +38,33 @@ const std::vector<Study>& studies()
           "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
           "time"},
          planWorkPrecision,
-         workPrecisionTemplate},
+         workPrecisionForm},
         {{"stability", "Stability where methods fail",
           "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
           "parameter"},
          planStability,
-         stabilityTemplate},
+         stabilityForm},
         {{"hysteresis", "Touch-down and take-off",
           "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
           "equilibria"},
          planHysteresis,
-         hysteresisTemplate},
+         hysteresisForm},
         {{"advise", "No more model than the scene needs",
-          "Tries a ladder of models on a film case, from small motions to the whole film, and advises the cheapest "
-          "that is good enough"},
+          "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
+          "that is good enough",
+          true},
          planAdvisor,
-         advisorTemplate},
+         advisorForm},
+        {{"design", "Values for a wanted flying attitude",
+          "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
+          "forces",
+          true},
+         planDesign,
+         designForm},
+        {{"convergence", "Convergence of a contact patch",
+          "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error"},
+         planConvergence,
+         convergenceForm},
     };
     return list;
 }
@@ -124,6 +137,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     appendTo(plan.problems, plan.start.problems);
     if (!plan.start.valid()) return plan; // what the study's keys may be depends on the case
     const auto before = static_cast<std::ptrdiff_t>(plan.problems.size());
+    reader.setKeys(study->form(plan.start.value).keys);
     StudyPerformance perform = study->plan(reader);
     const auto isOfCase = [](const InputProblem& problem) { return problem.key == "case"; };
     // What a study misses beside a case that it cannot take follows from that, unless it was written.
@@ -135,7 +149,6 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
                             plan.problems.end());
     }
     reader.finish();
-    plan.questions = reader.questions();
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
     const bool named = !title.empty();
@@ -244,10 +257,20 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
     return planStudy(kind, std::move(source), settings, options);
 }
 
-std::string studyTemplate(const std::string& kind, const Case& c)
+StudyForm studyForm(const std::string& kind, const Case& c)
 {
     const Study* study = findStudy(kind);
-    return study == nullptr ? std::string() : "kind = " + tomlString(kind) + "\n" + study->text(c);
+    if (study == nullptr) return {};
+    StudyForm form = study->form(c);
+    const std::vector<StudyKey> head = headKeys();
+    form.keys.insert(form.keys.begin(), head.begin(), head.end());
+    return form;
+}
+
+std::string studyTemplate(const std::string& kind, const Case& c)
+{
+    const StudyForm form = studyForm(kind, c);
+    return form.keys.empty() ? std::string() : "kind = " + tomlString(kind) + "\n" + templateText(form);
 }
 
 } // namespace touchdown

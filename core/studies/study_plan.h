@@ -24,22 +24,22 @@
 namespace touchdown {
 
 struct StudyKind {
-    std::string name;  // "work-precision"
-    std::string title; // "Accuracy against speed"
-    std::string help;  // a sentence
+    std::string name;       // "work-precision"
+    std::string title;      // "Accuracy against speed"
+    std::string help;       // a sentence
+    bool findsCase = false; // its report may hold a case, which --apply writes
 };
-/// Those that give a StudyReport, in the order in which they are offered.
+/// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();
 
 struct StudyPlan {
     std::string kind;
     std::string name; // of the file, for problems
     std::string title;
-    std::string text;                     // the study's file; "" where a case was given
-    CaseDocument start;                   // the case that is studied
-    std::vector<InputProblem> problems;   // all of them, those of the case among them
-    StudyPerformance perform;             // set where there is no problem
-    std::vector<StudyQuestion> questions; // the keys that this study asks for of this case
+    std::string text;                   // the study's file; "" where a case was given
+    CaseDocument start;                 // the case that is studied
+    std::vector<InputProblem> problems; // all of them, those of the case among them
+    StudyPerformance perform;           // set where there is no problem
     bool valid() const { return problems.empty(); }
 };
 
@@ -61,7 +61,9 @@ StudyPlan openStudy(const std::string& kind, const std::string& fileOrName,
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
                      const std::filesystem::path& folder, const Case* given = nullptr,
                      const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {});
-/// The text with which a study of this case begins: its kind and its defaults, with a comment for each key.
+/// All keys of a study of this case, those of the head first; none for an unknown kind.
+StudyForm studyForm(const std::string& kind, const Case& c);
+/// The text of a study of this case: its kind and its defaults, with a comment for each key.
 std::string studyTemplate(const std::string& kind, const Case& c);
 
 } // namespace touchdown

@@ -157,12 +157,11 @@ void TestCommandLine::validateStudies()
     QCOMPARE(said("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 0\n"),
              QByteArray("a.toml:3: steps: must be a whole number from 1 to 999\n"));
     QCOMPARE(said("case = \"fig10a\"\n"),
-             QByteArray("a.toml: kind: is missing, so that nothing says how to read it: it is one of design, "
-                        "work-precision, stability, hysteresis, advise\n"));
+             QByteArray("a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, advise, design, "
+                        "convergence\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
-             QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of design, work-precision, "
-                        "stability, hysteresis, advise; "
-                        "did you mean hysteresis?\n"));
+             QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
+                        "stability, hysteresis, advise, design, convergence; did you mean hysteresis?\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
              QByteArray("a.toml:4: set.run.step: "));
 }
@@ -246,12 +245,13 @@ void TestCommandLine::describeUnknown()
     QVERIFY(folder_->touchdown({"describe", "sprins"}).err.contains("did you mean springs?"));
 }
 
-// The reader's ranges beside the template's defaults and comments.
+// Ranges, defaults and help of the keys.
 void TestCommandLine::describeStudies()
 {
     const Outcome kinds = folder_->touchdown({"describe", "study"});
     QCOMPARE(kinds.code, 0);
-    for (const char* part : {"work-precision  ", "stability  ", "hysteresis  ", "advise  "})
+    for (const char* part :
+         {"work-precision  ", "stability  ", "hysteresis  ", "advise  ", "design  ", "convergence  "})
         QVERIFY2(kinds.out.contains(part), kinds.out);
     const Outcome all = folder_->touchdown({"describe", "study.hysteresis"});
     QCOMPARE(all.code, 0);

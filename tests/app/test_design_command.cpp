@@ -14,22 +14,24 @@ private slots:
     void found()
     {
         folder_->put("a.toml", planeStudy("0.085"));
-        const Outcome o = folder_->touchdown({"study", "design", "a.toml", "--json", "--out", "found.toml", "--csv",
+        const Outcome o = folder_->touchdown({"study", "design", "a.toml", "--json", "--apply", "found.toml", "--csv",
                                               "a.csv", "--set", "film.nodes=33, 33"});
         QCOMPARE(o.err, QByteArray());
         QCOMPARE(o.code, 0);
         const QJsonObject study = o.json();
         QCOMPARE(study["status"].toString(), QString("completed"));
-        const QJsonObject best = study["best"].toObject();
-        const double height = best["parameters"].toObject()["initial.nominal_trailing_edge_height"].toDouble();
+        const QJsonArray steps = study["tables"].toArray()[0].toObject()["rows"].toArray();
+        const QJsonObject best = steps.last().toObject();
+        const double height = best["initial.nominal_trailing_edge_height"].toDouble();
         QVERIFY(height > 80e-9 && height < 100e-9);
-        QVERIFY(std::abs(best["quantities"].toObject()["net_force"].toDouble() - 0.085) <= 1e-5);
-        QCOMPARE(study["steps"].toArray().first().toObject()["iteration"].toInt(), 0);
+        QVERIFY(std::abs(best["net_force"].toDouble() - 0.085) <= 1e-5);
+        QCOMPARE(steps.first().toObject()["iteration"].toInt(), 0);
         QCOMPARE(folder_->files(), (QStringList{"a.csv", "a.toml", "found.toml"}));
         const CaseDocument found = readCaseFile(folder_->path("found.toml").toStdString());
         QVERIFY(found.valid());
         QCOMPARE(found.value.initial.nominalTrailingEdgeHeight, height);
         QVERIFY(found.text.find("# The whole of the slider.") != std::string::npos);
+        QVERIFY(study["found"].toString().contains("initial"));
         const Outcome text =
             folder_->touchdown({"study", "design", "a.toml", "--set", "film.nodes=33, 33", "--progress"});
         QCOMPARE(text.code, 0);
@@ -40,7 +42,7 @@ private slots:
     {
         folder_->put("a.toml", planeStudy("0.5"));
         const Outcome o =
-            folder_->touchdown({"study", "design", "a.toml", "--out", "found.toml", "--set", "film.nodes=33, 33"});
+            folder_->touchdown({"study", "design", "a.toml", "--apply", "found.toml", "--set", "film.nodes=33, 33"});
         QCOMPARE(o.code, 1);
         QVERIFY2(
             o.err.startsWith("failed: the targets are not reached within the bounds; the best set lies on the bound of "
@@ -57,7 +59,9 @@ private slots:
         QTest::newRow("a file that is not there") << QStringList{"b.toml"} << "b.toml: ";
         QTest::newRow("a sample that is not there") << QStringList{"film_fig4_pic"} << "did you mean film_fig4_pico?";
         QTest::newRow("a bad setting") << QStringList{"a.toml", "--set", "film.nodes=7"} << "film.nodes";
-        QTest::newRow("a bad target") << QStringList{"a.toml", "--out", "no/such.toml"} << "no/such.toml";
+        QTest::newRow("a bad target") << QStringList{"a.toml", "--apply", "no/such.toml"} << "no/such.toml";
+        QTest::newRow("the case as a report")
+            << QStringList{"a.toml", "--out", "found.toml"} << "write the case that was found with --apply found.toml";
         QTest::newRow("the study itself") << QStringList{"a.toml", "--csv", "a.toml"} << "a.toml";
         QTest::newRow("one file for two") << QStringList{"a.toml", "--out", "b", "--csv", "b"} << "both name";
     }

@@ -120,7 +120,7 @@ private slots:
         const auto row = [](const char* name, const QStringList& arguments, const char* says) {
             QTest::newRow(name) << arguments << says;
         };
-        row("no study", {"study"}, "study: a kind (convergence, design, work-precision");
+        row("no study", {"study"}, "study: a kind (work-precision, stability, hysteresis, advise, design, convergence");
         row("a study that is not there", {"study", "sweep", "contact_hertz"}, "sweep");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
         row("a file that is not there", {"study", "hysteresis", "b.toml"}, "b.toml: is neither a file, ");
@@ -160,11 +160,12 @@ private slots:
         row("two studies", {"study", "hysteresis", "fig10a", "--json", "fig10b"},
             "hysteresis: \"fig10b\" was not expected");
         row("a pad", {"study", "stability", "contact_hertz"}, "contact_hertz: case: ");
-        row("a case to design", {"study", "design", "fig10a"}, "fig10a: is a case; a design needs the file of a study");
+        row("a case to design", {"study", "design", "fig10a"},
+            "fig10a: case: a design study takes a case of model \"film\"");
         row("a list of tables as option", {"study", "hysteresis", "fig10a", "--option", "method.name=a"},
             "--option: method");
         row("advice on a slider that is held", {"advise", "film_plane"},
-            "film_plane: case: is meant for one attitude alone (steady.fixed_attitude = true)");
+            "film_plane: case: holds the slider at one attitude (steady.fixed_attitude = true)");
         row("advice on springs", {"advise", "fig10a"}, "fig10a: case: must be of model \"film\"");
         row("advice without a case", {"advise", "--tolerance", "1%"}, "advise: FILE");
         row("a bad tolerance", {"advise", "film_pico", "--tolerance", "few"}, "--option: tolerance: ");

@@ -37,7 +37,7 @@ private slots:
         QTest::addColumn<QString>("study");
         QTest::addColumn<QString>("sample");
         for (const StudyKind& each : studyKinds())
-            for (const char* sample : {"fig10a", "film_fig4_pico"})
+            for (const char* sample : {"fig10a", "film_fig4_pico", "contact_hertz"})
                 QTest::addRow("%s of %s", each.name.c_str(), sample) << QString::fromStdString(each.name) << sample;
     }
     void templates()
@@ -51,15 +51,21 @@ private slots:
         const bool only = plan.problems.size() == 1 && plan.problems.front().key == "case";
         QVERIFY2(plan.valid() || only, qPrintable(said(plan) + QString::fromStdString(text)));
         QCOMPARE(static_cast<bool>(plan.perform), plan.valid());
+        for (const QString& line : QString::fromStdString(text).split('\n'))
+            QVERIFY2(line.size() < 120, qPrintable(line));
+        // What is only offered is right, too.
+        QString offers = QString::fromStdString(text);
+        offers.replace(QRegularExpression("^# (\\[\\w+\\]|\\w+ = )", QRegularExpression::MultilineOption), "\\1");
+        const StudyPlan all = parseStudy(study.toStdString(), offers.toStdString(), "a.toml", {}, &c);
+        QVERIFY2(all.valid() || only, qPrintable(said(all) + offers));
     }
     void samples_data()
     {
         QTest::addColumn<QString>("study");
         QTest::addColumn<QString>("name");
         for (const SampleStudy& each : sampleStudies())
-            if (each.kind != "design")
-                QTest::addRow("%s of %s", each.kind.c_str(), each.name.c_str())
-                    << QString::fromStdString(each.kind) << QString::fromStdString(each.name);
+            QTest::addRow("%s of %s", each.kind.c_str(), each.name.c_str())
+                << QString::fromStdString(each.kind) << QString::fromStdString(each.name);
         QTest::addRow("a case") << QString::fromStdString(kind) << "fig10a";
     }
     void samples()

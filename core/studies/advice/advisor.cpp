@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/advice/advisor.h"
 
+#include <algorithm>
+
+#include "core/formats/quotation.h"
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/run.h"
 #include "core/studies/advice/advisor_report.h"
@@ -41,40 +44,51 @@ StudyPerformance planAdvisor(StudyReader& reader)
     AdvisorTask task;
     task.start = reader.start();
     if (task.start.model != ModelKind::Film)
-        reader.add("case",
-                   "must be of model \"film\": the ladder leaves out what a film has; springs are its last step");
+        reader.add("case", "must be of model \"film\": the simpler models are made from a film");
     else if (const std::string reason = reasonNotToRun(task.start); !reason.empty())
         reader.add("case", "cannot be run in time: " + reason);
     else if (task.start.steady.fixedAttitude)
-        reader.add("case", "is meant for one attitude alone (steady.fixed_attitude = true): nothing says what carries "
-                           "its load; advice is of one that flies");
-    task.tolerance = reader.number("tolerance", "", "", 1e-5, 0.5).value_or(task.tolerance);
-    task.spreadTolerance = reader.number("spread_tolerance", "", "", 1e-5, 2.0).value_or(task.spreadTolerance);
-    task.pilot = reader.number("pilot", "", "", 0.05, 1.0).value_or(task.pilot);
-    task.confirm = reader.boolean("confirm").value_or(task.confirm);
-    task.all = reader.boolean("all").value_or(task.all);
-    task.budget = reader.number("budget", "s", "s", 0.01, longestBudget).value_or(task.budget);
+        reader.add("case",
+                   "holds the slider at one attitude (steady.fixed_attitude = true); advice needs a slider that "
+                   "flies");
+    task.tolerance = reader.number("tolerance");
+    task.spreadTolerance = reader.number("spread_tolerance");
+    task.pilot = reader.number("pilot");
+    task.confirm = reader.flag("confirm");
+    task.all = reader.flag("all");
+    task.budget = reader.number("budget");
     if (const auto chosen = reader.texts("models")) {
         for (const std::string& model : *chosen)
             if (std::ranges::find(models, model) == models.end())
-                reader.add("models",
-                           "\"" + model +
-                               "\" is none of static, contact-rest, wave-answer, small-motion, springs, parts, sums");
+                reader.add("models", inQuotes(model) + " is not known: allowed is " + choiceText(models));
         task.models = *chosen;
     }
     return [task](int jobs, const StudyCallback& callback) { return performAdvice(task, jobs, callback); };
 }
 
-std::string advisorTemplate(const Case&)
+StudyForm advisorForm(const Case&)
 {
-    return R"(tolerance = "1%"          # of the mean spacing over the last tenth of the run, from 0.001% to 50%
-spread_tolerance = "10%"  # of its standard deviation there, or of tolerance times the mean where that is more; from 0.001% to 200%
-pilot = 0.3               # least part of the run that the full model is given, from 0.05 to 1; more where the end is not known by then
-confirm = false           # true: also take the full model and the advice to the end, and say what was claimed rightly
-all = false               # true: also measure models that take too long to be the advice
-budget = "3600 s"         # after which the study ends with what it knows by then
-models = ["static", "contact-rest", "wave-answer", "small-motion", "springs", "parts", "sums"] # the ladder, any of: the static state; where it rests in contact; what it answers to waves of the disk; that and its modes; two springs fitted to the film; the film without one part each; without several, and those
-)";
+    const AdvisorTask task;
+    StudyForm form;
+    form.keys = {
+        numberKey("tolerance", task.tolerance, "", "", 1e-5, 0.5,
+                  "error of the mean spacing over the last tenth of the run that the advice may have"),
+        numberKey("spread_tolerance", task.spreadTolerance, "", "", 1e-5, 2.0,
+                  "the same for the standard deviation, or for tolerance times the mean where that is more"),
+        numberKey("pilot", task.pilot, "", "", 0.05, 1.0,
+                  "smallest part of the run that the full model computes; more where its end is not known by then"),
+        booleanKey("confirm", task.confirm, "true: also run the full model and the advice to the end, and compare"),
+        booleanKey("all", task.all, "true: also measure models that take too long to be advised"),
+        numberKey("budget", task.budget, "s", "s", 0.01, longestBudget,
+                  "wall time after which the study ends with the results it has"),
+        listKey("models", models,
+                "models to try: the static state; the state at rest in contact; the response to the waves of the disk; "
+                "that response with the air bearing modes; two springs fitted to the film; the film without one part "
+                "each; the film without several parts (which tries the single parts, too)"),
+    };
+    form.keys[0].shown = "1%";
+    form.keys[1].shown = "10%";
+    return form;
 }
 
 } // namespace touchdown

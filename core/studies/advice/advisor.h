@@ -10,7 +10,7 @@ namespace touchdown {
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planAdvisor(StudyReader& reader);
-/// The keys with their defaults for a case.
-std::string advisorTemplate(const Case& c);
+/// Its keys with their defaults for a case.
+StudyForm advisorForm(const Case& c);
 
 } // namespace touchdown

@@ -49,17 +49,17 @@ Allowance allowanceOf(const TailEstimate& full, const AdvisorTask& task)
     return allowed;
 }
 
-RungErrors errorsOf(const TailEstimate& rung, const TailEstimate& full, const AdvisorTask& task)
+CandidateErrors errorsOf(const TailEstimate& candidate, const TailEstimate& full, const AdvisorTask& task)
 {
-    RungErrors errors;
-    errors.mean = std::abs(rung.mean - full.mean);
-    errors.spread = std::abs(rung.spread - full.spread);
+    CandidateErrors errors;
+    errors.mean = std::abs(candidate.mean - full.mean);
+    errors.spread = std::abs(candidate.spread - full.spread);
     errors.resolution = allowanceOf(full, task).step;
-    errors.sameEnd = rung.kind == full.kind;
+    errors.sameEnd = candidate.kind == full.kind;
     errors.endKnown = full.sameKind;
     if (full.spread > std::max(task.tolerance * std::abs(full.mean), errors.resolution) && full.peakFrequency > 0.0)
-        errors.samePeak = std::abs(rung.peakFrequency - full.peakFrequency) <=
-                          std::max({rung.resolution, full.resolution, task.spreadTolerance * full.peakFrequency});
+        errors.samePeak = std::abs(candidate.peakFrequency - full.peakFrequency) <=
+                          std::max({candidate.resolution, full.resolution, task.spreadTolerance * full.peakFrequency});
     errors.meanUncertainty = full.meanUncertainty;
     errors.spreadUncertainty = full.spreadUncertainty;
     return errors;
@@ -77,7 +77,7 @@ std::string_view name(Verdict verdict)
     return {};
 }
 
-Verdict verdictOn(const RungErrors& errors, const Allowance& allowed)
+Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed)
 {
     if (!errors.endKnown) return Verdict::NotKnown;
     if (!errors.sameEnd) return Verdict::AnotherEnd;

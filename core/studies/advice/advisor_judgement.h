@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/studies/advice/advisor_ladder.h"
+#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/tail_estimate.h"
 
 namespace touchdown {
@@ -33,9 +33,9 @@ bool confirms(const Claim& claim, double found);
 /// "0.13 nm", "< 0.01 nm", "not known".
 std::string textOf(const Claim& claim);
 
-struct RungErrors {
+struct CandidateErrors {
     double mean = 0.0, spread = 0.0;                       // [m]
-    double meanUncertainty = 0.0, spreadUncertainty = 0.0; // of what the pilot foretells; infinite: not known [m]
+    double meanUncertainty = 0.0, spreadUncertainty = 0.0; // of what the pilot predicts; infinite: not known [m]
     double resolution = 0.0;                               // what the full model's steps leave open [m]
     bool sameEnd = true, samePeak = true;
     bool endKnown = true; // else the full model may still end otherwise
@@ -51,11 +51,11 @@ struct Allowance {
 };
 Allowance allowanceOf(const TailEstimate& full, const AdvisorTask& task);
 
-/// Errors of a model's end, which is known, against the full model's, which may be foretold.
-RungErrors errorsOf(const TailEstimate& rung, const TailEstimate& full, const AdvisorTask& task);
+/// Errors of a model's end, which is known, against the full model's, which may be predicted.
+CandidateErrors errorsOf(const TailEstimate& candidate, const TailEstimate& full, const AdvisorTask& task);
 
 enum class Verdict : std::uint8_t { Within, TooFar, AnotherEnd, AnotherPeak, NotKnown };
 std::string_view name(Verdict verdict); // "within", "too far", ...
-Verdict verdictOn(const RungErrors& errors, const Allowance& allowed);
+Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed);
 
 } // namespace touchdown

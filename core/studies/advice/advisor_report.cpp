@@ -21,21 +21,21 @@ std::string readableTime(double seconds) { return fewDigitsOfTime(seconds); }
 /// The full model's end is known, and so how far the others are from it.
 bool isJudged(const AdvisorResult& result) { return result.pilotTime > 0.0 && result.full.answers(); }
 
-std::string wordFor(const RungOutcome& rung)
+std::string wordFor(const CandidateOutcome& candidate)
 {
-    if (!rung.problem.empty()) return "no answer";
-    return rung.givenUp ? "takes longer" : std::string(name(rung.verdict));
+    if (!candidate.problem.empty()) return "no answer";
+    return candidate.givenUp ? "takes longer" : std::string(name(candidate.verdict));
 }
 
 /// "mean spacing 0.03 nm (0.1 nm allowed), spread ..." of an outcome.
-std::string errorsText(const RungErrors& errors, const Allowance& allowed)
+std::string errorsText(const CandidateErrors& errors, const Allowance& allowed)
 {
     return "mean spacing " + textOf(errors.claimedMean()) + " (" + nm(allowed.mean) + " allowed), spread " +
            textOf(errors.claimedSpread()) + " (" + nm(allowed.spread) + " allowed)";
 }
 
-/// "9.108 nm" or, where it is foretold, "8.98 +- 0.12 nm".
-std::string foretold(double value, double uncertainty)
+/// "9.108 nm" or, where it is predicted, "8.98 +- 0.12 nm".
+std::string predicted(double value, double uncertainty)
 {
     if (uncertainty == 0.0) return fewDigits(value, "nm", 4);
     return fewDigits(value, "nm", 4) + (std::isfinite(uncertainty) ? " +- " + nm(uncertainty) : " (not known)");
@@ -43,8 +43,8 @@ std::string foretold(double value, double uncertainty)
 
 std::string endText(const TailEstimate& end)
 {
-    return std::string(name(end.kind)) + ", mean spacing " + foretold(end.mean, end.meanUncertainty) + ", spread " +
-           foretold(end.spread, end.spreadUncertainty) +
+    return std::string(name(end.kind)) + ", mean spacing " + predicted(end.mean, end.meanUncertainty) + ", spread " +
+           predicted(end.spread, end.spreadUncertainty) +
            (end.peakFrequency > 0.0 ? ", largest peak at " + fewDigits(end.peakFrequency, "kHz", 3) : "");
 }
 
@@ -56,18 +56,18 @@ std::string windowText(const AdvisorTask& task, const AdvisorResult& result)
                              : "over the first " + readableTime(result.pilotTime) + " of " + duration;
 }
 
-std::string applyText(const RungOutcome& advice)
+std::string applyText(const CandidateOutcome& advice)
 {
     if (advice.found && advice.command == "steady")
         return "Its case (--apply FILE) has this answer as its static state: touchdown steady FILE.";
-    if (advice.found && advice.rung.kind == RungKind::ContactRest)
+    if (advice.found && advice.model.kind == CandidateKind::ContactRest)
         return "Its case (--apply FILE) begins at this rest, over a flat disk, and stays there: touchdown run FILE. "
                "That run checks the rest in a film over a tenth of the duration, and takes about a tenth of the full "
                "model's time.";
     if (advice.found) return "Its case (--apply FILE) is to be run: touchdown run FILE.";
-    return "No case has this answer alone: its numbers stand in the table below, touchdown modes tells the modes, and "
+    return "No case has this answer alone: its numbers stand in the table below, touchdown modes lists the modes, and "
            "--option models=" +
-           std::string(name(advice.rung.kind)) + " makes this model the only one that is tried.";
+           std::string(name(advice.model.kind)) + " tries this model alone.";
 }
 
 void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
@@ -82,12 +82,12 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
     if (!result.full.answers()) {
         report.findings.push_back("There is no advice: the full model was run for " + readableTime(result.pilotTime) +
                                   " of " + readableTime(task.start.run.duration) +
-                                  ". From that its end would be: " + endText(result.full.tail) + ".");
+                                  ". Its end predicted from that: " + endText(result.full.tail) + ".");
         return;
     }
     if (!result.advice) {
         const std::string tried =
-            result.rungs.empty()
+            result.candidates.empty()
                 ? "no other model was tried."
                 : "none of the models that were tried is known to be within the tolerance and takes at most 1/" +
                       fewDigits(worthwhile, "") + " of the full model's time.";
@@ -95,17 +95,17 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
                                   : all                ? "There is no advice: " + tried
                                                        : "So far there is no advice: " + tried);
     } else {
-        const RungOutcome& advice = result.rungs[*result.advice];
-        report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.rung.name + ". It leaves out " +
-                                  advice.rung.leavesOut + ", and takes " + readableTime(advice.seconds) +
+        const CandidateOutcome& advice = result.candidates[*result.advice];
+        report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.model.name + ". It leaves out " +
+                                  advice.model.leavesOut + ", and takes " + readableTime(advice.seconds) +
                                   " of a processor instead of " + readableTime(result.full.seconds) + ": " +
                                   times(result.full.seconds / advice.seconds) + " less.");
         report.findings.push_back(
             "Claimed error over the last tenth of the run: " + errorsText(advice.errors, result.allowed) +
             "; measured against the full model " + windowText(task, result) +
-            (result.pilotWhole ? "." : ", from which its end is foretold."));
+            (result.pilotWhole ? "." : ", from which its end is predicted."));
     }
-    report.findings.push_back("The full model's end" + std::string(result.pilotWhole ? ": " : ", foretold: ") +
+    report.findings.push_back("The full model's end" + std::string(result.pilotWhole ? ": " : ", predicted: ") +
                               endText(result.full.tail) + ".");
 }
 
@@ -120,12 +120,12 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
                           std::abs(full.spread - end.spread) <= full.spreadUncertainty + 0.5 * result.allowed.step &&
                           full.kind == end.kind;
         report.findings.push_back("The full model, run to its end: " + endText(end) +
-                                  (came ? "; as foretold." : "; NOT as foretold."));
-        if (!came) report.warnings.push_back("the full model's end was foretold wrongly; give a longer pilot");
+                                  (came ? "; as predicted." : "; NOT as predicted."));
+        if (!came) report.warnings.push_back("the end of the full model was predicted wrongly; use a longer pilot");
     }
     if (!result.found) return;
-    const RungOutcome& advice = result.rungs[*result.advice];
-    const RungErrors& found = *result.found;
+    const CandidateOutcome& advice = result.candidates[*result.advice];
+    const CandidateErrors& found = *result.found;
     const Claim mean = advice.errors.claimedMean(), spread = advice.errors.claimedSpread();
     const bool meanCame = confirms(mean, found.mean), spreadCame = confirms(spread, found.spread);
     const bool came = found.sameEnd && found.samePeak && meanCame && spreadCame;
@@ -138,50 +138,51 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
                                one(mean, found.mean, meanCame) + ", of the spread " +
                                one(spread, found.spread, spreadCame) +
                                (found.samePeak ? "" : ", its largest peak elsewhere: missed") +
-                               (found.sameEnd ? "" : ", and it ends otherwise: missed") + "; " +
+                               (found.sameEnd ? "" : ", and it ends in another state: missed") + "; " +
                                readableTime(result.adviceSeconds) + " instead of " + readableTime(result.fullSeconds) +
                                ", " + lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
     if (!came)
         report.warnings.push_back(
-            "the full model's whole run does not confirm what the pilot claims; give a longer pilot");
+            "the whole run of the full model does not confirm the claims of the pilot; use a longer pilot");
 }
 
-void tellRungs(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
+void tellCandidates(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
 {
     if (result.advice) {
-        const RungOutcome& advice = result.rungs[*result.advice];
-        if (!advice.remark.empty()) report.findings.push_back("Of " + advice.rung.name + ": " + advice.remark + ".");
+        const CandidateOutcome& advice = result.candidates[*result.advice];
+        if (!advice.remark.empty())
+            report.findings.push_back("Remark on " + advice.model.name + ": " + advice.remark + ".");
         report.findings.push_back(applyText(advice));
     }
     if (task.start.contact != ContactKind::None && !result.contactActed)
         report.findings.push_back(
-            "Nothing but air acted on the slider in the pilot: contact can be left out there without any error.");
+            "Only air acted on the slider in the pilot: contact can be left out there without an error.");
     std::size_t givenUp = 0;
-    for (std::size_t k = 0; k < result.rungs.size(); ++k) {
-        const RungOutcome& rung = result.rungs[k];
-        givenUp += rung.givenUp;
-        if (result.advice == k || rung.givenUp) continue;
-        std::string text = rung.rung.name + " (leaves out " + rung.rung.leavesOut + "): ";
-        if (!rung.answers())
-            text += "no answer, " + rung.problem;
-        else if (rung.verdict == Verdict::AnotherEnd)
-            text += "wrong here, it ends " + std::string(name(rung.tail.kind)) + " at " +
-                    fewDigits(rung.tail.mean, "nm", 3);
+    for (std::size_t k = 0; k < result.candidates.size(); ++k) {
+        const CandidateOutcome& candidate = result.candidates[k];
+        givenUp += candidate.givenUp;
+        if (result.advice == k || candidate.givenUp) continue;
+        std::string text = candidate.model.name + " (leaves out " + candidate.model.leavesOut + "): ";
+        if (!candidate.answers())
+            text += "no answer, " + candidate.problem;
+        else if (candidate.verdict == Verdict::AnotherEnd)
+            text += "wrong here, ends " + std::string(name(candidate.tail.kind)) + " at " +
+                    fewDigits(candidate.tail.mean, "nm", 3);
         else
-            text += (rung.within()                       ? "within the tolerance, "
-                     : rung.verdict == Verdict::NotKnown ? "not known to be enough, "
-                                                         : "not enough, ") +
-                    errorsText(rung.errors, result.allowed) +
-                    (rung.errors.samePeak ? "" : ", its largest peak elsewhere") + "; " +
-                    saving(result.full.seconds / rung.seconds);
+            text += (candidate.within()                       ? "within the tolerance, "
+                     : candidate.verdict == Verdict::NotKnown ? "accuracy not known, "
+                                                              : "not enough, ") +
+                    errorsText(candidate.errors, result.allowed) +
+                    (candidate.errors.samePeak ? "" : ", its largest peak elsewhere") + "; " +
+                    saving(result.full.seconds / candidate.seconds);
         report.findings.push_back(text + ".");
     }
     if (givenUp == 1)
         report.findings.push_back(
-            "1 model in time was given up as soon as it had taken too long to be the advice; all = true measures it.");
+            "1 model in time was stopped as soon as it had taken too long to be advised; all = true measures it.");
     if (givenUp > 1)
         report.findings.push_back(std::to_string(givenUp) +
-                                  " models in time were given up as soon as they had taken too long to be the advice; "
+                                  " models in time were stopped as soon as they had taken too long to be advised; "
                                   "all = true measures them.");
 }
 
@@ -203,38 +204,39 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
                                   ", as one step may displace the slider by " + nm(0.5 * allowed.step) +
                                   " (run.step_error).");
     if (result.gridError > 0.0)
-        report.findings.push_back("The full model's own grid errs by about " + nm(result.gridError) +
-                                  " in the static spacing; errors above are against that model.");
+        report.findings.push_back("The grid of the full model has an error of about " + nm(result.gridError) +
+                                  " in the static spacing; the errors above are relative to the full model.");
     if (isJudged(result) && result.gridError > allowed.mean)
-        report.warnings.push_back("the full model's own grid errs by more than is allowed of a smaller model: about " +
-                                  nm(result.gridError));
+        report.warnings.push_back(
+            "the grid error of the full model is larger than the error allowed for a smaller model: about " +
+            nm(result.gridError));
     if (!result.growthProblem.empty())
-        report.warnings.push_back("whether small motions about a static state grow is not known (" +
-                                  result.growthProblem + "), so that the full model was run to its end");
+        report.warnings.push_back("the stability of small motions about the static state is not known (" +
+                                  result.growthProblem + "); the full model was run to its end");
     if (result.growth > 0.0)
-        report.warnings.push_back("a mode of the film about the static state grows, by " +
+        report.warnings.push_back("an air bearing mode about the static state grows, by " +
                                   fewDigits(result.growth, "") +
-                                  " e-folds over the run: small motions do not end there");
+                                  " e-folds over the run: small motions do not end in the static state");
     if (result.roughPasses)
-        report.findings.push_back("A surface without an order of its own passes by, of which no part of a run tells "
+        report.findings.push_back("A rough disk moves under the slider, so that no part of a run predicts "
                                   "the rest: the full model was run to its end.");
-    const auto endsOtherwise = [](const RungOutcome& rung) {
-        return rung.answers() && rung.rung.kind == RungKind::Part && rung.rung.parts[0].family == "steps" &&
-               rung.verdict == Verdict::AnotherEnd;
+    const auto endsOtherwise = [](const CandidateOutcome& candidate) {
+        return candidate.answers() && candidate.model.kind == CandidateKind::Part &&
+               candidate.model.parts[0].family == "steps" && candidate.verdict == Verdict::AnotherEnd;
     };
-    if (std::ranges::any_of(result.rungs, endsOtherwise))
-        report.warnings.push_back("with looser steps the scene ends in another state: it lies near the border between "
-                                  "two, and its end hangs on "
-                                  "what no model knows; study it by an ensemble of starts");
+    if (std::ranges::any_of(result.candidates, endsOtherwise))
+        report.warnings.push_back(
+            "with larger steps the scene ends in another state: it is close to the border between "
+            "two states, and no model predicts its end reliably; study it by an ensemble of starts");
     if (!result.missing.empty())
         report.warnings.push_back(
-            (result.late ? "the budget of " + readableTime(task.budget) + " was spent before these were tried: "
-                         : "it was stopped before these were tried: ") +
+            (result.late ? "the budget of " + readableTime(task.budget) + " was spent before these models were tried: "
+                         : "the study was stopped before these models were tried: ") +
             listOf(result.missing));
     const bool confirmed = result.fullEnd && (!result.advice || result.found);
     if (task.confirm && !confirmed && isJudged(result) && (result.late || result.status == StudyStatus::Cancelled))
         report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent"
-                                               : std::string("it was stopped")) +
+                                               : std::string("the study was stopped")) +
                                   " before the advice was confirmed");
     report.findings.push_back("The study took " + readableTime(result.studySeconds) + " of a processor" +
                               (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) +
@@ -259,23 +261,24 @@ StudyChart chartOf(const AdvisorResult& result)
         ChartSeries reduced{.name = "without a film in time", .points = {}, .line = ChartLine::None};
         ChartSeries film{.name = "film without a part", .points = {}, .line = ChartLine::None};
         ChartSeries full{.name = "full model", .points = {}, .line = ChartLine::None};
-        const auto add = [&](ChartSeries& series, const RungOutcome& rung, bool chosen) {
-            const Claim claim = spread ? rung.errors.claimedSpread() : rung.errors.claimedMean();
-            if (!rung.answers() || !std::isfinite(claim.value) || !(claim.value > 0.0)) return;
+        const auto add = [&](ChartSeries& series, const CandidateOutcome& candidate, bool chosen) {
+            const Claim claim = spread ? candidate.errors.claimedSpread() : candidate.errors.claimedMean();
+            if (!candidate.answers() || !std::isfinite(claim.value) || !(claim.value > 0.0)) return;
             series.points.push_back(
-                {.x = std::max(rung.seconds, 1e-6),
+                {.x = std::max(candidate.seconds, 1e-6),
                  .y = claim.value,
-                 .label = rung.rung.name + (claim.bound ? ", " + textOf(claim) : ""),
-                 .kind = rung.verdict == Verdict::AnotherEnd ? PointKind::WrongState : PointKind::Good,
+                 .label = candidate.model.name + (claim.bound ? ", " + textOf(claim) : ""),
+                 .kind = candidate.verdict == Verdict::AnotherEnd ? PointKind::WrongState : PointKind::Good,
                  .chosen = chosen,
                  .yError = claim.bound ? 0.0
-                           : spread    ? rung.errors.spreadUncertainty
-                                       : rung.errors.meanUncertainty});
+                           : spread    ? candidate.errors.spreadUncertainty
+                                       : candidate.errors.meanUncertainty});
         };
-        for (std::size_t k = 0; k < result.rungs.size(); ++k) {
-            const RungOutcome& rung = result.rungs[k];
-            const bool inTime = rung.rung.kind == RungKind::Part || rung.rung.kind == RungKind::Sum;
-            add(inTime ? film : reduced, rung, result.advice == k);
+        for (std::size_t k = 0; k < result.candidates.size(); ++k) {
+            const CandidateOutcome& candidate = result.candidates[k];
+            const bool inTime =
+                candidate.model.kind == CandidateKind::Part || candidate.model.kind == CandidateKind::Sum;
+            add(inTime ? film : reduced, candidate, result.advice == k);
         }
         add(full, result.full, result.advisesFull());
         panel.series = {reduced, film, full};
@@ -301,9 +304,9 @@ StudyTable tableOf(const AdvisorResult& result)
                     {"saving", "", "", "Time of the full model over that"},
                     {"leaves_out", "", "", "Leaves out"},
                     {"mean_error", "m", "nm", "Error of the mean spacing, where it is known to half of it", true},
-                    {"mean_error_below", "m", "nm", "What that error is below, where no more is known", true},
+                    {"mean_error_below", "m", "nm", "Upper bound of that error, where no more is known", true},
                     {"spread_error", "m", "nm", "Error of the spread, where it is known to half of it", true},
-                    {"spread_error_below", "m", "nm", "What that error is below, where no more is known", true},
+                    {"spread_error_below", "m", "nm", "Upper bound of that error, where no more is known", true},
                     {"mean", "m", "nm", "Mean spacing", true},
                     {"spread", "m", "nm", "Standard deviation of the spacing", true},
                     {"peak_frequency", "Hz", "kHz", "Frequency of the largest peak", true},
@@ -315,56 +318,43 @@ StudyTable tableOf(const AdvisorResult& result)
         return claim.bound == bound && std::isfinite(claim.value) ? StudyValue(claim.value) : StudyValue();
     };
     const bool judged = isJudged(result);
-    const auto row = [&](const RungOutcome& rung, const std::string& verdict) {
+    const auto row = [&](const CandidateOutcome& candidate, const std::string& verdict) {
         std::vector<StudyValue>& cells = table.rows.emplace_back();
-        if (!rung.answers()) {
-            cells = {rung.rung.name,     verdict, {}, {}, {}, rung.givenUp ? StudyValue() : known(rung.seconds), {},
-                     rung.rung.leavesOut};
-            cells.resize(table.columns.size() - 1);
-            cells.emplace_back(rung.problem);
-            return;
-        }
-        if (!judged) {
-            cells = {rung.rung.name,
+        if (!candidate.answers()) {
+            cells = {candidate.model.name,
                      verdict,
-                     std::string(name(rung.tail.kind)),
-                     {},
-                     {},
-                     known(rung.seconds),
-                     {},
-                     rung.rung.leavesOut,
                      {},
                      {},
                      {},
+                     candidate.givenUp ? StudyValue() : known(candidate.seconds),
                      {},
-                     rung.tail.mean,
-                     rung.tail.spread,
-                     known(rung.tail.peakFrequency),
-                     known(rung.tail.peakAmplitude),
-                     rung.remark};
+                     candidate.model.leavesOut};
+            cells.resize(table.columns.size() - 1);
+            cells.emplace_back(candidate.problem);
             return;
         }
-        const Claim mean = rung.errors.claimedMean(), spread = rung.errors.claimedSpread();
-        cells = {rung.rung.name,
+        const Claim mean = candidate.errors.claimedMean(), spread = candidate.errors.claimedSpread();
+        const auto ifJudged = [judged](StudyValue value) { return judged ? std::move(value) : StudyValue(); };
+        cells = {candidate.model.name,
                  verdict,
-                 std::string(name(rung.tail.kind)),
-                 textOf(mean),
-                 textOf(spread),
-                 known(rung.seconds),
-                 known(result.full.seconds / std::max(rung.seconds, 1e-9)),
-                 rung.rung.leavesOut,
-                 number(mean, false),
-                 number(mean, true),
-                 number(spread, false),
-                 number(spread, true),
-                 rung.tail.mean,
-                 rung.tail.spread,
-                 known(rung.tail.peakFrequency),
-                 known(rung.tail.peakAmplitude),
-                 rung.remark};
+                 std::string(name(candidate.tail.kind)),
+                 ifJudged(textOf(mean)),
+                 ifJudged(textOf(spread)),
+                 known(candidate.seconds),
+                 ifJudged(known(result.full.seconds / std::max(candidate.seconds, 1e-9))),
+                 candidate.model.leavesOut,
+                 ifJudged(number(mean, false)),
+                 ifJudged(number(mean, true)),
+                 ifJudged(number(spread, false)),
+                 ifJudged(number(spread, true)),
+                 candidate.tail.mean,
+                 candidate.tail.spread,
+                 known(candidate.tail.peakFrequency),
+                 known(candidate.tail.peakAmplitude),
+                 candidate.remark};
     };
-    for (std::size_t k = 0; k < result.rungs.size(); ++k)
-        row(result.rungs[k], result.advice == k ? "advised" : wordFor(result.rungs[k]));
+    for (std::size_t k = 0; k < result.candidates.size(); ++k)
+        row(result.candidates[k], result.advice == k ? "advised" : wordFor(result.candidates[k]));
     if (judged) row(result.full, result.advisesFull() ? "advised" : "reference");
     return table;
 }
@@ -376,18 +366,18 @@ void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRep
     report.status = result.status;
     report.message = result.message;
     const bool judged = isJudged(result);
-    if (!judged && result.rungs.empty() && result.pilotTime == 0.0) return;
+    if (!judged && result.candidates.empty() && result.pilotTime == 0.0) return;
     tellAdvice(task, result, report);
     if (judged) {
         tellConfirmed(result, report);
-        tellRungs(task, result, report);
+        tellCandidates(task, result, report);
     }
     tellLimits(task, result, report);
     if (judged) report.charts.push_back(chartOf(result));
-    if (!result.rungs.empty() || judged) report.tables.push_back(tableOf(result));
+    if (!result.candidates.empty() || judged) report.tables.push_back(tableOf(result));
     if (!judged) return;
     if (result.advice)
-        report.found = result.rungs[*result.advice].found;
+        report.found = result.candidates[*result.advice].found;
     else if (result.advisesFull())
         report.found = task.start;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the ladder showed: the advice with its claimed error and saving, what was left out, chart and tables.
+// The report of advice: the advice with its claimed error and saving, what was left out, chart and tables.
 #pragma once
 
 #include "core/studies/advice/advisor_study.h"

@@ -19,7 +19,10 @@ namespace {
 
 constexpr double knownTo = 0.25; // of what is allowed, for the pilot to end
 
-bool inTime(const Rung& rung) { return rung.kind == RungKind::Part || rung.kind == RungKind::Sum; }
+bool inTime(const Candidate& candidate)
+{
+    return candidate.kind == CandidateKind::Part || candidate.kind == CandidateKind::Sum;
+}
 
 void lower(std::atomic<double>& least, double value)
 {
@@ -52,7 +55,7 @@ private:
         return tell_(share, doing, sofar) && !result_.late;
     }
 
-    /// Where the scene rests and rings, and the models that hang on nothing else. False: stopped.
+    /// The small motions, and the models that need nothing else. False: stopped.
     bool runFast()
     {
         const bool went = runParallel(
@@ -65,16 +68,19 @@ private:
         result_.roughPasses = scene_.roughPasses;
         const SteadyResult& rest = scene_.motion.steady;
         if (rest.status == SteadyStatus::Converged) result_.gridError = rest.discretisationError.minimumSpacing;
-        std::vector<Rung> fast;
-        for (Rung& rung : ladderOf(task_, rest.attitude.roll))
-            (inTime(rung) ? parts_ : rung.kind == RungKind::ContactRest ? rests_ : fast).push_back(std::move(rung));
-        return runRungs(fast, 0.05, 0.15) || leaveTheRest();
+        std::vector<Candidate> fast;
+        for (Candidate& candidate : candidatesOf(task_, rest.attitude.roll))
+            (inTime(candidate)                              ? parts_
+             : candidate.kind == CandidateKind::ContactRest ? rests_
+                                                            : fast)
+                .push_back(std::move(candidate));
+        return runCandidates(fast, 0.05, 0.15) || leaveTheRest();
     }
 
     bool climb()
     {
-        bool went = runRungs(rests_, 0.6, 0.65);
-        went = runRungs(parts_, 0.65, 0.85, went);
+        bool went = runCandidates(rests_, 0.6, 0.65);
+        went = runCandidates(parts_, 0.65, 0.85, went);
         if (went)
             went = runSums();
         else
@@ -87,27 +93,27 @@ private:
     /// much, one after the other as long as it stays within.
     bool runSums()
     {
-        const RungOutcome* first = nullptr;
-        std::vector<LadderPart> others; // the larger one of a family first
-        for (const RungOutcome& rung : result_.rungs) {
-            if (rung.rung.kind != RungKind::Part) continue;
-            if (rung.within() && rung.seconds < result_.full.seconds &&
-                (first == nullptr || rung.seconds < first->seconds))
-                first = &rung;
-            if (rung.within() || rung.givenUp) others.push_back(rung.rung.parts[0]);
+        const CandidateOutcome* first = nullptr;
+        std::vector<ModelPart> others; // the larger one of a family first
+        for (const CandidateOutcome& candidate : result_.candidates) {
+            if (candidate.model.kind != CandidateKind::Part) continue;
+            if (candidate.within() && candidate.seconds < result_.full.seconds &&
+                (first == nullptr || candidate.seconds < first->seconds))
+                first = &candidate;
+            if (candidate.within() || candidate.givenUp) others.push_back(candidate.model.parts[0]);
         }
         if (first == nullptr) return true;
-        std::vector<LadderPart> left{first->rung.parts[0]}, all = left;
-        const auto holds = [](const std::vector<LadderPart>& parts, const LadderPart& part) {
-            return std::ranges::find(parts, part.family, &LadderPart::family) != parts.end();
+        std::vector<ModelPart> left{first->model.parts[0]}, all = left;
+        const auto holds = [](const std::vector<ModelPart>& parts, const ModelPart& part) {
+            return std::ranges::find(parts, part.family, &ModelPart::family) != parts.end();
         };
-        for (const LadderPart& part : others)
+        for (const ModelPart& part : others)
             if (!holds(all, part)) all.push_back(part);
         bool within = false;
         if (!runSum(all, within)) return false;
-        for (const LadderPart& part : others) {
+        for (const ModelPart& part : others) {
             if (within || holds(left, part)) continue;
-            std::vector<LadderPart> more = left;
+            std::vector<ModelPart> more = left;
             more.push_back(part);
             bool enough = false;
             if (!runSum(more, enough)) return false;
@@ -117,14 +123,15 @@ private:
     }
 
     /// False: stopped. What has been tried is not tried again.
-    bool runSum(const std::vector<LadderPart>& parts, bool& within)
+    bool runSum(const std::vector<ModelPart>& parts, bool& within)
     {
-        const std::optional<Rung> sum = sumOf(task_, parts);
-        if (!sum ||
-            std::ranges::any_of(result_.rungs, [&](const RungOutcome& rung) { return rung.rung.name == sum->name; }))
+        const std::optional<Candidate> sum = sumOf(task_, parts);
+        if (!sum || std::ranges::any_of(result_.candidates, [&](const CandidateOutcome& candidate) {
+                return candidate.model.name == sum->name;
+            }))
             return true;
-        if (!runRungs({*sum}, 0.85, 1.0)) return false;
-        within = result_.rungs.back().within();
+        if (!runCandidates({*sum}, 0.85, 1.0)) return false;
+        within = result_.candidates.back().within();
         return true;
     }
 
@@ -134,12 +141,12 @@ private:
         const Allowance allowed = allowanceOf(full, task_);
         double least = std::numeric_limits<double>::infinity();
         bool settled = false;
-        for (const RungOutcome& rung : result_.rungs) {
-            if (!rung.answers() || rung.seconds >= least) continue;
-            const RungErrors errors = errorsOf(rung.tail, full, task_);
+        for (const CandidateOutcome& candidate : result_.candidates) {
+            if (!candidate.answers() || candidate.seconds >= least) continue;
+            const CandidateErrors errors = errorsOf(candidate.tail, full, task_);
             const Verdict verdict = verdictOn(errors, allowed);
             if (verdict != Verdict::Within && verdict != Verdict::NotKnown) continue;
-            least = rung.seconds;
+            least = candidate.seconds;
             settled = verdict == Verdict::Within && isPrecise(errors.claimedMean(), errors.resolution, allowed.mean) &&
                       isPrecise(errors.claimedSpread(), errors.resolution, allowed.spread);
         }
@@ -152,9 +159,8 @@ private:
         double next = task_.pilot;
         bool known = false;
         const auto enough = [&](const SpacingSamples& samples) {
-            // It may still do what it has not done yet.
-            if (!scene_.foretells()) return false;
-            // At the same times however many samples come at once, which hangs on the clock.
+            if (!scene_.predicts()) return false;
+            // At fixed times, independent of the number of samples per call, which depends on the clock.
             for (; !known && next < 1.0 && samples.reached() >= next * duration; next += 0.05) {
                 const SpacingSamples part = samples.until(next * duration);
                 const TailEstimate tail = estimateTail(part, duration, scene_.rates);
@@ -184,29 +190,30 @@ private:
         }
         if (!full_.problem.empty()) return fail(full_.problem);
         if (result_.full.tail.kind == EndKind::Failed || !std::isfinite(result_.full.tail.mean))
-            return fail("its samples do not tell its end");
-        for (RungOutcome& rung : result_.rungs) judge(rung);
+            return fail("its samples do not determine its end");
+        for (CandidateOutcome& candidate : result_.candidates) judge(candidate);
         choose();
-        return (went && !full_.stopped && tell(0.6, "the ladder", &result_)) || leaveTheRest();
+        return (went && !full_.stopped && tell(0.6, "models", &result_)) || leaveTheRest();
     }
 
     /// Where the study ends before them, and some might have been tried.
     void leaveSums()
     {
-        std::vector<LadderPart> parts; // one of a family
-        for (const Rung& rung : parts_)
-            if (std::ranges::find(parts, rung.parts[0].family, &LadderPart::family) == parts.end())
-                parts.push_back(rung.parts[0]);
+        std::vector<ModelPart> parts; // one of a family
+        for (const Candidate& candidate : parts_)
+            if (std::ranges::find(parts, candidate.parts[0].family, &ModelPart::family) == parts.end())
+                parts.push_back(candidate.parts[0]);
         std::ptrdiff_t kept = 0; // none of all of them may be left out: there is no sum
-        for (const RungOutcome& rung : result_.rungs) kept += rung.rung.kind == RungKind::Part && !rung.within();
+        for (const CandidateOutcome& candidate : result_.candidates)
+            kept += candidate.model.kind == CandidateKind::Part && !candidate.within();
         if (kept < std::ranges::ssize(parts_) && sumOf(task_, parts))
             result_.missing.push_back("film without several parts");
     }
 
     bool leaveTheRest()
     {
-        for (const auto* rungs : {&rests_, &parts_})
-            for (const Rung& rung : *rungs) result_.missing.push_back(rung.name);
+        for (const auto* candidates : {&rests_, &parts_})
+            for (const Candidate& candidate : *candidates) result_.missing.push_back(candidate.name);
         leaveSums();
         return false;
     }
@@ -214,7 +221,7 @@ private:
     bool fail(const std::string& why)
     {
         result_.status = StudyStatus::Failed;
-        result_.message = "the full model gives no answer to compare with: " + why;
+        result_.message = "the full model has no answer to compare with: " + why;
         result_.full.problem = why;
         return false;
     }
@@ -225,8 +232,8 @@ private:
         if (result_.pilotTime == 0.0 || result_.pilotTime > duration - full_.samples.interval)
             result_.pilotTime = full_.samples.reached();
         result_.pilotWhole = full_.samples.until(result_.pilotTime).reachEnd(duration);
-        RungOutcome& full = result_.full;
-        full.rung = {RungKind::Full, "full model", "nothing", {}, task_.start};
+        CandidateOutcome& full = result_.full;
+        full.model = {CandidateKind::Full, "full model", "nothing", {}, task_.start};
         full.tail = estimateTail(full_.samples.until(result_.pilotTime), duration, scene_.rates);
         full.seconds = full_.secondsTo(duration);
         full.verdict = Verdict::Within;
@@ -239,74 +246,75 @@ private:
     }
 
     /// What ended counts, also where it was stopped. Where it is not to `go` they are missing.
-    bool runRungs(const std::vector<Rung>& rungs, double from, double to, bool go = true)
+    bool runCandidates(const std::vector<Candidate>& candidates, double from, double to, bool go = true)
     {
-        std::vector<RungOutcome> outcomes(rungs.size());
-        std::vector<char> ended(rungs.size(), 0);
-        std::vector<double> seconds(rungs.size(), 0.0);
+        std::vector<CandidateOutcome> outcomes(candidates.size());
+        std::vector<char> ended(candidates.size(), 0);
+        std::vector<double> seconds(candidates.size(), 0.0);
         most_ = task_.all ? std::numeric_limits<double>::infinity() : mostSeconds();
         const bool went =
             go && runParallel(
-                      rungs.size(), jobs_,
+                      candidates.size(), jobs_,
                       [&](std::size_t k, const GoOn& goOn) {
-                          outcomes[k] = solve(rungs[k], goOn, seconds[k]);
+                          outcomes[k] = solve(candidates[k], goOn, seconds[k]);
                           ended[k] = goOn();
                       },
                       [&](std::size_t done) {
                           return tell(from + (to - from) * static_cast<double>(done) /
-                                                 static_cast<double>(std::max<std::size_t>(1, rungs.size())),
-                                      done < rungs.size() ? rungs[done].name : "the ladder");
+                                                 static_cast<double>(std::max<std::size_t>(1, candidates.size())),
+                                      done < candidates.size() ? candidates[done].name : "models");
                       });
-        for (std::size_t k = 0; k < rungs.size(); ++k) {
+        for (std::size_t k = 0; k < candidates.size(); ++k) {
             result_.studySeconds += seconds[k];
             if (ended[k] != 0)
-                result_.rungs.push_back(std::move(outcomes[k]));
+                result_.candidates.push_back(std::move(outcomes[k]));
             else
-                result_.missing.push_back(rungs[k].name);
+                result_.missing.push_back(candidates[k].name);
         }
         if (!went) return false;
         choose();
-        return tell(to, "the ladder", result_.pilotTime > 0.0 ? &result_ : nullptr);
+        return tell(to, "models", result_.pilotTime > 0.0 ? &result_ : nullptr);
     }
 
     /// That a model may take to be the advice.
     double mostSeconds() const
     {
         double most = result_.full.seconds;
-        for (const RungOutcome& rung : result_.rungs)
-            if (rung.within()) most = std::min(most, rung.seconds);
+        for (const CandidateOutcome& candidate : result_.candidates)
+            if (candidate.within()) most = std::min(most, candidate.seconds);
         return most;
     }
 
-    RungOutcome solve(const Rung& rung, const GoOn& goOn, double& seconds)
+    CandidateOutcome solve(const Candidate& candidate, const GoOn& goOn, double& seconds)
     {
-        RungOutcome outcome;
-        if (!inTime(rung)) {
-            const bool known = rung.kind == RungKind::SmallMotion && rung.c.film.nodes == task_.start.film.nodes;
-            outcome = known ? describeSmallMotion(rung, scene_.motion, scene_.seconds)
-                            : solveReduced(rung, result_.full.tail.mean, goOn);
+        CandidateOutcome outcome;
+        if (!inTime(candidate)) {
+            const bool known =
+                candidate.kind == CandidateKind::SmallMotion && candidate.c.film.nodes == task_.start.film.nodes;
+            outcome = known ? describeSmallMotion(candidate, scene_.motion, scene_.seconds)
+                            : solveReduced(candidate, result_.full.tail.mean, goOn);
             seconds = outcome.seconds - (known ? scene_.seconds : 0.0);
             judge(outcome);
             return outcome;
         }
-        outcome.rung = rung;
-        outcome.found = rung.c;
+        outcome.model = candidate;
+        outcome.found = candidate.c;
         outcome.command = "run";
-        // Contact that never acts changes nothing: no run can tell more.
-        const bool same = rung.parts.size() == 1 &&
-                          (rung.parts[0].family == "contact" || rung.parts[0].family == "adhesion") &&
+        // Contact that never acts changes nothing: no run is needed.
+        const bool same = candidate.parts.size() == 1 &&
+                          (candidate.parts[0].family == "contact" || candidate.parts[0].family == "adhesion") &&
                           !full_.contactActs;
         if (same) {
             outcome.tail = result_.full.tail;
             outcome.seconds = result_.full.seconds;
             outcome.remark =
-                "nothing acts on the slider but air in the whole pilot, so that leaving it out changes nothing there";
+                "only air acts on the slider in the whole pilot, so that leaving it out changes nothing there";
             judge(outcome);
             return outcome;
         }
         const double begin = threadSeconds();
         const PilotRun run = pilotRun(
-            rung.c,
+            candidate.c,
             [&](const SpacingSamples&) {
                 outcome.givenUp = threadSeconds() - begin > most_;
                 return outcome.givenUp;
@@ -317,27 +325,27 @@ private:
         outcome.seconds = run.secondsTo(task_.start.run.duration);
         outcome.tail = estimateTail(run.samples, task_.start.run.duration);
         if (outcome.answers() && outcome.tail.kind == EndKind::Failed)
-            outcome.problem = "it has too few samples to tell its end";
+            outcome.problem = "it has too few samples to determine its end";
         judge(outcome);
         if (outcome.within() && !task_.all) lower(most_, outcome.seconds);
         return outcome;
     }
 
-    void judge(RungOutcome& rung) const
+    void judge(CandidateOutcome& candidate) const
     {
-        if (!rung.answers() || !result_.full.answers() || result_.pilotTime == 0.0) return;
-        rung.errors = errorsOf(rung.tail, result_.full.tail, task_);
-        rung.verdict = verdictOn(rung.errors, result_.allowed);
+        if (!candidate.answers() || !result_.full.answers() || result_.pilotTime == 0.0) return;
+        candidate.errors = errorsOf(candidate.tail, result_.full.tail, task_);
+        candidate.verdict = verdictOn(candidate.errors, result_.allowed);
     }
 
     void choose()
     {
         double best = result_.full.seconds / worthwhile;
         result_.advice.reset();
-        for (std::size_t k = 0; k < result_.rungs.size(); ++k) {
-            const RungOutcome& rung = result_.rungs[k];
-            if (!rung.within() || rung.seconds >= best) continue;
-            best = rung.seconds;
+        for (std::size_t k = 0; k < result_.candidates.size(); ++k) {
+            const CandidateOutcome& candidate = result_.candidates[k];
+            if (!candidate.within() || candidate.seconds >= best) continue;
+            best = candidate.seconds;
             result_.advice = k;
         }
     }
@@ -348,13 +356,13 @@ private:
         result_.fullEnd = estimateTail(full_.samples, duration);
         result_.fullSeconds = full_.secondsTo(duration);
         if (!result_.advice) return true;
-        const RungOutcome& advice = result_.rungs[*result_.advice];
+        const CandidateOutcome& advice = result_.candidates[*result_.advice];
         TailEstimate end = advice.tail;
         result_.adviceSeconds = advice.seconds;
-        if (inTime(advice.rung)) {
+        if (inTime(advice.model)) {
             PilotRun run;
             const bool went = runParallel(
-                1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.rung.c, {}, goOn); },
+                1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.model.c, {}, goOn); },
                 [&](std::size_t) { return tell(1.0, "confirming the advice"); });
             if (!went) return false;
             end = estimateTail(run.samples, duration);
@@ -371,8 +379,8 @@ private:
     const AdvisorTell& tell_;
     double begin_;
     SceneMotion scene_;
-    std::vector<Rung> rests_, parts_; // of the ladder
-    std::atomic<double> most_ = 0.0;  // seconds, that a model in time may take
+    std::vector<Candidate> rests_, parts_; // not yet solved
+    std::atomic<double> most_ = 0.0;       // seconds, that a model in time may take
     PilotRun full_;
     AdvisorResult result_;
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far each model of the ladder is from the full one, and what it takes. First the models without a film in time,
-// which take milliseconds and are known to the end. Then the full model, until what the last tenth of its run will be
-// is known to a quarter of what may be wrong with it, and the cheapest of those models that may be within is, with an
-// error that is known to a factor of two. Else it goes to its end; to the end, too, where no first part tells it: a
-// mode that grows, modes that are not known, a rough disk that passes by. Last the models in time without a part, to
-// their ends; they are given up as soon as they have taken too long to be the advice.
+// Error and cost of each candidate against the full model. First come the models without a film in time, which take
+// milliseconds and have a known end. Then the full model runs until its mean over the last tenth is predicted to a
+// quarter of the allowed error, and the cheapest of those models within the tolerance has an error known to a factor of
+// two. The full model runs to its end where a first part predicts nothing: an unstable mode, unknown modes, a moving
+// rough disk. Last come the models in time without a part, to their ends; they are stopped as soon as they have taken
+// too long to be advised.
 #pragma once
 
 #include <functional>
@@ -20,14 +20,14 @@ namespace touchdown {
 
 constexpr double worthwhile = 1.2; // a model must be so many times faster to be advised
 
-struct RungOutcome {
-    Rung rung;
+struct CandidateOutcome {
+    Candidate model;
     std::string problem; // why it has no answer, in a sentence
-    std::string remark;  // what is to be said of it, in a sentence
+    std::string remark;  // a sentence for the report
     TailEstimate tail;
     double seconds = 0.0; // of one processor, over the whole run
-    bool givenUp = false; // it takes too long to be the advice; of the rest nothing is known
-    RungErrors errors;
+    bool givenUp = false; // stopped, as it takes too long to be advised
+    CandidateErrors errors;
     Verdict verdict = Verdict::NotKnown;
     std::optional<Case> found; // the model as a case of the program
     std::string command;       // that solves that case: "run", "steady"
@@ -38,7 +38,7 @@ struct RungOutcome {
 struct AdvisorResult {
     StudyStatus status = StudyStatus::Completed;
     std::string message;
-    RungOutcome full;          // its tail as the pilot tells it
+    CandidateOutcome full;     // with the tail that the pilot predicts
     double pilotTime = 0.0;    // how far it was run; zero: not at all [s]
     bool pilotWhole = false;   // to its end
     double studySeconds = 0.0; // of all threads
@@ -46,16 +46,17 @@ struct AdvisorResult {
     double gridError = 0.0;    // of the full model's static spacing [m]; zero: not known
     double growth = 0.0;       // e-folds of a mode that grows, over the run; zero: none does, or it is not known
     std::string growthProblem; // why it is not known, in a sentence
-    bool roughPasses = false;  // a surface without an order of its own moves by
+    bool roughPasses = false;  // a rough disk moves under the slider
     Allowance allowed;
-    std::vector<RungOutcome> rungs;
-    std::vector<std::string> missing;  // models that were not tried, as the study was stopped or its budget was spent
-    bool late = false;                 // the budget was spent
-    std::optional<std::size_t> advice; // among rungs; none: the full model, where any were tried and none is missing
-    bool advisesFull() const { return !advice && missing.empty() && !rungs.empty(); }
+    std::vector<CandidateOutcome> candidates;
+    std::vector<std::string> missing; // models that were not tried, as the study was stopped or its budget was spent
+    bool late = false;                // the budget was spent
+    std::optional<std::size_t>
+        advice; // among candidates; none: the full model, where any were tried and none is missing
+    bool advisesFull() const { return !advice && missing.empty() && !candidates.empty(); }
     // Where it was confirmed:
     std::optional<TailEstimate> fullEnd;
-    std::optional<RungErrors> found; // of the advice, from both at their ends
+    std::optional<CandidateErrors> found; // of the advice, from both at their ends
     double fullSeconds = 0.0, adviceSeconds = 0.0;
 };
 

@@ -29,7 +29,7 @@ TailEstimate atRest(double spacing)
     return tail;
 }
 
-void solveStatic(const Case& c, const GoOn& goOn, RungOutcome& outcome)
+void solveStatic(const Case& c, const GoOn& goOn, CandidateOutcome& outcome)
 {
     Case still = c;
     still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
@@ -58,7 +58,7 @@ Case startedAtRest(Case c, const Attitude& attitude)
     return c;
 }
 
-void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& outcome)
+void solveContactRest(const Case& c, double end, const GoOn& goOn, CandidateOutcome& outcome)
 {
     Case flat = c;
     flat.diskSurface.kind = DiskSurfaceKind::Flat;
@@ -79,7 +79,7 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, RungOutcome& 
     outcome.command = "run";
 }
 
-void tellMotion(const Case& c, const LinearMotion& motion, RungOutcome& outcome)
+void tellMotion(const Case& c, const LinearMotion& motion, CandidateOutcome& outcome)
 {
     if (motion.status != SteadyStatus::Converged) {
         outcome.problem = motion.message.empty() ? "no static state was found" : motion.message;
@@ -101,7 +101,7 @@ void tellMotion(const Case& c, const LinearMotion& motion, RungOutcome& outcome)
                                             : "the motion does not stay above the disk, so that it is not small";
 }
 
-void solveMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome& outcome)
+void solveMotion(const Case& c, MotionParts parts, const GoOn& goOn, CandidateOutcome& outcome)
 {
     tellMotion(c,
                linearMotion(
@@ -109,7 +109,7 @@ void solveMotion(const Case& c, MotionParts parts, const GoOn& goOn, RungOutcome
                outcome);
 }
 
-void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
+void solveSprings(const Case& c, const GoOn& goOn, CandidateOutcome& outcome)
 {
     SpringFit fit = fitSprings(c, goOn);
     outcome.problem = fit.problem;
@@ -127,35 +127,35 @@ void solveSprings(const Case& c, const GoOn& goOn, RungOutcome& outcome)
     outcome.command = "run";
 }
 
-void checkEnd(RungOutcome& outcome)
+void checkEnd(CandidateOutcome& outcome)
 {
     if (outcome.problem.empty() && outcome.tail.kind == EndKind::Failed)
-        outcome.problem = "it has too few samples to tell its end";
+        outcome.problem = "it has too few samples to determine its end";
 }
 
 } // namespace
 
-RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn)
+CandidateOutcome solveReduced(const Candidate& candidate, double end, const GoOn& goOn)
 {
-    RungOutcome outcome;
-    outcome.rung = rung;
+    CandidateOutcome outcome;
+    outcome.model = candidate;
     const double begin = threadSeconds();
-    if (rung.kind == RungKind::Static) solveStatic(rung.c, goOn, outcome);
-    if (rung.kind == RungKind::ContactRest) solveContactRest(rung.c, end, goOn, outcome);
-    if (rung.kind == RungKind::WaveAnswer) solveMotion(rung.c, MotionParts::Waves, goOn, outcome);
-    if (rung.kind == RungKind::SmallMotion) solveMotion(rung.c, MotionParts::All, goOn, outcome);
-    if (rung.kind == RungKind::Springs) solveSprings(rung.c, goOn, outcome);
+    if (candidate.kind == CandidateKind::Static) solveStatic(candidate.c, goOn, outcome);
+    if (candidate.kind == CandidateKind::ContactRest) solveContactRest(candidate.c, end, goOn, outcome);
+    if (candidate.kind == CandidateKind::WaveAnswer) solveMotion(candidate.c, MotionParts::Waves, goOn, outcome);
+    if (candidate.kind == CandidateKind::SmallMotion) solveMotion(candidate.c, MotionParts::All, goOn, outcome);
+    if (candidate.kind == CandidateKind::Springs) solveSprings(candidate.c, goOn, outcome);
     checkEnd(outcome);
     outcome.seconds = threadSeconds() - begin;
     return outcome;
 }
 
-RungOutcome describeSmallMotion(const Rung& rung, const LinearMotion& motion, double seconds)
+CandidateOutcome describeSmallMotion(const Candidate& candidate, const LinearMotion& motion, double seconds)
 {
-    RungOutcome outcome;
-    outcome.rung = rung;
+    CandidateOutcome outcome;
+    outcome.model = candidate;
     const double begin = threadSeconds();
-    tellMotion(rung.c, motion, outcome);
+    tellMotion(candidate.c, motion, outcome);
     checkEnd(outcome);
     outcome.seconds = seconds + threadSeconds() - begin;
     return outcome;

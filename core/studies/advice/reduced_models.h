@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rungs of the ladder that have no film in time: what each says of the end of a run, at what cost.
+// The candidates without a film in time: the end of the run that each predicts, and its cost.
 #pragma once
 
 #include "core/simulation/small_motions/linear_motion.h"
@@ -9,11 +9,11 @@
 
 namespace touchdown {
 
-/// Of a rung that is not of kind Full, Part or Sum. Of several places to rest in contact it is the one nearest to
-/// `end`, the full model's spacing [m].
-RungOutcome solveReduced(const Rung& rung, double end, const GoOn& goOn);
+/// `candidate` is not of kind Full, Part or Sum. Where there are several equilibria in contact, the result is the one
+/// nearest to `end`, the spacing of the full model [m].
+CandidateOutcome solveReduced(const Candidate& candidate, double end, const GoOn& goOn);
 
-/// The same of small motions that are known, and took `seconds` of a processor.
-RungOutcome describeSmallMotion(const Rung& rung, const LinearMotion& motion, double seconds);
+/// The same of small motions that were computed already, in `seconds` of a processor.
+CandidateOutcome describeSmallMotion(const Candidate& candidate, const LinearMotion& motion, double seconds);
 
 } // namespace touchdown

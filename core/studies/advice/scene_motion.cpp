@@ -10,7 +10,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double mostGrowth = 0.3; // e-folds of a mode over the run, beyond which a part does not foretell its end
+constexpr double mostGrowth = 0.3; // e-folds of a mode over the run, beyond which a part does not predict its end
 
 bool hasNoOrder(const DiskSurface& surface)
 {
@@ -20,7 +20,7 @@ bool hasNoOrder(const DiskSurface& surface)
 
 } // namespace
 
-bool SceneMotion::foretells() const { return growth <= mostGrowth && growthProblem.empty() && !roughPasses; }
+bool SceneMotion::predicts() const { return growth <= mostGrowth && growthProblem.empty() && !roughPasses; }
 
 SceneMotion sceneMotion(const Case& c, const GoOn& goOn)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the linear film tells of a scene before it is run: where it rests, at which rates it rings and is driven, and
-// whether a first part of its run can tell the rest at all.
+// The linear film before any run: static state, rates of its motions and of their excitation, and whether a first part
+// of a run can predict the rest.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ namespace touchdown {
 
 struct SceneMotion {
     LinearMotion motion;            // its static state, too, where there is one
-    double seconds = 0.0;           // of a processor, that it took
+    double seconds = 0.0;           // time of a processor
     std::vector<RingingRate> rates; // of modes, of air that creeps, of waves; none where modes are not known
     double growth = 0.0;            // e-folds of a mode that grows, over the run; zero: none does, or it is not known
     std::string growthProblem;      // why it is not known, in a sentence
-    bool roughPasses = false;       // a surface without an order of its own moves by
-    /// Nothing grows by more than the motion that it is hidden in, nor comes that has not been there.
-    bool foretells() const;
+    bool roughPasses = false;       // a rough disk moves under the slider
+    /// A first part of a run predicts the rest: no mode grows too much, and no new surface comes under the slider.
+    bool predicts() const;
 };
 
 /// Of a valid case of model "film".

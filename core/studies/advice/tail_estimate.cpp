@@ -19,8 +19,8 @@ constexpr double sameVariance = 0.1;        // change from block to block within
 constexpr double leak = 3e-3;               // of the spread, that a block's mean takes of a motion [-]
 constexpr double slowestCreep = 0.9;        // of a mean, from block to block: slower ones have no end to be told [-]
 constexpr double ringsTo = 0.1;             // of the spread: what a fit may leave [-]
-constexpr std::array lessShares{0.9, 0.8};  // of the part, that foretell the same
-constexpr std::array seenShares{0.65, 0.5}; // of the part, that foretell what was seen of it
+constexpr std::array lessShares{0.9, 0.8};  // of the part, that predict the same
+constexpr std::array seenShares{0.65, 0.5}; // of the part, that predict what was seen of it
 constexpr double fewestSamples = 48.0;      // that tell anything
 
 struct Moments {
@@ -114,8 +114,8 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, Windo
 }
 
 /// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.
-std::optional<Moments> rungOn(std::span<const double> spacing, double interval, Window window,
-                              const std::vector<RingingRate>& rates)
+std::optional<Moments> ringingMoments(std::span<const double> spacing, double interval, Window window,
+                                      const std::vector<RingingRate>& rates)
 {
     const std::span<const double> half = spacing.subspan(spacing.size() / 2);
     const std::optional<RingingFit> fit = fitRinging(half, interval, rates);
@@ -142,10 +142,11 @@ void forgetAll(TailEstimate& estimate)
     estimate.sameKind = false;
 }
 
-Moments foretold(std::span<const double> spacing, double interval, Window window, const std::vector<RingingRate>& rates)
+Moments predicted(std::span<const double> spacing, double interval, Window window,
+                  const std::vector<RingingRate>& rates)
 {
     if (!rates.empty())
-        if (const std::optional<Moments> ringing = rungOn(spacing, interval, window, rates)) return *ringing;
+        if (const std::optional<Moments> ringing = ringingMoments(spacing, interval, window, rates)) return *ringing;
     return foretoldByBlocks(spacing, interval, window);
 }
 
@@ -196,7 +197,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     }
     const double reached = samples.reached();
     const Window last{(1.0 - tailShare) * duration, duration};
-    const Moments tail = foretold(all, samples.interval, last, rates);
+    const Moments tail = predicted(all, samples.interval, last, rates);
     estimate.mean = tail.mean;
     estimate.spread = std::sqrt(tail.variance);
     estimate.kind = kindOf(touching.subspan(count - count / 4));
@@ -209,7 +210,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     };
     for (const double share : lessShares) {
         const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
-        deviates(foretold(all.first(part), samples.interval, last, rates), tail, 1.0);
+        deviates(predicted(all.first(part), samples.interval, last, rates), tail, 1.0);
         estimate.sameKind = estimate.sameKind && kindOf(touching.subspan(part - part / 4, part / 4)) == estimate.kind;
     }
     for (const double share : seenShares) {
@@ -221,7 +222,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
             const Window seen{to - length, to};
             const auto first = static_cast<std::size_t>(std::ceil(seen.from / samples.interval - 1e-6)),
                        end = std::min(count, static_cast<std::size_t>(seen.to / samples.interval * (1.0 + 1e-9)) + 1);
-            deviates(foretold(all.first(part), samples.interval, seen, rates), plain(all.subspan(first, end - first)),
+            deviates(predicted(all.first(part), samples.interval, seen, rates), plain(all.subspan(first, end - first)),
                      std::max(1.0, further));
         }
     }

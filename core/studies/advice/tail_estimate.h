@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the spacing does over the last tenth of a run: as it is, where the run went to its end, and as the first part of
-// a run foretells it. Where the second half of what is there rings as the slider's modes do and as the waves of the
+// a run predicts it. Where the second half of what is there rings as the slider's modes do and as the waves of the
 // disk make it (ringing_fit.h), that goes on. Else three overlapping blocks of that half, each weighted by Hann's
 // window so that the phase in which it begins and ends does not count, have means m_i and variances v_i. Where the
 // variance still changes, by a constant factor r from block to block, it tends to
@@ -14,11 +14,11 @@
 //
 // None of this knows what it leaves out: motion that is not small, a rough disk, a rate that changes. So a forecast is
 // believed as far as the same forecast, made earlier, has come true: from 0.65 and from half of the part the rest of it
-// is foretold, in stretches of the tail's length, and compared with what was seen there. What that missed at most is
-// taken to grow in proportion to the time between what was known and what is foretold, as an unknown drift does. By how
-// much the outcome moves when the last tenth, or fifth, of the part is left out is another measure; the largest of all
-// is the uncertainty. Where there are too few samples for that, nothing is known. The kind is that of the part's last
-// quarter; of a slider that goes in and out of contact it is not known how long it will.
+// is predicted, in stretches of the tail's length, and compared with what was seen there. What that missed at most is
+// taken to grow in proportion to the time between what was known and what is predicted, as an unknown drift does. By
+// how much the outcome moves when the last tenth, or fifth, of the part is left out is another measure; the largest of
+// all is the uncertainty. Where there are too few samples for that, nothing is known. The kind is that of the part's
+// last quarter; of a slider that goes in and out of contact it is not known how long it will.
 #pragma once
 
 #include <vector>

@@ -79,13 +79,14 @@ ObservedOrder observedOrder(double coarse, double middle, double fine)
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options)
 {
     if (c.model == ModelKind::Film)
-        return "model \"film\" is not studied so: `touchdown steady` tells the discretisation error of its own grid; a "
-               "convergence "
-               "study takes a case of model \"contact\" with contact \"elastic\"";
+        return "is of model \"film\"; `touchdown steady` estimates the error of its grid, and a convergence study "
+               "takes a "
+               "case of model \"contact\" with contact \"elastic\"";
     if (c.model == ModelKind::Springs)
-        return "model \"springs\" has no grid; run.step_check compares a run with one of half its time step";
+        return "is of model \"springs\", which has no grid; run.step_check compares a run with one of half its time "
+               "step";
     if (c.contact != ContactKind::Elastic)
-        return "this contact is a law without a grid; a convergence study takes contact \"elastic\"";
+        return "has a contact law without a grid; a convergence study takes contact \"elastic\"";
     if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
     for (int level = 0; level < options.levels; ++level) {
         Case at = c;

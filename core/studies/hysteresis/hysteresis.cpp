@@ -233,13 +233,11 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
     const auto found = designKey(c, key);
     if (const auto* problem = std::get_if<std::string>(&found)) {
         reader.add("parameter", key + " " + *problem);
-        reader.allow("", {"from", "to"});
         return false;
     }
     steps.parameter = std::get<DesignKey>(found);
     if (key.starts_with("run.") || key.starts_with("spectrum.")) {
         reader.add("parameter", key + " belongs to the computation, not to the scene");
-        reader.allow("", {"from", "to"});
         return false;
     }
     const Field* field = findField(key);
@@ -281,15 +279,14 @@ StudyPerformance planHysteresis(StudyReader& reader)
     Plan plan;
     plan.steps.start = c;
     if (c.model == ModelKind::Contact) {
-        reader.allow("", {"parameter", "from", "to", "steps", "hold", "anew", "equilibria"});
-        reader.add("case",
-                   "a pad alone moves as it is told; a hysteresis study takes a case of model \"springs\" or \"film\"");
+        reader.add("case", "is of model \"contact\", whose pad follows a prescribed motion; a hysteresis study takes a "
+                           "case of model \"springs\" or \"film\"");
         return {};
     }
     const Range standard = defaultRange(c);
     const bool ranged = readRange(reader, standard, plan.steps);
-    const int count = reader.integer("steps", 1, mostValues - 1).value_or(standard.steps);
-    plan.steps.hold = reader.number("hold", "s", "us", 1e-7, 1.0).value_or(standard.hold);
+    const int count = reader.integer("steps");
+    plan.steps.hold = reader.number("hold");
     const std::optional<bool> anew = reader.boolean("anew");
     const std::string reasonNot = reasonNotToTrace(c, plan.steps.parameter.key);
     const std::optional<bool> asked = reader.boolean("equilibria");
@@ -318,28 +315,30 @@ StudyPerformance planHysteresis(StudyReader& reader)
         [plan](int jobs, const StudyCallback& callback) { return HysteresisPerformance(plan, callback).perform(jobs); };
 }
 
-std::string hysteresisTemplate(const Case& c)
+StudyForm hysteresisForm(const Case& c)
 {
     const Range range = defaultRange(c);
-    const Field* field = findField(range.key);
-    std::string text;
-    const auto line = [&](const std::string& setting, const std::string& comment) {
-        text += setting + std::string(setting.size() < 40 ? 40 - setting.size() : 1, ' ') + "# " + comment + "\n";
+    const Field& field = *findField(range.key);
+    StudyForm form;
+    form.keys = {
+        textKey("parameter", range.key, "a key of the case in quotation marks", "the number of the case that moves"),
+        numberKey("from", range.from, field.unit, field.displayUnit, field.minimum, field.maximum,
+                  "the first value; it starts as the case says"),
+        numberKey("to", range.to, field.unit, field.displayUnit, field.minimum, field.maximum,
+                  "the last value, from which the way leads back"),
+        integerKey("steps", range.steps, 1, mostValues - 1, "from one end to the other"),
+        numberKey("hold", range.hold, "s", "us", 1e-7, 1.0, "time at each value; its last tenth is evaluated"),
+        booleanKey("anew", false, "true: each value starts as the case says, one way only; always so for initial.*"),
+        booleanKey("equilibria", true, "all equilibria and their stability"),
     };
-    if (const std::string time = expectedTime(c, 2 * (range.steps + 1), range.hold); !time.empty())
-        text += "# " + std::to_string(2 * (range.steps + 1)) + " runs of the film take " + time +
-                " by an estimate; equilibria and contact of surfaces come on top.\n"
-                "# Fewer steps, a shorter hold or fewer film.nodes take less; a hold below " +
-                fewDigits(settling, "us") + " may end before the film has settled.\n";
-    line("parameter = \"" + range.key + "\"", "any number of the case");
-    line("from = \"" + formatQuantity(range.from, field->displayUnit) + "\"",
-         "the first value begins as the case says");
-    line("to = \"" + formatQuantity(range.to, field->displayUnit) + "\"", "from here the way leads back");
-    line("steps = " + std::to_string(range.steps), "from one end to the other");
-    line("hold = \"" + formatQuantity(range.hold, "us") + "\"", "for so long at each value; the last tenth counts");
-    line("anew = false", "true: each value begins as the case says, one way; always so for initial.*");
-    if (reasonNotToTrace(c).empty()) line("equilibria = true", "all equilibria and their stability");
-    return text;
+    if (!reasonNotToTrace(c).empty()) form.keys.back().standard = {};
+    const int runs = 2 * (range.steps + 1);
+    if (const std::string time = expectedTime(c, runs, range.hold); !time.empty())
+        form.remark = std::to_string(runs) + " runs of the film take " + time +
+                      " (estimate), plus equilibria and contact of surfaces. Fewer steps, a shorter hold or fewer "
+                      "film.nodes take less; with a hold below " +
+                      fewDigits(settling, "us") + " the film may not have settled.";
+    return form;
 }
 
 } // namespace touchdown

@@ -32,7 +32,7 @@ namespace touchdown {
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planHysteresis(StudyReader& reader);
-/// The keys with their defaults for a case.
-std::string hysteresisTemplate(const Case& c);
+/// Its keys with their defaults for a case.
+StudyForm hysteresisForm(const Case& c);
 
 } // namespace touchdown

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/hysteresis/equilibrium_ranges.h"
 #include "core/studies/study/few_digits.h"
 
 namespace touchdown {
@@ -39,19 +39,20 @@ public:
         if (!flutter.empty()) addFlutter(flutter);
         if (!doubtful.empty())
             say("Not known on this grid: " + of(doubtful) + " an equilibrium seems unstable by an oscillation above " +
-                fewDigits(result_.resolved, "kHz") + ", where the grid gives damping a wrong sign; a finer grid tells");
+                fewDigits(result_.resolved, "kHz") +
+                ", where the damping has the wrong sign on this grid; use a finer grid");
         if (!incomplete.empty())
             say("Not known: " + of(incomplete) +
-                " an oscillation about an equilibrium could not be followed, or is damped so much that it is none");
+                " an oscillation about an equilibrium could not be followed, or is overdamped");
         const bool missing = addMissing();
         if (flutter.empty() && !missing && neutral.empty() && doubtful.empty() && incomplete.empty())
             addForced(divergence);
         else if (!neutral.empty())
             say(of(neutral, true) +
-                " an equilibrium is neutral: its oscillations neither grow nor fade, since nothing damps them");
+                " an equilibrium is neutral: its oscillations neither grow nor decay, without damping");
         if (const auto bounces = bouncing(); !bounces.empty())
-            say("In and out of contact to the end: " + counted(std::ptrdiff_t(bounces.size()), "run", "runs") + " of " +
-                std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
+            say("In and out of contact until the end: " + counted(std::ptrdiff_t(bounces.size()), "run", "runs") +
+                " of " + std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
     }
 
     void addCoexistence()
@@ -59,15 +60,15 @@ public:
         const std::vector<ValueRange> several = coexistence(result_.lines);
         if (!several.empty())
             say(belongsToStart(task_.parameter.key)
-                    ? "More than one equilibrium is stable: which one the slider comes to rest in depends on the start"
+                    ? "More than one equilibrium is stable: the start decides which one the slider reaches"
                     : "More than one equilibrium is stable " + of(several) +
-                          ": which one the slider comes to rest in depends on the way there");
+                          ": the way there decides which one the slider reaches");
     }
 
     /// The held states against the equilibria, two ways to the same.
     void addAgreement()
     {
-        constexpr double told = 1e-12; // [m]
+        constexpr double finest = 1e-12; // of a distance in a sentence [m]
         std::ptrdiff_t atRest = 0, compared = 0;
         double farthest = 0.0;
         for (const HeldStep& step : result_.steps) {
@@ -84,11 +85,11 @@ public:
             farthest = std::max(farthest, nearest);
         }
         if (compared == 0) return;
-        const std::string within = "did so within " + fewDigits(std::max(farthest, told), "nm") + " of an equilibrium";
-        say(compared == atRest
-                ? "What came to rest, " + counted(compared, "run", "runs") + ", " + within
-                : "Of " + counted(atRest, "run", "runs") + " that came to rest, " + std::to_string(compared) + " " +
-                      within + " that is stable and in the same state; of the others none is known");
+        const std::string within =
+            "came to rest within " + fewDigits(std::max(farthest, finest), "nm") + " of an equilibrium";
+        say(compared == atRest ? counted(compared, "run", "runs") + " " + within
+                               : std::to_string(compared) + " of " + counted(atRest, "run", "runs") + " at rest " +
+                                     within + " that is stable and in the same state; for the others none is known");
     }
 
 private:
@@ -133,33 +134,32 @@ private:
         };
         if (!excited.empty())
             say("Self-excited: " + where(excited) +
-                " the slider ends in and out of contact, and no equilibrium was found that it could come to rest in");
+                " the slider ends in and out of contact, and no equilibrium was found that it could reach");
         if (!quiet.empty())
             say(where(quiet, true) +
                 " no equilibrium was found, and no run ends in and out of contact; one may have been missed");
-        if (!unsought.empty())
-            say("Not known: " + where(unsought) + " the search for equilibria did not come to its end");
+        if (!unsought.empty()) say("Not known: " + where(unsought) + " the search for equilibria was not complete");
         return !excited.empty() || !quiet.empty() || !unsought.empty();
     }
 
     void addForced(const std::vector<ValueRange>& divergence)
     {
-        std::string sentence = "Forced, as far as small motions tell: ";
+        std::string sentence = "Forced, by the small motions: ";
         sentence += divergence.empty() ? "all equilibria " + inRange() + " are stable, and there is no Hopf point"
                                        : "no equilibrium " + inRange() +
-                                             " loses its stability by an oscillation, and those that are unstable (" +
-                                             of(divergence) + ") are left without oscillating";
-        sentence += ". Bouncing that lasts must be forced from outside, or be a cycle far from any equilibrium";
+                                             " becomes unstable by an oscillation; those that are unstable (" +
+                                             of(divergence) + ") diverge without oscillating";
+        sentence += ". Lasting bouncing must be forced from outside, or be a cycle far from any equilibrium";
         double slowest = -std::numeric_limits<double>::infinity();
         for (const EquilibriumLine& line : result_.lines)
             for (const StudiedEquilibrium& at : line.points)
                 if (!line.outside) slowest = std::max(slowest, at.growth().value_or(slowest));
         if (divergence.empty() && slowest < 0.0)
-            sentence += ". The slowest disturbance fades by a factor of e within " + fewDigitsOfTime(-1.0 / slowest);
+            sentence += ". The slowest disturbance decays by a factor of e within " + fewDigitsOfTime(-1.0 / slowest);
         say(sentence);
         if (bouncing().empty() && validEnds() > 0)
-            say(validEnds() == 1 ? "No such cycle was seen: the run does not end in and out of contact"
-                                 : "No such cycle was seen: none of the " + std::to_string(validEnds()) +
+            say(validEnds() == 1 ? "No such cycle occurred: the run does not end in and out of contact"
+                                 : "No such cycle occurred: none of the " + std::to_string(validEnds()) +
                                        " runs ends in and out of contact");
     }
 

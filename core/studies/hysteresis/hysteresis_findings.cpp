@@ -39,21 +39,20 @@ public:
             say(seenThroughout(flies) + (whole ? " at every value " : " at every value with a valid end ") + ways +
                 throughout(flies));
         else if (transitions.size() == 1 && flies != transitions.front().down)
-            say(std::string("From there on the slider ") +
+            say(std::string("From there the slider ") +
                 (flies                                ? "flies"
                  : last->end.kind == EndKind::Contact ? "stays in contact"
                                                       : "keeps touching the disk") +
                 ": on the way back, to " + text_.of(task_.values.front()) + ", " +
                 (flies                                ? "it does not touch down again"
                  : last->end.kind == EndKind::Contact ? "it does not take off again"
-                                                      : "it does not come to fly again"));
+                                                      : "it does not fly again"));
         else if (transitions.size() <= 1)
-            say((transitions.empty()
-                     ? "The slider does not end in one state throughout " + ways + ", but it changed only "
-                     : "It also changed ") +
+            say((transitions.empty() ? "The slider does not end in the same state " + ways + "; the state changed only "
+                                     : "The state also changed ") +
                 (whole ? "while the last value was held a second time"
-                       : "beside runs without a valid end, or while the last value was held again") +
-                ": at which value is not known");
+                       : "next to runs without a valid end, or while the last value was held again") +
+                ", so its value is not known");
     }
 
     void addEndStates()
@@ -63,12 +62,12 @@ public:
             if (ended(step)) (step.end.kind == EndKind::Flying ? flying : contact).push_back(step.value);
         const auto all = std::ssize(flying) + std::ssize(contact);
         if (all == 0) return;
-        const std::string begins = "Begun anew at each value the slider ends ";
+        const std::string begins = "Started anew at each value, the slider ends ";
         const auto where = [&](const std::vector<double>& values) {
             return " (" + text(rangesAmong(task_.values, values), text_) + ")";
         };
         if (flying.empty() || contact.empty())
-            say(begins + (flying.empty() ? "touching the disk, some of the time or all of it," : "flying") + " in " +
+            say(begins + (flying.empty() ? "in contact at some or all samples," : "flying") + " in " +
                 (all == 1 ? "its one run" : "all " + std::to_string(all) + " runs"));
         else
             say(begins + "flying in " + std::to_string(flying.size()) + " of " + std::to_string(all) + " runs" +
@@ -80,7 +79,7 @@ public:
         const LoopOf loop = loopOf(result_.steps);
         if (loop.known == 0) return;
         if (loop.values.empty()) {
-            say("No hysteresis: there and back the slider ends in the same states" +
+            say("No hysteresis: the slider ends in the same states on the way there and back" +
                 std::string(loop.whole ? "" : ", where both are known"));
             return;
         }
@@ -90,23 +89,24 @@ public:
         const bool lag = loop.moving == loop.values.size();
         std::string sentence = std::string(lag ? "Hysteresis or a lag " : "Hysteresis ") +
                                text(rangesAmong(task_.values, loop.values), text_) +
-                               ": there and back the slider ends in different states";
+                               ": the slider ends in different states on the way there and back";
         if (loop.moving > 0)
-            sentence += ", but " +
-                        (lag ? std::string("at none of these values have both come to rest")
+            sentence += "; " +
+                        (lag ? std::string("at none of these values both runs are at rest")
                              : "at " + std::to_string(loop.moving) + " of these " + std::to_string(loop.values.size()) +
-                                   " values not both have come to rest") +
-                        ": a longer hold tells hysteresis from a lag";
-        say(sentence + ". The mean spacing runs round an area of " + fewDigits(loop.area / (1e-9 * factor), "", 3) +
-            unit + (loop.whole ? "" : ", without the values at which a run failed"));
+                                   " values a run is not at rest") +
+                        ", and only a longer hold shows whether it is a lag";
+        say(sentence + ". The loop of the mean spacing has an area of " +
+            fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
+            (loop.whole ? "" : ", without the values at which a run failed"));
     }
 
     void addUnsettled()
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            say(counted(count, "run has", "runs have") + " not come to rest (more than 0.1 nm since the middle of " +
-                fewDigitsOfTime(task_.hold, 3) + "); a longer hold tells more");
+            say(counted(count, "run has", "runs have") + " not come to rest (change above 0.1 nm since the middle of " +
+                fewDigitsOfTime(task_.hold, 3) + "); use a longer hold");
     }
 
     void addFailures()
@@ -120,7 +120,7 @@ public:
         }
         if (values.empty()) return;
         say("Without a valid end: " + text(rangesAmong(task_.values, values), text_) +
-            (task_.fresh ? "" : "; the run after each begins anew") + ". The first one tells why: " + problem);
+            (task_.fresh ? "" : "; the next run starts anew") + ". Reason of the first: " + problem);
     }
 
 private:
@@ -136,12 +136,11 @@ private:
         if (flying) return "The slider flies";
         return all(EndKind::Intermittent) ? "The slider goes in and out of contact"
                : all(EndKind::Contact)    ? "The slider is in contact"
-                                          : "The slider touches the disk, some of the time or all of it,";
+                                          : "The slider is in contact at some or all samples";
     }
     static std::string throughout(bool flying)
     {
-        return flying ? ": no touch-down was seen"
-                      : ", which it came to from its start at the first one; no take-off was seen";
+        return flying ? ": no touch-down" : ", already from the start at the first value; no take-off";
     }
 
     /// Where the branch that was left ends: within the step, or beyond it where the step itself set the slider
@@ -175,13 +174,12 @@ private:
             for (const StudiedEquilibrium& at : line.points) {
                 const bool between = (at.value - each.before) * (end - at.value) >= 0.0;
                 if (line.outside || line.flies() != each.down || !between) continue;
-                if (at.stability == Stability::Flutter && !result_.doubtful(at))
-                    return ": on the way there it is unstable";
+                if (at.stability == Stability::Flutter && !result_.doubtful(at)) return ": it is unstable before";
                 any = true;
                 allStable = allStable && at.stability == Stability::Stable && !at.incomplete();
             }
         const bool flat = task_.start.diskSurface.kind == DiskSurfaceKind::Flat;
-        return any && allStable && flat ? ": the step set the slider swinging, and smaller steps come closer" : "";
+        return any && allStable && flat ? ": the step itself made the slider oscillate; smaller steps come closer" : "";
     }
 
     const HeldSteps& task_;

@@ -2,7 +2,6 @@
 #include "core/studies/hysteresis/hysteresis_result.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -16,18 +15,26 @@ namespace {
 using Ordinate = std::function<std::optional<double>(const StudiedEquilibrium&)>; // none: not known
 using StepOrdinate = std::function<ChartPoint(const HeldStep&)>;
 
-/// A label within a sentence, but for one that begins with an abbreviation.
 double frequency(std::complex<double> eigenvalue) { return std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi); }
 
-std::string groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
+/// Equilibria that a chart draws alike.
+struct Group {
+    std::string name{};
+    bool unstable = false;
+    bool operator==(const Group&) const = default;
+};
+
+Group groupOf(const HysteresisResult& result, const StudiedEquilibrium& at, bool outside)
 {
-    const bool stable = at.stability == Stability::Stable || at.stability == Stability::Neutral;
-    if (stable && at.incomplete())
-        return std::string("equilibria of unknown stability") + (outside ? ", outside the model" : "");
-    return std::string(stable ? (at.stability == Stability::Stable ? "stable equilibria" : "neutral equilibria")
-                       : result.doubtful(at) ? "unstable equilibria, on this grid"
-                                             : "unstable equilibria") +
-           (outside ? ", outside the model" : "");
+    Group group{.unstable = at.stability == Stability::Flutter || at.stability == Stability::Divergence};
+    if (group.unstable)
+        group.name = result.doubtful(at) ? "unstable equilibria, on this grid" : "unstable equilibria";
+    else if (at.incomplete())
+        group.name = "equilibria of unknown stability";
+    else
+        group.name = at.stability == Stability::Stable ? "stable equilibria" : "neutral equilibria";
+    if (outside) group.name += ", outside the model";
+    return group;
 }
 
 /// Lines cut where their stability changes; each part reaches to the first point of the next.
@@ -40,9 +47,9 @@ void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordi
     for (const EquilibriumLine& line : result.lines) {
         for (std::size_t begin = 0; begin < line.points.size();) {
             ChartSeries series;
-            const std::string group = groupOf(result, line.points[begin], line.outside);
-            series.name = group;
-            series.line = group.starts_with("unstable") ? ChartLine::Dashed : ChartLine::Solid;
+            const Group group = groupOf(result, line.points[begin], line.outside);
+            series.name = group.name;
+            series.line = group.unstable ? ChartLine::Dashed : ChartLine::Solid;
             series.markers = false;
             series.quiet = line.outside;
             std::size_t i = begin;
@@ -110,7 +117,7 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
                  [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
     }
     chart.panels.push_back(std::move(second));
-    chart.caption = "Points: mean over the last tenth of " + fewDigitsOfTime(task.hold, 3) +
+    chart.caption = "Points: mean over the last tenth of the hold of " + fewDigitsOfTime(task.hold, 3) +
                     " at each value; bars: the range there.";
     if (!result.lines.empty())
         chart.caption += std::string(" Lines: equilibria") +
@@ -145,7 +152,7 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
     for (const HeldStep& step : result.steps) {
         if (!step.done) continue;
         std::string remark = step.problem;
-        if (step.anew && step.back) remark = "begun anew" + (remark.empty() ? "" : "; " + remark);
+        if (step.anew && step.back) remark = "started anew" + (remark.empty() ? "" : "; " + remark);
         std::vector<StudyValue> row{std::string(task.fresh            ? "anew"
                                                 : rising != step.back ? "rising"
                                                                       : "falling"),

@@ -2,12 +2,8 @@
 #include "core/studies/hysteresis/hysteresis_result.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
-
-#include "core/case/fields.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -32,27 +28,6 @@ bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
 {
     return !at.edge && at.stability == Stability::Flutter && !at.eigenvalues.empty() &&
            std::abs(at.eigenvalues.front().imag()) > 2.0 * std::numbers::pi * resolved;
-}
-
-std::string ParameterText::inSentence() const
-{
-    std::string text = label;
-    if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])))
-        text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
-std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
-
-ParameterText parameterText(const DesignKey& key)
-{
-    ParameterText text{key.key, key.unit, key.displayUnit};
-    if (const Field* field = findField(key.key)) {
-        text.label = field->label;
-        text.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text.label[0])));
-        if (!field->symbol.empty()) text.label += " " + field->symbol;
-    }
-    return text;
 }
 
 std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps)

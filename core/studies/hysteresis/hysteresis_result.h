@@ -11,6 +11,7 @@
 
 #include "core/simulation/equilibria/equilibrium.h"
 #include "core/studies/hysteresis/held_steps.h"
+#include "core/studies/hysteresis/parameter_text.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
@@ -67,16 +68,6 @@ struct HysteresisResult {
 void addSpringEquilibria(const EquilibriumBranches& found, HysteresisResult& result);
 /// Those of the film.
 void addFilmEquilibria(const EquilibriumBranches& found, HysteresisResult& result);
-
-/// The parameter as charts and sentences name it.
-struct ParameterText {
-    std::string label;              // "Static flying height"
-    std::string inSentence() const; // "static flying height"
-    std::string unit, displayUnit;
-    /// Four digits.
-    std::string of(double value) const;
-};
-ParameterText parameterText(const DesignKey& key);
 
 /// In contact, at every sample or at some.
 bool touches(const EndState& end);

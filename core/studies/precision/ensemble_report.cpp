@@ -85,7 +85,7 @@ private:
             if (share.count == 0 || told++ >= mostEndsTold) continue;
             text += (text.empty() ? "" : "; ") + ends_.classes[k].name + ", " + shareText(share);
         }
-        report.findings.push_back("Of " + account_.what + " the reference, " + all_[0].setting + ", leads to: " + text +
+        report.findings.push_back("The reference (" + all_[0].setting + ") of " + account_.what + " ends in: " + text +
                                   ". In brackets: 95 % intervals.");
     }
 
@@ -202,7 +202,7 @@ private:
                          {{.name = "method", .longName = "Method"},
                           {.name = "setting", .longName = "Setting"},
                           {.name = "starts", .longName = "Starts"},
-                          {.name = "otherwise", .longName = "That end otherwise than in the reference"},
+                          {.name = "otherwise", .longName = "Starts with another end than in the reference"},
                           {.name = "failed", .longName = "Without a valid end"},
                           {"spacing", "m", "nm", "Mean spacing over the last tenth, mean of the valid starts"},
                           {"spacing_deviation", "m", "nm", "Its deviation among starts"},

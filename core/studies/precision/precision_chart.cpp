@@ -92,15 +92,16 @@ ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const E
 std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale)
 {
     const ProvenReference& reference = runs.reference;
-    std::string caption = "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
-                          " repeats after a warm-up; of one run where that takes longer than " +
-                          fewDigitsOfTime(task.timeLimit) +
-                          ". Ringed: the case's own setting. Grey line: what nothing else beats in both; there the "
-                          "largest error of a setting and of all "
-                          "finer ones of its method counts, as a smaller one is luck.";
+    std::string caption =
+        "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
+        " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
+        ". Ringed: the case's own setting. Grey line: settings that no other beats in both; for it the "
+        "largest error of a setting and of all "
+        "finer ones of its method counts, as a smaller one is by chance.";
     if (scale.uncertainty > 0.0)
         caption += " Shaded at the left: the reference and the run that proves it differ by " +
-                   fewDigits(scale.uncertainty, errorAxis(task).displayUnit) + "; smaller errors cannot be told apart.";
+                   fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
+                   "; smaller errors cannot be distinguished.";
     const auto isAny = [&](PointKind kind) {
         return std::ranges::any_of(runs.points,
                                    [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
@@ -112,7 +113,7 @@ std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, cons
         caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
     if (reference.horizon)
         caption += " From " + fewDigitsOfTime(*reference.horizon, 3) +
-                   " of simulated time on the trajectory is not determined; errors are those of the time before.";
+                   " of simulated time on the trajectory is not determined; errors are those before that time.";
     return caption;
 }
 

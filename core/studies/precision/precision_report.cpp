@@ -59,8 +59,12 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
         table.columns.push_back(
             {"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
     for (const StudyColumn& column : std::vector<StudyColumn>{
-             {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Time of the solver, the least"},
-             {.name = "time_median", .unit = "s", .displayUnit = "ms", .longName = "Its median", .secondary = true},
+             {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Shortest time of the solver"},
+             {.name = "time_median",
+             .unit = "s",
+             .displayUnit = "ms",
+             .longName = "Median time of the solver",
+             .secondary = true},
              {.name = "timed", .longName = "Timed runs", .secondary = true},
              {.name = "work", .longName = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves"},
              {.name = "steps",
@@ -70,7 +74,7 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
              {.name = "end", .longName = "End"},
              {.name = "end_spacing", .unit = "m", .displayUnit = "nm", .longName = "Mean spacing over the last tenth"},
              {.name = "chosen", .longName = "The case's own", .secondary = true},
-             {.name = "message", .longName = "Why it ended so"}})
+             {.name = "message", .longName = "Reason of the end"}})
         table.columns.push_back(column);
     for (const PrecisionPoint& point : runs.points) {
         const MethodSetting& setting = task.methods[point.method].settings[point.setting];
@@ -184,7 +188,7 @@ void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport
         return task.methods[point->method].settings[point->setting].chosen;
     });
     report.findings.push_back(
-        "Nothing is both faster and more accurate than " +
+        "No setting is both faster and more accurate than " +
         (all == 1      ? std::string("this")
          : all == told ? std::string("these")
                        : "these " + std::to_string(all) + ", of which " + std::to_string(told) + " are listed") +
@@ -196,32 +200,34 @@ void tellReference(const PrecisionTask& task, const PrecisionRuns& runs, StudyRe
     const ProvenReference& reference = runs.reference;
     const std::string distance = fewDigits(reference.apart, task.quantity.displayUnit);
     std::string text = "Errors are distances from a reference, " + reference.label + ", which " + reference.other +
-                       " confirms to " + distance + "; smaller errors count as that.";
+                       " confirms to " + distance + "; smaller errors are not resolved.";
     if (reference.horizon) {
-        text = "The trajectory is not determined: " + reference.label + " and " + reference.other + " part by " +
-               fewDigits(task.agreement, task.quantity.displayUnit) + " at " + fewDigitsOfTime(*reference.horizon, 3) +
-               " and by up to " + distance + " later. Errors are those of the time before. ";
+        text = "The trajectory is not determined: " + reference.label + " and " + reference.other +
+               " differ by more than " + fewDigits(task.agreement, task.quantity.displayUnit) + " at " +
+               fewDigitsOfTime(*reference.horizon, 3) + " and by up to " + distance +
+               " later. Errors are those before that time. ";
         if (reference.endKnown)
-            text += "The end is determined: it " + outcomeText(reference.run) + ", by both.";
+            text += "The end is determined: it " + outcomeText(reference.run) + ", with both.";
         else
-            text += "Nor is the end: " +
-                    std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end otherwise"
-                                                                            : "the two end otherwise") +
-                    ", and only the shares of an ensemble of starts have a meaning.";
+            text +=
+                "The end is not determined either: " +
+                std::string(sameOutcome(reference.run, reference.check) ? "starts that hardly differ end differently"
+                                                                        : "the two end differently") +
+                "; only the shares of an ensemble of starts are meaningful.";
     }
     if (!reference.horizon && !reference.endKnown)
-        text += " How it ends is not determined: starts that hardly differ end otherwise, and only the shares of an "
-                "ensemble of starts have a meaning.";
+        text += " The end is not determined: starts that hardly differ end differently; only the shares of an ensemble "
+                "of starts are meaningful.";
     report.findings.push_back(text);
     if (!reference.run.valid())
         report.findings.push_back("The case itself has no valid end: " + reference.run.summary.message +
                                   ". Runs that fail in the same way agree with the reference.");
     if (reference.horizon && task.measure >= ErrorMeasure::Mean)
-        report.warnings.push_back("Where the trajectory is not determined no run has an error of the kind \"" +
+        report.warnings.push_back("Without a determined trajectory no run has an error of the kind \"" +
                                   std::string(name(task.measure)) +
-                                  "\", which needs all of it: take error = \"worst\".");
+                                  "\", which needs the whole trajectory: take error = \"worst\".");
     if (runs.referencesLate)
-        report.warnings.push_back("Some of the runs that may prove the reference were cut off: they took more than "
+        report.warnings.push_back("Some reference runs were stopped: they took more than "
                                   "their share of the budget of " +
                                   fewDigitsOfTime(task.budget) + ".");
 }

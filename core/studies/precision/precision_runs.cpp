@@ -136,10 +136,9 @@ private:
         runs_.referencesLate = ended == Ended::Late;
         const auto ran = [](const MeasuredRun& run) { return run.summary.status != RunStatus::Cancelled; };
         if (std::ranges::count_if(found, ran) < 2) {
-            runs_.reference.problem = "fewer than two of the runs that may prove it ended within " +
-                                      fewDigitsOfTime(budgetOfReferences * task_.budget) +
-                                      ", their share of the budget of " + fewDigitsOfTime(task_.budget) +
-                                      "; give it more";
+            runs_.reference.problem =
+                "fewer than two reference runs ended within " + fewDigitsOfTime(budgetOfReferences * task_.budget) +
+                ", their share of the budget of " + fewDigitsOfTime(task_.budget) + "; give it more";
             return true;
         }
         const auto valid = std::ranges::find_if(found, &MeasuredRun::valid);

@@ -10,6 +10,7 @@
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "core/studies/precision/precision_methods.h"
+#include "core/studies/precision/work_precision.h"
 
 namespace touchdown {
 
@@ -35,14 +36,23 @@ void leaveOut(Case& c)
         series->clear();
 }
 
+std::vector<std::string> namesOf(const std::vector<Quantity>& quantities)
+{
+    std::vector<std::string> names;
+    for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+    return names;
+}
+
+std::string defaultQuantity(const PrecisionTask& task)
+{
+    if (task.start.model == ModelKind::Contact) return "contact_force";
+    return task.inTime ? std::string(spacingOf(task.start)) : "minimum_spacing";
+}
+
 void readQuantity(StudyReader& reader, PrecisionTask& task)
 {
     const std::vector<Quantity> all = quantitiesOf(task);
-    std::vector<std::string> names;
-    for (const Quantity& quantity : all) names.push_back(quantity.name);
-    std::string name(task.inTime ? spacingOf(task.start) : "minimum_spacing");
-    if (task.start.model == ModelKind::Contact) name = "contact_force";
-    name = reader.choice("quantity", names).value_or(name);
+    const std::string name = reader.choice("quantity", namesOf(all)).value_or(defaultQuantity(task));
     const auto find = [&](const std::string& wanted) { return std::ranges::find(all, wanted, &Quantity::name); };
     if (find(name) == all.end()) return; // the case has problems of its own
     task.quantity = *find(name);
@@ -50,20 +60,24 @@ void readQuantity(StudyReader& reader, PrecisionTask& task)
         if (name != also && find(also) != all.end()) task.also.push_back(*find(also));
 }
 
-void readMeasure(StudyReader& reader, PrecisionTask& task)
+std::vector<std::string> measureNames()
 {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < errorMeasures; ++i) names.emplace_back(name(static_cast<ErrorMeasure>(i)));
-    const auto chosen = reader.choice("error", names);
-    if (chosen) task.measure = static_cast<ErrorMeasure>(std::ranges::find(names, *chosen) - names.begin());
+    return names;
+}
+
+void readMeasure(StudyReader& reader, PrecisionTask& task)
+{
+    const std::vector<std::string> names = measureNames();
+    task.measure = static_cast<ErrorMeasure>(std::ranges::find(names, reader.choice("error")) - names.begin());
 }
 
 void readTimes(StudyReader& reader, PrecisionTask& task)
 {
-    const bool film = task.start.model != ModelKind::Springs;
-    task.repeats = reader.integer("repeats", 1, mostRepeats).value_or(film ? 3 : 5);
-    task.timeLimit = reader.number("time_limit", "s", "s", 0.0, longestBudget).value_or(film ? 1.0 : 0.1);
-    task.budget = reader.number("budget", "s", "s", 0.01, longestBudget).value_or(film ? 120.0 : 15.0);
+    task.repeats = reader.integer("repeats");
+    task.timeLimit = reader.number("time_limit");
+    task.budget = reader.number("budget");
     const Quantity& q = task.quantity;
     if (const auto bound = reader.number("agreement", q.unit, q.displayUnit, 1e-24, INFINITY))
         task.agreement = *bound;
@@ -109,13 +123,17 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
         reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
 }
 
+std::string defaultEnsembleKey(const Case& c)
+{
+    if (c.model != ModelKind::Film) return EnsembleTask{}.key;
+    return c.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
+}
+
 void readEnsemble(StudyReader& reader, PrecisionTask& task)
 {
     task.ensembleWanted = reader.has("ensemble");
     EnsembleTask& ensemble = task.ensemble;
-    if (task.start.model == ModelKind::Film)
-        ensemble.key = task.start.initial.state == InitialState::Static ? "initial.height_offset"
-                                                                        : "initial.nominal_trailing_edge_height";
+    ensemble.key = defaultEnsembleKey(task.start);
     if (const auto starts = reader.integer("ensemble.starts", 2, mostStarts)) ensemble.starts = *starts;
     if (const auto key = reader.text("ensemble.key")) {
         const Field* field = findField(*key);
@@ -145,6 +163,44 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
 
 } // namespace
 
+StudyForm workPrecisionForm(const Case& c)
+{
+    const bool film = c.model == ModelKind::Film, springs = c.model == ModelKind::Springs;
+    PrecisionTask task;
+    task.start = c;
+    StudyForm form;
+    form.keys = {
+        choiceKey("of", "run", {"run", "static"}, "the motion in time or the static state"),
+        choiceKey("quantity", defaultQuantity(task), namesOf(quantitiesOf(task)), "quantity whose errors are measured"),
+        choiceKey("error", "worst", measureNames(), "error in the chart"),
+        integerKey("repeats", springs ? 5 : 3, 1, mostRepeats, "timed repeats of a run, after one that warms up"),
+        numberKey("time_limit", springs ? 0.1 : 1.0, "s", "s", 0.0, longestBudget,
+                  "runs that take longer are timed once"),
+        numberKey("budget", springs ? 15.0 : 120.0, "s", "s", 0.01, longestBudget,
+                  "wall time; runs that have not begun by then are left out"),
+        numberKey("agreement", task.agreement, "m", "nm", 1e-24, INFINITY,
+                  "largest distance between two references that agree"),
+    };
+    if (!film) form.keys[0].standard = {};
+    if (c.model == ModelKind::Contact) form.keys.back().standard = {};
+    for (StudyKey& key : methodKeys(true)) form.keys.push_back(std::move(key));
+    form.keys.push_back(inList(textKey("reference.name", {}, "", "name in the findings")));
+    form.keys.push_back(inList(settingsKey("reference.set", "changes of the case")));
+    if (c.model == ModelKind::Contact) return form;
+    form.lists = "\n# Each method takes one key from coarse to fine; without any method, these are taken.\n";
+    for (const MethodSpec& spec : defaultMethods(c, true)) form.lists += methodText(spec);
+    for (StudyKey key : {
+             tableKey("ensemble", "Without this table ensembles are made only where the trajectory is not determined."),
+             integerKey("ensemble.starts", task.ensemble.starts, 2, mostStarts, "number of runs"),
+             numberKey("ensemble.spread", task.ensemble.spread, "m", "nm", 0.0, INFINITY,
+                       "the starts lie between this much below and above the start of the case"),
+             textKey("ensemble.key", defaultEnsembleKey(c), "", "key of the case that differs between the starts"),
+             settingsKey("ensemble.set", "changes of the case for the reference ensemble"),
+         })
+        form.keys.push_back(onlyOffered(std::move(key)));
+    return form;
+}
+
 PrecisionTask readPrecisionTask(StudyReader& reader)
 {
     PrecisionTask task;
@@ -166,7 +222,7 @@ PrecisionTask readPrecisionTask(StudyReader& reader)
     readMethods(reader, task);
     readReferences(reader, task);
     readEnsemble(reader, task);
-    if (!task.inTime && task.ensembleWanted) reader.add("ensemble", "is of runs in time");
+    if (!task.inTime && task.ensembleWanted) reader.add("ensemble", "needs runs in time (of = \"run\")");
     return task;
 }
 

@@ -124,27 +124,4 @@ StudyPerformance planWorkPrecision(StudyReader& reader)
     };
 }
 
-std::string workPrecisionTemplate(const Case& c)
-{
-    const bool film = c.model == ModelKind::Film;
-    std::string text;
-    if (film) text += "of = \"run\"               # or \"static\": the static state\n";
-    text += "quantity = " + tomlString(std::string(c.model == ModelKind::Contact ? "contact_force" : spacingOf(c))) +
-            " # of which the errors are\n";
-    text += "error = \"worst\"          # final, l2, worst, mean, deviation, peak-frequency, peak-amplitude\n";
-    text +=
-        std::string("repeats = ") + (film ? "3" : "5") + "                # of a timed run, after one that warms up\n";
-    text += std::string("time_limit = \"") + (film ? "1 s\"   " : "0.1 s\" ") +
-            "    # runs that take longer are timed once\n";
-    text += std::string("budget = \"") + (film ? "120 s\"" : "15 s\" ") +
-            "         # what is not run yet when it is spent is left out\n";
-    text += "agreement = \"0.1 nm\"     # within which two references must stay together\n";
-    text += "\n# Each method sweeps one key, from coarse to fine; without any, these are taken.\n";
-    for (const MethodSpec& spec : defaultMethods(c, true)) text += methodText(spec);
-    if (c.model == ModelKind::Contact) return text;
-    text += "\n# Without this table ensembles are made only where the trajectory is not determined.\n";
-    text += "# [ensemble]\n# starts = 300\n# spread = \"0.5 nm\"        # around the case's own start\n";
-    return text;
-}
-
 } // namespace touchdown

@@ -46,7 +46,7 @@ namespace touchdown {
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planWorkPrecision(StudyReader& reader);
-/// The keys with their defaults for a case.
-std::string workPrecisionTemplate(const Case& c);
+/// Its keys with their defaults for a case.
+StudyForm workPrecisionForm(const Case& c);
 
 } // namespace touchdown

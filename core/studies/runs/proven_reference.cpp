@@ -171,11 +171,11 @@ std::string knowledgeOf(const ProvenReference& reference)
     if (!reference.endKnown)
         return "not determined: it " + end +
                (sameOutcome(reference.run, reference.check)
-                    ? ", and from a start that hardly differs ends otherwise"
+                    ? ", and differently from a start that hardly differs"
                     : ", and by another method " + outcomeText(reference.check));
     if (reference.horizon)
         return "the end is determined, the trajectory only up to " + fewDigitsOfTime(*reference.horizon) +
-               ": two methods part by up to " + apart + "; it " + end;
+               ": two methods differ by up to " + apart + "; it " + end;
     return "determined: two methods differ by " + apart + " at most; it " + end;
 }
 

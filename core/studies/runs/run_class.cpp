@@ -91,8 +91,8 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
     } else if (verdict.imbalance >
                std::max(rule.energyDrift, gridsEnergy * figure(reference.run.summary, "energy_balance"))) {
         verdict.kind = RunClass::DriftingEnergy;
-        verdict.sentence = "the books of the energy miss " + fewDigits(100.0 * verdict.imbalance, "") +
-                           " % of its largest change; it " + outcomeText(run);
+        verdict.sentence = "the energy imbalance is " + fewDigits(100.0 * verdict.imbalance, "") +
+                           " % of the largest change of the energy; it " + outcomeText(run);
     } else if (fixedFilm && run.summary.rejectedSteps > 0) {
         verdict.kind = RunClass::CutSteps;
         verdict.sentence =
@@ -100,7 +100,7 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
     } else if (!reference.horizon && verdict.apart > rule.agreement) {
         verdict.kind = RunClass::OtherWay;
         verdict.sentence = outcomeText(run) + " as the reference does, but is up to " + fewDigits(verdict.apart, "nm") +
-                           " away from it on the way";
+                           " away from it in between";
     } else {
         verdict.kind = RunClass::Agrees;
         verdict.sentence = outcomeText(run) + " as the reference does" +

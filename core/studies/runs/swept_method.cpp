@@ -110,6 +110,19 @@ std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
     return specs;
 }
 
+std::vector<StudyKey> methodKeys(bool ensembles)
+{
+    std::vector<StudyKey> keys{
+        inList(textKey("method.name", {}, "", "name in charts and tables")),
+        inList(settingsKey("method.set", "changes of the case")),
+        inList(textKey("method.key", {}, "", "key of the case that takes the values; none: one run")),
+        inList(listKey("method.values", {}, "values of the key, in any order")),
+    };
+    if (ensembles)
+        keys.push_back(inList(listKey("method.ensemble", {}, "values with which ensembles are made; default: all")));
+    return keys;
+}
+
 std::string tomlList(const std::vector<std::string>& values)
 {
     std::string text;

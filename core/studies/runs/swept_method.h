@@ -33,6 +33,8 @@ struct MethodSpec {
 };
 /// The methods of a study's file; what is wrong with them as far as no case is needed to see it.
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles);
+/// The keys of each [[method]].
+std::vector<StudyKey> methodKeys(bool ensembles);
 std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table);
 /// As readMethods reads it.
 std::string methodText(const MethodSpec& spec);

@@ -97,11 +97,12 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
     const double ambient = airOf(c.air).pressure;
     StudyChart chart;
     chart.title = "Pressure in a gap that closes, by slip model";
-    chart.caption = "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") +
-                    " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the "
-                    "pressure stays bounded in this wedge; "
-                    "without one it grows as long as the grid lets it. The angle is ours: that at which first order's "
-                    "pressure grows with the gap to the -0.9.";
+    chart.caption =
+        "An infinitely wide wedge of " + fewDigits(wedgeAngle(c), "") +
+        " rad that touches the disk, in the case's air at its disk's speed. With a second-order term the "
+        "pressure stays bounded in this wedge; "
+        "without one it grows with every refinement of the grid. The angle is our choice: there the pressure of the "
+        "first-order model grows as the gap to the power -0.9.";
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = "Gap", .unit = "m", .displayUnit = "nm", .logarithmic = true};
     panel.y = {.label = "Pressure", .unit = "Pa", .displayUnit = "kPa", .logarithmic = true};
@@ -134,7 +135,7 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
                                     fewDigits(narrow / ambient, "") + " times ambient at gaps of 1, 0.1 and 0.01 nm";
         picture.findings.push_back(
             growth > bounded
-                ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without end: to " +
+                ? "Where a gap closes, the case's slip model, " + slip + ", lets the pressure grow without bound: to " +
                       figures +
                       ", in a wedge at its disk's speed. The models with a second-order term keep it bounded there."
                 : "Where a gap closes, the case's slip model, " + slip + ", keeps the pressure bounded: at " + figures +

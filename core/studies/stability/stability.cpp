@@ -79,20 +79,4 @@ StudyPerformance planStability(StudyReader& reader)
     return [task](int jobs, const StudyCallback& callback) { return perform(*task, jobs, callback); };
 }
 
-std::string stabilityTemplate(const Case& c)
-{
-    const DefaultParameter parameter = defaultParameter(c);
-    const bool film = c.model == ModelKind::Film;
-    std::string text =
-        "picture = true          # where each method is stable, with the case's eigenvalues times its step\n"
-        "map = true              # runs over settings and a parameter, each compared with a reference\n";
-    if (!parameter.key.empty())
-        text += "parameter = " + tomlString(parameter.key) +
-                " # a key of the case\nvalues = " + tomlList(parameter.values) + "\n";
-    text += std::string("agreement = \"") + (film ? "0.01" : "0.1") + " nm\" # within it two trajectories are one\n" +
-            "energy_drift = 0.01     # what the books of the energy may miss, of the largest change of a part\n";
-    for (const MethodSpec& method : defaultStabilityMethods(c)) text += methodText(method);
-    return text;
-}
-
 } // namespace touchdown

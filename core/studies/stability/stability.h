@@ -33,7 +33,7 @@ namespace touchdown {
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planStability(StudyReader& reader);
-/// The keys with their defaults for a case.
-std::string stabilityTemplate(const Case& c);
+/// Its keys with their defaults for a case.
+StudyForm stabilityForm(const Case& c);
 
 } // namespace touchdown

@@ -175,9 +175,9 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
 std::string limitSentence(const std::string& subject, double limit, const std::string& first)
 {
     const std::string steps = "Steps of " + subject;
-    return std::isfinite(limit)
-               ? steps + " are stable up to " + fewDigitsOfTime(limit, 3) + "; the first to blow up is the " + first
-               : steps + " are stable however long they are; accuracy alone limits them";
+    return std::isfinite(limit) ? steps + " are stable up to " + fewDigitsOfTime(limit, 3) +
+                                      "; the first unstable motion is the " + first
+                                : steps + " are stable however long they are; accuracy alone limits them";
 }
 
 std::string motionText(const LocalMotion& motion)
@@ -209,8 +209,8 @@ void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<Loca
     for (const LocalMotion& motion : motions)
         if (std::ranges::any_of(motion.rates, [](Complex rate) { return rate.real() > 1e-9 * std::abs(rate); }))
             picture.warnings.push_back("The " + motionText(motion) +
-                                       " grows of itself, in the model and not by a method, so that no step is short "
-                                       "enough for it to be stable.");
+                                       " is unstable in the model itself: no step is short enough for a method to be "
+                                       "stable.");
 }
 
 } // namespace touchdown

@@ -118,11 +118,11 @@ bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::functio
 
     StudyChart regions;
     regions.title = "Where each method is stable";
-    regions.caption = "Inside its line a method damps y' = lambda y, outside it blows it up; of newmark, left of its "
-                      "line. Marks: the case's own eigenvalues times its " +
+    regions.caption = "A method damps y' = lambda y inside its line and amplifies it outside; newmark damps it left of "
+                      "its line. Marks: the case's own eigenvalues times its " +
                       step.text +
                       ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step "
-                      "as they go: no one region is theirs.";
+                      "and have no single region.";
     regions.panels.push_back(regionPanel(methods, way.motions, step.length));
 
     const LocalMotion& fastest = *std::ranges::max_element(way.motions, {}, &LocalMotion::fastest);
@@ -130,7 +130,7 @@ bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::functio
     growth.title = "Growth in one step against the step";
     growth.caption = "The largest factor by which a step changes the fastest motion of the case, " + fastest.where +
                      ", whose damping ratio is " + fewDigits(dampingRatio(fastest), "") +
-                     ": above 1 it blows up. Across: where the case's eigenvalues lie with " + step.text + ".";
+                     ": above 1 it is unstable. Vertical lines: the case's eigenvalues with " + step.text + ".";
     growth.panels.push_back(growthPanel(methods, dampingRatio(fastest), 0.01, 10.0));
     addStepBands(growth.panels.back(), way.motions, step.length);
     picture.charts = {std::move(regions), std::move(growth)};

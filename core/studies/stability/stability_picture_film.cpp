@@ -41,11 +41,11 @@ std::vector<CoupledMethod> coupledMethods(const Case& c)
          {.beta = 0.25},
          false},
         {"staggered, iterated",
-         "film and slider in turns until they agree",
+         "film and slider staggered until they agree",
          {.coupling = CouplingKind::Iterated},
          staggered},
-        {"in turns, twice", "film and slider twice in turns", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
-        {"one-way", "film and slider once in turns", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
+        {"staggered, twice", "film and slider staggered twice", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
+        {"one-way", "film and slider staggered once", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
 }
 
 std::vector<LinearMethod> filmMethods()
@@ -97,13 +97,13 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     const ModesResult result = modes(at, [&](const SteadyProgress&) { return goOn(); });
     if (result.status == SteadyStatus::Cancelled) return false;
     if (result.modes.empty()) {
-        picture.problem = "there is no linear picture, as there are no modes: " +
+        picture.problem = "the linear picture is missing, as there are no modes: " +
                           (result.message.empty() ? "none oscillates" : result.message);
         return true;
     }
     std::vector<LocalMotion> motions;
     for (const AirBearingMode& mode : result.modes) motions.push_back(motionOf(mode));
-    if (!result.message.empty()) picture.warnings.push_back("Of the modes: " + result.message + ".");
+    if (!result.message.empty()) picture.warnings.push_back("Modes: " + result.message + ".");
     const LocalMotion& fastest = *std::ranges::max_element(motions, {}, &LocalMotion::fastest);
     const bool fixed = c.run.steps == StepControl::Fixed;
     const double length = fixed ? c.run.step : StepLength::longestPhase / fastest.fastest();
@@ -124,8 +124,8 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     growth.title = "Growth in one step against the step";
     growth.caption = "Left: rules alone, on the fastest mode, whose damping ratio is " + fewDigits(damping, "") +
                      ". Right: slider and film together, the film a spring with the leak that gives it that damping. "
-                     "Above 1 a method blows up; in turns until they agree "
-                     "ends where the turns do not come to agree.";
+                     "Above 1 a method is unstable; the staggered, iterated method "
+                     "ends where its iterations do not converge.";
     growth.panels.push_back(growthPanel(methods, damping, 0.01, 10.0));
     addStepBands(growth.panels.back(), motions, step.length);
     ChartPanel& together = growth.panels.emplace_back(growthPanel({}, damping, 0.01, 10.0));

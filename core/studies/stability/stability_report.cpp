@@ -115,7 +115,7 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
                       {"class"},
                       {.name = "end", .secondary = true},
                       {"largest_error", "m", "nm", "Largest distance of the spacing from the reference"},
-                      {"energy_balance", "", "", "Energy that the books miss, against the largest change of a part"},
+                      {"energy_balance", "", "", "Energy imbalance relative to the largest change of a part"},
                       {.name = "steps", .secondary = true},
                       {.name = "evaluations", .secondary = true},
                       {.name = "switches", .secondary = true},
@@ -250,12 +250,12 @@ void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyRepo
     if (own.pairs > 0)
         text += " With the paper's own steps, 10 ns and 1 ns: " + times(own.pairs, "pair", "pairs") + ", fooled by " +
                 std::to_string(own.fooled) + ", false alarm at " + std::to_string(own.alarms) + ".";
-    if (unknown > 0) text += " Of " + times(unknown, "pair", "pairs") + " the true end is not determined.";
+    if (unknown > 0) text += " The true end of " + times(unknown, "pair", "pairs") + " is not determined.";
     report.findings.push_back(text);
     if (moved > 0)
         report.findings.push_back("In " + times(moved, "pair", "pairs") +
-                                  " the end stays while the way there changes by more than " +
-                                  fewDigits(task.rule.agreement, "nm") + ", to which the criterion does not object.");
+                                  " the end does not change while the trajectory changes by more than " +
+                                  fewDigits(task.rule.agreement, "nm") + ", which the criterion does not detect.");
 }
 
 } // namespace
@@ -263,14 +263,13 @@ void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyRepo
 StudyChart mapChart(const StabilityTask& task, const StabilityMap& map)
 {
     StudyChart chart;
-    chart.title =
-        task.parameter ? "What becomes of the runs, over " + task.parameter->label : "What becomes of the runs";
-    chart.caption = "Each cell is a run, compared with a reference that two methods prove. By another way: along a "
-                    "trajectory that comes to lie more than " +
-                    fewDigits(task.rule.agreement, "nm") +
-                    " from the reference's. Drifting energy: the books miss more than " +
-                    fewDigits(100.0 * task.rule.energyDrift, "") +
-                    " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
+    chart.title = task.parameter ? "How the runs end, over " + task.parameter->label : "How the runs end";
+    chart.caption =
+        "Each cell is a run, compared with a reference that two methods prove. By another way: the trajectory "
+        "is at some time more than " +
+        fewDigits(task.rule.agreement, "nm") + " from the reference's. Drifting energy: an energy imbalance above " +
+        fewDigits(100.0 * task.rule.energyDrift, "") +
+        " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
     if (task.parameter != nullptr && !task.parameterIsNumber)
         for (const StabilityRow& row : task.rows)
             chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";
@@ -291,9 +290,8 @@ void tellMap(const StabilityTask& task, const StabilityMap& map, StudyReport& re
     tellCriterion(task, map, report);
     for (std::size_t row = 0; row < task.rows.size(); ++row)
         if (const ProvenReference& reference = map.references[row]; reference.horizon || !reference.endKnown)
-            report.warnings.push_back(
-                (task.rows[row].label.empty() ? "Of this case " : "At " + task.rows[row].label + " ") +
-                knowledgeOf(reference) + ".");
+            report.warnings.push_back((task.rows[row].label.empty() ? "" : "At " + task.rows[row].label + ": ") +
+                                      knowledgeOf(reference) + ".");
 }
 
 } // namespace touchdown

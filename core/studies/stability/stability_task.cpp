@@ -7,6 +7,7 @@
 
 #include "core/formats/quotation.h"
 #include "core/simulation/run.h"
+#include "core/studies/stability/stability.h"
 #include "core/studies/study/few_digits.h"
 
 namespace touchdown {
@@ -31,8 +32,8 @@ std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
     const auto key = reader.text("parameter");
     const auto values = reader.texts("values");
     if (task.start.model == ModelKind::Contact) {
-        reader.add("case", "is of model \"contact\", a pad that is moved and cannot be unstable: take one of model "
-                           "\"springs\" or \"film\"");
+        reader.add("case", "is of model \"contact\", whose pad follows a prescribed motion; a stability study takes a "
+                           "case of model \"springs\" or \"film\"");
         return {};
     }
     const std::string chosen = key ? *key : values ? std::string() : otherwise.key;
@@ -122,17 +123,37 @@ std::vector<MethodSpec> defaultStabilityMethods(const Case& c)
              {}}};
 }
 
-StabilityTask readStabilityTask(StudyReader& reader)
+StudyForm stabilityForm(const Case& c)
 {
     constexpr double endless = std::numeric_limits<double>::infinity();
+    const DefaultParameter parameter = defaultParameter(c);
+    const ClassRule rule;
+    // A film moves less.
+    const double agreement = c.model == ModelKind::Film ? 0.01e-9 : rule.agreement;
+    StudyForm form;
+    form.keys = {
+        booleanKey("picture", true, "stability region of each method, with the eigenvalues of the case times its step"),
+        booleanKey("map", true, "runs over settings and a parameter, each compared with a reference"),
+        textKey("parameter", parameter.key, "", "a key of the case"),
+        listKey("values", parameter.values, "values of the parameter"),
+        numberKey("agreement", agreement, "m", "nm", 1e-24, endless,
+                  "largest distance between two trajectories that agree"),
+        numberKey("energy_drift", rule.energyDrift, "", "", 1e-12, endless,
+                  "largest energy imbalance of a good run, relative to the largest change of a part of the energy"),
+    };
+    for (StudyKey& key : methodKeys(false)) form.keys.push_back(std::move(key));
+    for (const MethodSpec& method : defaultStabilityMethods(c)) form.lists += methodText(method);
+    return form;
+}
+
+StabilityTask readStabilityTask(StudyReader& reader)
+{
     StabilityTask task;
     task.start = reader.start();
-    task.picture = reader.boolean("picture").value_or(true);
-    task.map = reader.boolean("map").value_or(true);
-    if (task.start.model == ModelKind::Film) task.rule.agreement = 0.01e-9; // it moves less
-    task.rule.agreement = reader.number("agreement", "m", "nm", 1e-24, endless).value_or(task.rule.agreement);
-    task.rule.energyDrift = reader.number("energy_drift", "", "", 1e-12, endless).value_or(task.rule.energyDrift);
-    if (!task.picture && !task.map) reader.add("map", "is false, and so is picture: nothing is left to do");
+    task.picture = reader.flag("picture");
+    task.map = reader.flag("map");
+    task.rule = {.agreement = reader.number("agreement"), .energyDrift = reader.number("energy_drift")};
+    if (!task.picture && !task.map) reader.add("map", "is false, and so is picture; at least one of them must be true");
     const std::vector<std::string> labels = readParameter(reader, task);
     task.methods = readMethods(reader, false);
     if (task.methods.empty()) task.methods = defaultStabilityMethods(task.start);

@@ -26,6 +26,14 @@ void nameTheStudy(const StudyReader& reader, std::vector<InputProblem>& problems
 
 } // namespace
 
+std::vector<StudyKey> headKeys()
+{
+    return {textKey("title", {}, "", "title of the report; default: that of the case"),
+            textKey("kind", {}, "", "kind of study"),
+            textKey("case", {}, neededCase, "the case that is studied; a path is relative to the study's file"),
+            settingsKey("set", "changes of the case")};
+}
+
 bool isOfKind(StudyReader& reader, const std::string& kind)
 {
     const bool silent = !reader.has("kind");
@@ -44,7 +52,6 @@ bool namesCase(StudyReader& reader)
 std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
                                           const std::vector<std::string>& settings)
 {
-    reader.allow("", {"set"});
     if (!namesCase(reader)) reader.add("case", std::string("is missing; ") + neededCase + " is needed");
     const auto name = reader.text("case", neededCase);
     if (!name) return {};

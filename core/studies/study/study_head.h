@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every study's file says first: kind, case and the changes of the case.
+// The keys that all studies have: title, kind, case and the changes of the case.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +15,8 @@ namespace touchdown {
 
 /// Largest file of a study that is read [byte].
 inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
+
+std::vector<StudyKey> headKeys();
 
 /// Whether the file is of this kind, or does not say of which; else the reader has the problem.
 bool isOfKind(StudyReader& reader, const std::string& kind);

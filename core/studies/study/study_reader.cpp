@@ -2,6 +2,7 @@
 #include "core/studies/study/study_reader.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string_view>
 
@@ -15,26 +16,6 @@
 namespace touchdown {
 
 namespace {
-
-std::string rangeText(double minimum, double maximum, const std::string& displayUnit)
-{
-    const std::string least = formatQuantity(minimum, displayUnit), most = formatQuantity(maximum, displayUnit);
-    if (std::isfinite(minimum) && std::isfinite(maximum)) return "from " + least + " to " + most;
-    if (std::isfinite(minimum)) return "at least " + least;
-    return std::isfinite(maximum) ? "at most " + most : "a number";
-}
-
-std::string wholeRangeText(int minimum, int maximum)
-{
-    return "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
-}
-
-std::string choiceText(const std::vector<std::string>& choices)
-{
-    std::string list;
-    for (const std::string& each : choices) list += (list.empty() ? "" : ", ") + each;
-    return (choices.size() > 1 ? "one of " : "") + list;
-}
 
 /// A value as --set takes it; nothing where it is none.
 std::optional<std::string> settingText(const TomlValue& value)
@@ -80,24 +61,50 @@ StudyReader::StudyReader(const TomlDocument& toml, std::string name, const Case&
     for (const TomlTable& table : toml_.tables) tables_[table.key] = &table;
 }
 
+void StudyReader::setKeys(std::vector<StudyKey> keys)
+{
+    keys_ = std::move(keys);
+    for (const StudyKey& row : keys_)
+        for (std::string name = row.key; !name.empty(); name = tableOf(name)) known_.insert(name);
+}
+
 bool StudyReader::has(const std::string& key)
 {
     asked_.insert(key);
     return entries_.contains(key) || findTable(key) != nullptr;
 }
 
-void StudyReader::ask(const std::string& key, const std::string& answer, const std::string& unit,
-                      const std::string& displayUnit)
+const StudyKey& StudyReader::rowOf(const std::string& key) const
 {
-    const std::string name = withoutNumbers(key);
-    if (std::ranges::find(questions_, name, &StudyQuestion::key) == questions_.end())
-        questions_.push_back({name, answer, unit, displayUnit});
+    const auto row = std::ranges::find(keys_, key, &StudyKey::key);
+    assert(row != keys_.end());
+    return *row;
+}
+
+double StudyReader::number(const std::string& key)
+{
+    const StudyKey& row = rowOf(key);
+    return number(key, row.unit, row.displayUnit, row.minimum, row.maximum).value_or(std::get<double>(row.standard));
+}
+
+int StudyReader::integer(const std::string& key)
+{
+    const StudyKey& row = rowOf(key);
+    return integer(key, static_cast<int>(row.minimum), static_cast<int>(row.maximum))
+        .value_or(std::get<int>(row.standard));
+}
+
+bool StudyReader::flag(const std::string& key) { return boolean(key).value_or(std::get<bool>(rowOf(key).standard)); }
+
+std::string StudyReader::choice(const std::string& key)
+{
+    const StudyKey& row = rowOf(key);
+    return choice(key, row.choices).value_or(std::get<std::string>(row.standard));
 }
 
 std::optional<double> StudyReader::number(const std::string& key, const std::string& unit,
                                           const std::string& displayUnit, double minimum, double maximum)
 {
-    ask(key, rangeText(minimum, maximum, displayUnit), unit, displayUnit);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     return inRange(key, entry->value, unit, displayUnit, minimum, maximum);
@@ -105,7 +112,6 @@ std::optional<double> StudyReader::number(const std::string& key, const std::str
 
 std::optional<int> StudyReader::integer(const std::string& key, int minimum, int maximum)
 {
-    ask(key, wholeRangeText(minimum, maximum));
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     const auto* value = std::get_if<std::int64_t>(&entry->value);
@@ -116,7 +122,6 @@ std::optional<int> StudyReader::integer(const std::string& key, int minimum, int
 
 std::optional<bool> StudyReader::boolean(const std::string& key)
 {
-    ask(key, "true or false");
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     if (const auto* value = std::get_if<bool>(&entry->value)) return *value;
@@ -126,7 +131,6 @@ std::optional<bool> StudyReader::boolean(const std::string& key)
 
 std::optional<std::string> StudyReader::text(const std::string& key, const std::string& needed)
 {
-    ask(key, needed);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     if (const auto* value = std::get_if<std::string>(&entry->value)) return *value;
@@ -136,7 +140,6 @@ std::optional<std::string> StudyReader::text(const std::string& key, const std::
 
 std::optional<std::string> StudyReader::choice(const std::string& key, const std::vector<std::string>& choices)
 {
-    ask(key, choiceText(choices));
     const auto value = text(key);
     if (!value || std::ranges::find(choices, *value) != choices.end()) return value;
     add(key, inQuotes(*value) + " is not known: allowed is " + choiceText(choices) +
@@ -146,7 +149,6 @@ std::optional<std::string> StudyReader::choice(const std::string& key, const std
 
 std::optional<std::vector<std::string>> StudyReader::texts(const std::string& key, const std::string& needed)
 {
-    ask(key, needed);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<std::string> list;
@@ -166,7 +168,6 @@ std::optional<std::vector<std::string>> StudyReader::texts(const std::string& ke
 std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, const std::string& unit,
                                                         const std::string& displayUnit, double minimum, double maximum)
 {
-    ask(key, "a list of numbers, each " + rangeText(minimum, maximum, displayUnit), unit, displayUnit);
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return {};
     std::vector<double> list;
@@ -183,12 +184,10 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
 
 std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std::string& table)
 {
-    const std::string needed = "a table such as { \"run.duration\" = \"1 ms\" }";
-    ask(table, needed);
     std::vector<std::pair<std::string, std::string>> list;
     settled_.insert(table);
     if (entries_.contains(table) || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
-        add(table, "must be " + needed);
+        add(table, std::string("must be ") + neededSettings);
     for (const TomlEntry& entry : toml_.entries) {
         if (!entry.key.starts_with(table + '.')) continue;
         if (auto value = settingText(entry.value))
@@ -223,11 +222,6 @@ std::vector<std::string> StudyReader::tables(const std::string& list)
     return names;
 }
 
-void StudyReader::allow(const std::string& table, const std::vector<std::string>& names)
-{
-    for (const std::string& each : names) asked_.insert(table.empty() ? each : table + '.' + each);
-}
-
 void StudyReader::add(const std::string& key, std::string message) { addAt(lineOf(key), key, std::move(message)); }
 
 int StudyReader::lineOf(const std::string& key) const
@@ -241,9 +235,10 @@ int StudyReader::lineOf(const std::string& key) const
 void StudyReader::finish()
 {
     std::map<std::string, std::set<std::string>> namesIn; // each table; lists without their numbers
-    for (const std::string& key : asked_)
-        for (std::string name = withoutNumbers(key); !name.empty(); name = tableOf(name))
-            namesIn[tableOf(name)].insert(leafOf(name));
+    for (const auto* names : {&asked_, &known_})
+        for (const std::string& key : *names)
+            for (std::string name = withoutNumbers(key); !name.empty(); name = tableOf(name))
+                namesIn[tableOf(name)].insert(leafOf(name));
     const auto suggestion = [&](const std::string& key) {
         const std::string name = withoutNumbers(key);
         const std::set<std::string>& names = namesIn[tableOf(name)];
@@ -254,23 +249,24 @@ void StudyReader::finish()
         while (!key.empty() && !done.contains(key)) key = ownerOf(key);
         return !key.empty();
     };
-    const auto begun = [&](const std::string& prefix) {
-        const auto first = asked_.lower_bound(prefix);
-        return first != asked_.end() && first->starts_with(prefix);
+    const auto begins = [](const std::set<std::string>& names, const std::string& prefix) {
+        const auto first = names.lower_bound(prefix);
+        return first != names.end() && first->starts_with(prefix);
     };
-    const auto isKnown = [&](const std::string& table) {
-        return asked_.contains(table) || begun(table + '.') || begun(table + '[');
+    const auto isKnown = [&](const std::string& key) {
+        return asked_.contains(key) || known_.contains(withoutNumbers(key));
     };
+    const auto isTable = [&](const std::string& key) { return begins(asked_, key + '.') || begins(known_, key + '.'); };
     for (const TomlTable& table : toml_.tables) {
-        if (inside(table.key) || isKnown(table.key)) continue;
+        if (inside(table.key) || isKnown(table.key) || isTable(table.key) || begins(asked_, table.key + '[')) continue;
         done.insert(table.key);
         addAt(table.line, table.key, "unknown table" + suggestion(table.key));
     }
     for (const TomlEntry& entry : toml_.entries) {
         if (inside(entry.key)) continue;
-        if (!asked_.contains(entry.key))
+        if (!isKnown(entry.key))
             addAt(entry.line, entry.key, "unknown key" + suggestion(entry.key));
-        else if (begun(entry.key + '.'))
+        else if (isTable(entry.key))
             addAt(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
     }
 }

@@ -27,7 +27,7 @@ private slots:
     void saysWhatIsWrong_data();
     void saysWhatIsWrong();
     void itsTemplateIsValid();
-    void theLadderHasWhatTheSceneHas();
+    void theCandidatesFitTheScene();
     void aSumLeavesOutWhatCanBeLeftOut();
     void aBoundIsNotWrittenAsAMeasurement();
     void saysThatTheStepErrorWidens();
@@ -67,6 +67,7 @@ StudyPerformance plan(const Case& c, const std::string& text, std::vector<InputP
 {
     const TomlDocument toml = readToml(text);
     StudyReader reader(toml, "advice.toml", c, problems);
+    reader.setKeys(advisorForm(c).keys);
     StudyPerformance perform = planAdvisor(reader);
     reader.finish();
     return perform;
@@ -205,10 +206,10 @@ void TestAdvisor::aModelThatTakesLongerCosts()
     AdvisorTask task;
     task.start = taperFlat();
     AdvisorResult result = knownResult();
-    RungOutcome slow = result.full;
-    slow.rung.name = "slow";
+    CandidateOutcome slow = result.full;
+    slow.model.name = "slow";
     slow.seconds = 1.25;
-    result.rungs = {slow};
+    result.candidates = {slow};
     StudyReport report;
     reportAdvice(task, result, report);
     QVERIFY(std::ranges::any_of(report.findings,
@@ -256,34 +257,35 @@ void TestAdvisor::saysWhatIsWrong()
 void TestAdvisor::itsTemplateIsValid()
 {
     std::vector<InputProblem> problems;
-    plan(taperFlat(), advisorTemplate(taperFlat()), problems);
+    plan(taperFlat(), templateText(advisorForm(taperFlat())), problems);
     QVERIFY2(problems.empty(), problems.empty() ? "" : problems[0].text().c_str());
 }
 
-void TestAdvisor::theLadderHasWhatTheSceneHas()
+void TestAdvisor::theCandidatesFitTheScene()
 {
     AdvisorTask task;
     task.start = overWaves();
     task.start.film.nodes = {129, 65};
     const auto names = [&] {
         std::vector<std::string> list;
-        for (const Rung& rung : ladderOf(task, 0.0)) list.push_back(rung.name);
+        for (const Candidate& candidate : candidatesOf(task, 0.0)) list.push_back(candidate.name);
         return list;
     };
     const auto has = [](const std::vector<std::string>& list, const char* name) {
         return std::ranges::find(list, name) != list.end();
     };
-    std::vector<std::string> ladder = names();
-    QVERIFY(has(ladder, "answer to the waves") && has(ladder, "film, flat disk") &&
-            has(ladder, "film, 65 x 33 grid lines"));
-    QVERIFY(!has(ladder, "film, no contact") && !has(ladder, "film, roll held") && !has(ladder, "rest in contact"));
+    std::vector<std::string> candidates = names();
+    QVERIFY(has(candidates, "answer to the waves") && has(candidates, "film, flat disk") &&
+            has(candidates, "film, 65 x 33 grid lines"));
+    QVERIFY(!has(candidates, "film, no contact") && !has(candidates, "film, roll held") &&
+            !has(candidates, "rest in contact"));
     task.start.diskSurface = {};
     task.start.degreesOfFreedom = 3;
     task.start.contact = ContactKind::OnoYamane;
-    ladder = names();
-    QVERIFY(!has(ladder, "answer to the waves") && !has(ladder, "film, flat disk"));
-    QVERIFY(has(ladder, "film, no contact") && has(ladder, "film, no menisci") && has(ladder, "film, roll held") &&
-            has(ladder, "rest in contact"));
+    candidates = names();
+    QVERIFY(!has(candidates, "answer to the waves") && !has(candidates, "film, flat disk"));
+    QVERIFY(has(candidates, "film, no contact") && has(candidates, "film, no menisci") &&
+            has(candidates, "film, roll held") && has(candidates, "rest in contact"));
 }
 
 void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
@@ -291,11 +293,11 @@ void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
     AdvisorTask task;
     task.start = overWaves();
     task.start.contact = ContactKind::OnoYamane;
-    const LadderPart flat{"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"};
-    const LadderPart grid{"17 x 17 grid lines", "grid lines", {{"film.nodes", "17, 17"}}, "grid"};
-    const LadderPart noContact{"no contact", "contact", {{"contact", "none"}}, "contact"};
-    const LadderPart noMenisci{"no menisci", "menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"};
-    const std::optional<Rung> sum = sumOf(task, {flat, grid, noContact, noMenisci});
+    const ModelPart flat{"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"};
+    const ModelPart grid{"17 x 17 grid lines", "grid lines", {{"film.nodes", "17, 17"}}, "grid"};
+    const ModelPart noContact{"no contact", "contact", {{"contact", "none"}}, "contact"};
+    const ModelPart noMenisci{"no menisci", "menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"};
+    const std::optional<Candidate> sum = sumOf(task, {flat, grid, noContact, noMenisci});
     QVERIFY(sum && sum->parts.size() == 3); // without contact there are no menisci
     QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == ContactKind::None &&
             sum->c.film.nodes[0] == 17);
@@ -345,16 +347,16 @@ void TestAdvisor::saysWhatWasMissed()
     AdvisorResult result = knownResult();
     result.pilotWhole = false;
     result.full.tail = {.kind = EndKind::Flying, .mean = 8.8e-9, .meanUncertainty = 0.02e-9};
-    RungOutcome advice = result.full;
-    advice.rung.name = "another";
+    CandidateOutcome advice = result.full;
+    advice.model.name = "another";
     advice.errors.mean = 0.1e-9;
     advice.seconds = 0.1;
-    result.rungs = {advice};
+    result.candidates = {advice};
     result.advice = 0;
     result.fullEnd = result.full.tail;
     result.fullEnd->mean = 9.08e-9;
     result.fullEnd->meanUncertainty = 0.0;
-    result.found = RungErrors{.mean = 0.3e-9};
+    result.found = CandidateErrors{.mean = 0.3e-9};
     StudyReport report;
     reportAdvice(task, result, report);
     QVERIFY2(
@@ -362,7 +364,7 @@ void TestAdvisor::saysWhatWasMissed()
             "NOT confirmed by the full model to its end: error of the mean spacing 0.3 nm (claimed 0.1 nm: missed)"),
         report.findings.at(2).c_str());
     QVERIFY(std::ranges::any_of(report.findings,
-                                [](const std::string& text) { return text.ends_with("; NOT as foretold."); }));
+                                [](const std::string& text) { return text.ends_with("; NOT as predicted."); }));
     QCOMPARE(report.warnings.size(), 2u);
 }
 
@@ -380,7 +382,7 @@ void TestAdvisor::whatIsKnownIsTold()
     QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("advised"));
     QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) {
-        return text.starts_with("it was stopped before these were tried: film, ");
+        return text.starts_with("the study was stopped before these models were tried: film, ");
     }));
 }
 
@@ -423,7 +425,7 @@ void TestAdvisor::whatTheBudgetLeftOutIsTold()
     QVERIFY2(report.findings.at(0).starts_with("So far there is no advice"), report.findings.at(0).c_str());
     QVERIFY(std::ranges::count(
                 report.warnings,
-                "the budget of 2 s was spent before these were tried: film, flat disk, film, roll held") == 1);
+                "the budget of 2 s was spent before these models were tried: film, flat disk, film, roll held") == 1);
     QVERIFY(!report.found);
 }
 
@@ -440,9 +442,9 @@ void TestAdvisor::aStopBeforeItIsConfirmedKeepsTheAdvice()
     QCOMPARE(report.status, StudyStatus::Cancelled);
     QVERIFY2(report.findings.at(0).starts_with("Advice so far: static state."), report.findings.at(0).c_str());
     QCOMPARE(verdict(report, "static state"), std::string("advised"));
-    QVERIFY(std::ranges::count(report.warnings, "it was stopped before the advice was confirmed") == 1);
+    QVERIFY(std::ranges::count(report.warnings, "the study was stopped before the advice was confirmed") == 1);
     QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& text) {
-        return text.starts_with("it was stopped before these were tried: film, ");
+        return text.starts_with("the study was stopped before these models were tried: film, ");
     }));
 }
 
@@ -474,11 +476,11 @@ void TestAdvisor::theFullModelIsAdvisedAgainstWhatWasTried()
     QCOMPARE(none.findings.at(0), std::string("There is no advice: no other model was tried."));
     QCOMPARE(verdict(none, {}), std::string("reference"));
     QVERIFY(!none.found);
-    RungOutcome little = result.full, late = result.full;
-    little.rung.name = "little";
+    CandidateOutcome little = result.full, late = result.full;
+    little.model.name = "little";
     little.seconds = 1.0 / 1.1;
     late.givenUp = true;
-    result.rungs = {little, late};
+    result.candidates = {little, late};
     StudyReport tried;
     reportAdvice(task, result, tried);
     QCOMPARE(
@@ -497,9 +499,10 @@ void TestAdvisor::sumsHaveTheirPartsTried()
     AdvisorTask task;
     task.start = overWaves();
     task.models = {"sums"};
-    const std::vector<Rung> ladder = ladderOf(task, 0.0);
-    QVERIFY(ladder.size() > 1 &&
-            std::ranges::all_of(ladder, [](const Rung& rung) { return rung.kind == RungKind::Part; }));
+    const std::vector<Candidate> candidates = candidatesOf(task, 0.0);
+    QVERIFY(candidates.size() > 1 && std::ranges::all_of(candidates, [](const Candidate& candidate) {
+                return candidate.kind == CandidateKind::Part;
+            }));
     const StudyReport report = perform(overWaves(), "models = [\"sums\"]",
                                        [](const StudyProgress& progress) { return progress.soFar == nullptr; });
     QCOMPARE(report.status, StudyStatus::Cancelled);
@@ -512,11 +515,11 @@ void TestAdvisor::aPeakElsewhereIsNotConfirmed()
     AdvisorTask task;
     task.start = taperFlat();
     AdvisorResult result = knownResult();
-    result.rungs = {result.full};
+    result.candidates = {result.full};
     result.advice = 0;
     result.fullEnd = result.full.tail;
     for (const bool same : {true, false}) {
-        result.found = RungErrors{.samePeak = same};
+        result.found = CandidateErrors{.samePeak = same};
         StudyReport report;
         reportAdvice(task, result, report);
         QVERIFY2(report.findings.at(2).starts_with(same ? "Confirmed" : "NOT confirmed"),

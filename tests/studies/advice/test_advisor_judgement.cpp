@@ -112,19 +112,20 @@ void TestAdvisorJudgement::aVerdict()
     QFETCH(bool, sameEnd);
     QFETCH(bool, endKnown);
     QFETCH(QString, verdict);
-    const RungErrors errors{.mean = mean, .meanUncertainty = uncertainty, .sameEnd = sameEnd, .endKnown = endKnown};
+    const CandidateErrors errors{
+        .mean = mean, .meanUncertainty = uncertainty, .sameEnd = sameEnd, .endKnown = endKnown};
     QCOMPARE(QString(name(verdictOn(errors, {.mean = 0.1e-9, .spread = 0.1e-9})).data()), verdict);
 }
 
 void TestAdvisorJudgement::aForetoldEndIsAsUncertainAsItWasForetold()
 {
-    TailEstimate full, rung;
-    full.kind = rung.kind = EndKind::Flying;
+    TailEstimate full, candidate;
+    full.kind = candidate.kind = EndKind::Flying;
     full.mean = 10e-9;
     full.meanUncertainty = 0.02e-9;
     full.spreadUncertainty = 0.03e-9;
-    rung.mean = 10.05e-9;
-    const RungErrors errors = errorsOf(rung, full, adaptive(5e-12));
+    candidate.mean = 10.05e-9;
+    const CandidateErrors errors = errorsOf(candidate, full, adaptive(5e-12));
     QVERIFY(std::abs(errors.mean - 0.05e-9) < 1e-20);
     QCOMPARE(errors.meanUncertainty, 0.02e-9);
     QVERIFY(!errors.claimedMean().bound);

@@ -25,7 +25,7 @@ private slots:
 
 namespace {
 
-Rung rungOf(RungKind kind, const Case& c) { return {kind, std::string(name(kind)), {}, {}, c}; }
+Candidate candidateOf(CandidateKind kind, const Case& c) { return {kind, std::string(name(kind)), {}, {}, c}; }
 
 /// As --apply writes it over the text of `c`.
 Case readBack(const Case& c, const Case& found)
@@ -48,7 +48,7 @@ void TestReducedModels::theCaseOfAStaticState()
 {
     Case c = test::taperFlat(3);
     c.steady.fixedAttitude = true; // as that case is solved otherwise
-    const RungOutcome outcome = solveReduced(rungOf(RungKind::Static, c), 0.0, {});
+    const CandidateOutcome outcome = solveReduced(candidateOf(CandidateKind::Static, c), 0.0, {});
     QVERIFY(outcome.answers() && outcome.found);
     QCOMPARE(outcome.command, std::string("steady"));
     QVERIFY(std::abs(steady(readBack(c, *outcome.found)).minimumSpacing - outcome.tail.mean) <
@@ -61,7 +61,7 @@ void TestReducedModels::theCaseOfARestInContact()
 {
     Case c = openCase("advise_snap").value;
     c.film.nodes = {33, 33};
-    const RungOutcome outcome = solveReduced(rungOf(RungKind::ContactRest, c), 0.6e-9, {});
+    const CandidateOutcome outcome = solveReduced(candidateOf(CandidateKind::ContactRest, c), 0.6e-9, {});
     QVERIFY2(outcome.answers(), outcome.problem.c_str());
     const Case rest = readBack(c, *outcome.found);
     const PilotRun run = pilotRun(rest, {}, {});
@@ -79,7 +79,7 @@ void TestReducedModels::theCaseOfSprings()
     c.initial.state = InitialState::Static;
     c.initial.heightOffset = 1e-9;
     c.run.duration = 0.1e-3;
-    const RungOutcome outcome = solveReduced(rungOf(RungKind::Springs, c), 0.0, {});
+    const CandidateOutcome outcome = solveReduced(candidateOf(CandidateKind::Springs, c), 0.0, {});
     QVERIFY2(outcome.answers(), outcome.problem.c_str());
     const Case springs = readBack(c, *outcome.found);
     QCOMPARE(springs.model, ModelKind::Springs);
@@ -91,7 +91,7 @@ void TestReducedModels::noCaseHasSmallMotionsAlone()
     Case c = test::taperFlat();
     c.initial.state = InitialState::Static;
     c.run.duration = 0.1e-3;
-    const RungOutcome outcome = solveReduced(rungOf(RungKind::SmallMotion, c), 0.0, {});
+    const CandidateOutcome outcome = solveReduced(candidateOf(CandidateKind::SmallMotion, c), 0.0, {});
     QVERIFY2(outcome.answers(), outcome.problem.c_str());
     QVERIFY(!outcome.found);
 }

@@ -26,7 +26,7 @@ void TestSceneMotion::aQuietSceneForetells()
 {
     const Case c = test::taperFlat();
     const SceneMotion scene = sceneMotion(c, {});
-    QVERIFY(scene.foretells());
+    QVERIFY(scene.predicts());
     QCOMPARE(scene.growth, 0.0);
     QCOMPARE(scene.rates.size(), 3u);
     QVERIFY(scene.rates[0].rate.real() < 0.0 && !scene.rates[0].fixed);
@@ -40,7 +40,7 @@ void TestSceneMotion::wavesDriveItAtTheirOwnRate()
     c.diskSurface.waveAmplitudes = {1e-9};
     c.diskSurface.waveLengths = {c.disk.speed * c.disk.radius / 100e3}; // passes at 100 kHz
     const SceneMotion scene = sceneMotion(c, {});
-    QVERIFY(scene.foretells());
+    QVERIFY(scene.predicts());
     QVERIFY(scene.rates.back().fixed);
     QVERIFY(std::abs(std::abs(scene.rates.back().rate.imag()) / (2.0 * std::numbers::pi * 100e3) - 1.0) <
             0.01); // the velocity varies along the slider
@@ -59,7 +59,7 @@ void TestSceneMotion::aRoughDiskThatPassesByTellsNothing()
     Case c = test::taperFlat();
     c.diskSurface.kind = DiskSurfaceKind::Rough;
     c.diskSurface.motion = moves ? SurfaceMotion::Moving : SurfaceMotion::Still;
-    QCOMPARE(sceneMotion(c, {}).foretells(), !moves);
+    QCOMPARE(sceneMotion(c, {}).predicts(), !moves);
 }
 
 // A mode that grows by 0.3 e-folds is no more hidden than one that dies away as slowly.
@@ -67,9 +67,9 @@ void TestSceneMotion::whatGrowsIsNotForetold()
 {
     SceneMotion scene;
     scene.growth = 0.2;
-    QVERIFY(scene.foretells());
+    QVERIFY(scene.predicts());
     scene.growth = 0.4;
-    QVERIFY(!scene.foretells());
+    QVERIFY(!scene.predicts());
 }
 
 // Critical damping, 2 sqrt(k m), of 1.6 mg on some MN/m of air is a few N s/m: with a hundred the heave does not
@@ -80,7 +80,7 @@ void TestSceneMotion::withoutModesNothingIsForetold()
     c.suspension.damping = 100.0;
     const SceneMotion scene = sceneMotion(c, {});
     QVERIFY(!scene.growthProblem.empty() && scene.rates.empty());
-    QVERIFY(!scene.foretells());
+    QVERIFY(!scene.predicts());
 }
 
 TOUCHDOWN_TEST(TestSceneMotion)

@@ -165,7 +165,7 @@ void TestTailEstimate::howLongABounceLastsIsNotKnown()
 }
 
 // Blocks of what falls steadily by g have steady means, so that their average, that of 3/4 of a part, is what is
-// foretold. In durations, of a part of 0.3: g 0.225 for the tail, at 0.95. From 0.65 of the part it is g 0.14625 for
+// predicted. In durations, of a part of 0.3: g 0.225 for the tail, at 0.95. From 0.65 of the part it is g 0.14625 for
 // what is seen from 0.2 to 0.3, on average g 0.25: missed by g 0.10375, 0.055 ahead; the tail is 0.65 ahead of the
 // part. So it is known to g 0.10375 0.65/0.055 = 1.226 g, and misses by g 0.725.
 void TestTailEstimate::whatDriftsIsNotKnown()
@@ -179,9 +179,9 @@ void TestTailEstimate::whatDriftsIsNotKnown()
     QVERIFY2(std::abs(tail.meanUncertainty - 1.226 * g) < 0.02 * g, QByteArray::number(tail.meanUncertainty / g));
 }
 
-// Of 1 nm it rings by e^(-4e3 t) at first, as from its beginning until 0.16 ms is foretold for what follows; from there
-// on by half of that rate. At 0.25 ms it rings e^(2e3 0.09 ms) = 1.2 times as much as that: by 0.2 e^(-1)/sqrt 2 =
-// 0.052 nm in the spread, and that of the tail is not known better.
+// Of 1 nm it rings by e^(-4e3 t) at first, as from its beginning until 0.16 ms is predicted for what follows; from
+// there on by half of that rate. At 0.25 ms it rings e^(2e3 0.09 ms) = 1.2 times as much as that: by 0.2 e^(-1)/sqrt 2
+// = 0.052 nm in the spread, and that of the tail is not known better.
 void TestTailEstimate::aRateThatChangesIsNotKnown()
 {
     SpacingSamples samples = decaying(0.3 * duration, 1e-9, 4e3);

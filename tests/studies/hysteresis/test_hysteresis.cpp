@@ -55,7 +55,7 @@ private slots:
     /// menisci break.
     void defaultCaseHasALoop()
     {
-        const StudyReport report = performed(Case{}, hysteresisTemplate(Case{}));
+        const StudyReport report = performed(Case{}, templateText(hysteresisForm(Case{})));
         QCOMPARE(report.status, StudyStatus::Completed);
         QVERIFY(report.findings.front().starts_with("Forced"));
         QVERIFY(says(report, "Touch-down at 3.132 nm"));
@@ -121,7 +121,7 @@ private slots:
             "parameter = \"initial.flying_height\"\nfrom = \"20 nm\"\nto = \"250 nm\"\nsteps = 4\nhold = \"0.5 ms\"\n");
         QCOMPARE(table(report, "steps").rows.size(), std::size_t(5));
         QVERIFY(hasSeries(report, "end states"));
-        QVERIFY(says(report, "Begun anew at each value the slider ends flying in "));
+        QVERIFY(says(report, "Started anew at each value, the slider ends flying in "));
         QVERIFY(says(report, "5 runs"));
     }
 
@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(last(anew, 10), std::string("flying"));
         QCOMPARE(table(carried, "steps").rows.size(), std::size_t(22));
         QCOMPARE(last(carried, 10), std::string("contact"));
-        QVERIFY(says(anew, "Begun anew at each value"));
+        QVERIFY(says(anew, "Started anew at each value"));
     }
 
     /// A film's branches lie on one grid, which does not fit a slider of another length.
@@ -253,10 +253,10 @@ private slots:
     /// s, which is 9 min; and at least a tenth of it.
     void aFilmsTemplateSaysWhatItCosts()
     {
-        const std::string text = hysteresisTemplate(openCase("film_plane").value);
+        const std::string text = templateText(hysteresisForm(openCase("film_plane").value));
         QVERIFY2(text.starts_with("# 14 runs of the film take some 0.9 to 9 min"), text.c_str());
         QVERIFY(text.find("hold = \"200 us\"") != std::string::npos);
-        QVERIFY(hysteresisTemplate(Case{}).starts_with("parameter"));
+        QVERIFY(templateText(hysteresisForm(Case{})).starts_with("parameter"));
     }
 
     void templatesAreValid_data()
@@ -270,7 +270,7 @@ private slots:
     {
         QFETCH(QString, name);
         const Case c = openCase(name.toStdString()).value;
-        const StudyPlan plan = planOf(c, hysteresisTemplate(c));
+        const StudyPlan plan = planOf(c, templateText(hysteresisForm(c)));
         QVERIFY2(plan.valid(), plan.valid() ? "" : plan.problems.front().text().c_str());
         QVERIFY(planOf(c, "").valid());
     }

@@ -22,7 +22,7 @@ private slots:
             {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Forced"));
-        QVERIFY(says(findings, "fades by a factor of e within 100 us"));
+        QVERIFY(says(findings, "decays by a factor of e within 100 us"));
     }
 
     void selfExcitedWhereAnOscillationGrows()
@@ -133,7 +133,7 @@ private slots:
              false,
              {at(1e-3, 2.5e-9, Stability::Stable, -1e4), at(3e-3, 2.5e-9, Stability::Stable, -1e4)}}};
         QVERIFY(says(hysteresisFindings(task(), result),
-                     "Of 2 runs that came to rest, 1 did so within 0.5 nm of an equilibrium that is stable"));
+                     "1 of 2 runs at rest came to rest within 0.5 nm of an equilibrium that is stable"));
     }
 };
 

@@ -85,7 +85,7 @@ private slots:
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(says(findings, "Touch-down at 1.5 mN +- 0.5 mN of maximum meniscus force f_m, rising"));
         QVERIFY(says(findings, "Take-off at 0.5 mN +- 0.5 mN, falling"));
-        QVERIFY(says(findings, "Hysteresis at 1 mN: there and back"));
+        QVERIFY(says(findings, "Hysteresis at 1 mN: the slider ends in different states"));
         QVERIFY(says(findings, "3 nm mN"));
         QVERIFY(!says(findings, "Forced"));
     }
@@ -139,7 +139,7 @@ private slots:
         result.steps[6].drift = 1e-9; // 1 mN, back
         QVERIFY(says(hysteresisFindings(task(), result), "Hysteresis or a lag at 1 mN"));
         QVERIFY(says(hysteresisFindings(task(), result),
-                     "at none of these values have both come to rest: a longer hold tells"));
+                     "at none of these values both runs are at rest, and only a longer hold shows"));
     }
 
     /// Between 1 and 2 mN it falls from 7 to 3 nm: a fold at 6 nm is where it was, one at 2 nm where it came to.
@@ -221,13 +221,13 @@ private slots:
         result.steps = loop();
         for (HeldStep& each : result.steps) each.end = {EndKind::Contact, 3e-9, 0.0};
         QVERIFY(says(hysteresisFindings(task(), result),
-                     "in contact at every value from 0 mN to 3 mN and back, which it came to from its start"));
+                     "in contact at every value from 0 mN to 3 mN and back, already from the start"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Intermittent, 3e-9, 0.5e-9};
         QVERIFY(says(hysteresisFindings(task(), result),
                      "goes in and out of contact at every value from 0 mN to 3 mN and back"));
         for (HeldStep& each : result.steps) each.end = {EndKind::Flying, 7e-9, 0.0};
-        QVERIFY(says(hysteresisFindings(task(), result),
-                     "flies at every value from 0 mN to 3 mN and back: no touch-down was seen"));
+        QVERIFY(
+            says(hysteresisFindings(task(), result), "flies at every value from 0 mN to 3 mN and back: no touch-down"));
     }
 
     /// It touches down while 3 mN is held again, and takes off on the way back.
@@ -241,12 +241,12 @@ private slots:
         result.steps[7].end = {EndKind::Contact, 4e-9, 0.0};
         const std::vector<std::string> stays = hysteresisFindings(task(), result);
         QVERIFY(!says(stays, "at every value"));
-        QVERIFY(says(stays, "it changed only while the last value was held a second time"));
+        QVERIFY(says(stays, "the state changed only while the last value was held a second time"));
         result.steps = loop();
         for (const std::size_t i : {4, 5, 6}) result.steps[i].end = {EndKind::Flying, 7e-9, 0.0};
         const std::vector<std::string> flies = hysteresisFindings(task(), result);
         QVERIFY(!says(flies, "From there on"));
-        QVERIFY(says(flies, "It also changed while the last value was held a second time"));
+        QVERIFY(says(flies, "The state also changed while the last value was held a second time"));
     }
 
     /// It leaves its branch between 1 and 2 mN, which ends at 2.5 mN.
@@ -257,7 +257,8 @@ private slots:
         result.lines = {
             {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         result.marks = {{EquilibriumMark::Switch, "touch-down", at(2.5e-3, 7e-9, Stability::Stable, -1e4), false}};
-        QVERIFY(says(hysteresisFindings(task(), result), "ends only at 2.5 mN: the step set the slider swinging"));
+        QVERIFY(
+            says(hysteresisFindings(task(), result), "ends only at 2.5 mN: the step itself made the slider oscillate"));
         HeldSteps wavy = task();
         wavy.start.diskSurface.kind = DiskSurfaceKind::Waves;
         QVERIFY(says(hysteresisFindings(wavy, result), "ends only at 2.5 mN."));
@@ -270,9 +271,8 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.steps.back().end = {EndKind::Contact, 4e-9, 0.0};
-        QVERIFY(
-            says(hysteresisFindings(task(), result),
-                 "From there on the slider stays in contact: on the way back, to 0 mN, it does not take off again"));
+        QVERIFY(says(hysteresisFindings(task(), result),
+                     "From there the slider stays in contact: on the way back, to 0 mN, it does not take off again"));
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/studies/hysteresis/equilibrium_ranges.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

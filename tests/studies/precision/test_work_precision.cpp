@@ -196,7 +196,8 @@ private slots:
                       "\"run.duration\" = \"0.8 ms\" }\n" +
                       quick + stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 4\n");
         QCOMPARE(report.status, StudyStatus::Completed);
-        QVERIFY(tells(report.findings, "The trajectory is not determined: dopri5 and rk4-events part by 0.1 nm at "));
+        QVERIFY(tells(report.findings,
+                      "The trajectory is not determined: dopri5 and rk4-events differ by more than 0.1 nm "));
         QVERIFY(report.charts.front().caption.find("is not determined") != std::string::npos);
         QCOMPARE(report.charts.size(), std::size_t{2});
         QCOMPARE(tableOf(report, "ensembles").rows.size(),
@@ -213,7 +214,7 @@ private slots:
         const StudyReport report =
             performed("case = \"fig10b\"\nset = { \"run.duration\" = \"0.2 ms\" }\nagreement = \"1e-12 nm\"\n" + quick +
                       stepMethod("rk4-events", "[\"20 ns\"]") + references + "[ensemble]\nstarts = 2\n");
-        QVERIFY(tells(report.findings, "part by 1e-12 nm at "));
+        QVERIFY(tells(report.findings, "differ by more than 1e-12 nm at "));
     }
 
     /// Fig. 12 (b): the spring is lost, whoever integrates. That is the answer, and those who find it agree.
@@ -268,7 +269,7 @@ private slots:
         const StudyReport report =
             performed("case = \"fig10a\"\nbudget = \"0.01 s\"\n" + stepMethod("rk4", "[\"10 ns\", \"1 ns\"]"));
         QCOMPARE(report.status, StudyStatus::Failed);
-        QCOMPARE(report.message, std::string("there is no reference: fewer than two of the runs that may prove it "
+        QCOMPARE(report.message, std::string("there is no reference: fewer than two reference runs "
                                              "ended within 6 ms, their share of the budget of 10 ms; give it more"));
     }
 
@@ -354,7 +355,7 @@ private slots:
         QFETCH(QString, name);
         const CaseDocument document = openCase(name.toStdString());
         const StudyPlan plan =
-            planOf("case = \"" + name.toStdString() + "\"\n" + workPrecisionTemplate(document.value));
+            planOf("case = \"" + name.toStdString() + "\"\n" + templateText(workPrecisionForm(document.value)));
         for (const InputProblem& problem : plan.problems) qWarning("%s", problem.text().c_str());
         QVERIFY(plan.valid());
     }

@@ -54,7 +54,7 @@ private slots:
     }
     void saysWhatTheCasesOwnModelDoes()
     {
-        QVERIFY(says(pictureOf(SlipModel::FukuiKaneko).findings, "fukui-kaneko, lets the pressure grow without end"));
+        QVERIFY(says(pictureOf(SlipModel::FukuiKaneko).findings, "fukui-kaneko, lets the pressure grow without bound"));
         QVERIFY(says(pictureOf(SlipModel::NewSecondOrder).findings, "keeps the pressure bounded"));
     }
     /// Q of Fukui-Kaneko over that of the new second order at 0.3 nm: 6 Q_P(D)/D with D = sqrt(pi)/2/Kn, by 1 + 4 Kn +

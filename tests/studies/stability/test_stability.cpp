@@ -32,6 +32,7 @@ Read read(const std::string& text, const Case& c)
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty()) qFatal("no TOML: %s", toml.problem.c_str());
     StudyReader reader(toml, "study.toml", c, result.problems);
+    reader.setKeys(stabilityForm(c).keys);
     result.perform = planStability(reader);
     reader.finish();
     return result;
@@ -190,7 +191,7 @@ private slots:
     }
     void stops()
     {
-        const Read plan = read(stabilityTemplate(shortDrop()), shortDrop());
+        const Read plan = read(templateText(stabilityForm(shortDrop())), shortDrop());
         QVERIFY(plan.problems.empty());
         for (const int last : {1, 3, 8}) {
             int calls = 0;
@@ -216,12 +217,13 @@ private slots:
     {
         QFETCH(QString, name);
         const Case c = openCase(name.toStdString()).value;
-        const Read plan = read(stabilityTemplate(c), c);
+        const Read plan = read(templateText(stabilityForm(c)), c);
         QVERIFY2(plan.problems.empty(), plan.problems.empty() ? "" : plan.problems.front().text().c_str());
         // The same as without any key.
         TomlDocument toml = readToml("");
         std::vector<InputProblem> problems;
         StudyReader reader(toml, "", c, problems);
+        reader.setKeys(stabilityForm(c).keys);
         const StabilityTask task = readStabilityTask(reader);
         QVERIFY(problems.empty());
         QCOMPARE(task.parameter != nullptr ? task.parameter->key : "", defaultParameter(c).key);
@@ -248,7 +250,7 @@ private slots:
         QTest::newRow("a method's wrong value") << "[[method]]\nname = \"x\"\nkey = \"run.step\"\nvalues = [\"-1 ns\"]"
                                                 << "run.step";
         QTest::newRow("nothing to do") << "map = false\npicture = false"
-                                       << "nothing is left to do";
+                                       << "at least one of them must be true";
         QTest::newRow("agreement below zero") << "agreement = \"-1 nm\""
                                               << "agreement";
     }
@@ -264,7 +266,7 @@ private slots:
     {
         const Read plan = read("", openCase("contact_hertz").value);
         QCOMPARE(plan.problems.size(), std::size_t{1});
-        QVERIFY(plan.says("take one of model \"springs\" or \"film\""));
+        QVERIFY(plan.says("takes a case of model \"springs\" or \"film\""));
     }
 };
 

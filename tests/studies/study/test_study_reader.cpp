@@ -66,21 +66,21 @@ private slots:
         a.reader.finish();
         QCOMPARE(text(a.said()), QString());
     }
-    /// What is asked for can be listed, keys of a list of tables once.
-    void questions()
+    /// Values and defaults of a table of keys.
+    void fromTheTable()
     {
-        Read a("[[method]]\n[[method]]\n");
-        a.reader.number("x", "m", "nm", 1e-9, 9e-9);
-        a.reader.number("x", "m", "nm", 1e-9, 9e-9);
-        a.reader.choice("way", {"up", "down"});
-        for (const std::string& table : a.reader.tables("method")) a.reader.boolean(table + ".on");
-        const std::vector<StudyQuestion>& all = a.reader.questions();
-        QCOMPARE(all.size(), std::size_t{3});
-        QCOMPARE(all[0].answer, std::string("from 1 nm to 9 nm"));
-        QCOMPARE(all[0].unit, std::string("m"));
-        QCOMPARE(all[1].answer, std::string("one of up, down"));
-        QCOMPARE(all[2].key, std::string("method.on"));
-        QCOMPARE(all[2].answer, std::string("true or false"));
+        Read a("hold = \"3 ns\"\nway = \"up\"\nsteps = 9\n");
+        a.reader.setKeys({numberKey("hold", 1e-9, "s", "ns", 0.0, 1.0, ""),
+                          numberKey("rest", 2e-9, "s", "ns", 0.0, 1.0, ""), integerKey("steps", 4, 1, 5, ""),
+                          booleanKey("on", true, ""), choiceKey("way", "down", {"up", "down"}, ""),
+                          choiceKey("end", "x", {"x", "y"}, "")});
+        QCOMPARE(a.reader.number("hold"), 3e-9);
+        QCOMPARE(a.reader.number("rest"), 2e-9);
+        QCOMPARE(a.reader.integer("steps"), 4);
+        QVERIFY(a.reader.flag("on"));
+        QCOMPARE(a.reader.choice("way"), std::string("up"));
+        QCOMPARE(a.reader.choice("end"), std::string("x"));
+        QCOMPARE(text(a.said()), QString("a.toml:3: steps: must be a whole number from 1 to 5\n"));
     }
     void lists()
     {
@@ -219,13 +219,14 @@ private slots:
         a.reader.add("y", "is missing");
         QCOMPARE(text(a.said()), QString("a.toml:5: method[2].name: is missing\na.toml: y: is missing\n"));
     }
-    void allowed()
+    /// Keys of the table are no mistake where the study does not read them.
+    void knownKeys()
     {
-        Read a("x = 1\n[search]\ny = 1\nother = 1\n");
-        a.reader.allow("", {"x"});
-        a.reader.allow("search", {"y"});
+        Read a("x = 1\n[search]\ny = 1\nother = 1\n[[rail]]\nz = 1\nw = 1\n");
+        a.reader.setKeys({integerKey("x", 1, 0, 1, ""), integerKey("search.y", 1, 0, 1, ""),
+                          inList(integerKey("rail.z", 1, 0, 1, ""))});
         a.reader.finish();
-        QCOMPARE(text(a.said()), QString("a.toml:4: search.other: unknown key\n"));
+        QCOMPARE(text(a.said()), QString("a.toml:4: search.other: unknown key\na.toml:7: rail[1].w: unknown key\n"));
     }
     void givenBesideTheFile()
     {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/design/design_file.h"
+#include "core/studies/design/design_task.h"
 
 #include <QtTest>
 
+#include "core/studies/design/design_study.h"
 #include "core/studies/study/sample_study.h"
+#include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -39,9 +41,28 @@ iterations = 12
 difference = 0.02
 )";
 
-DesignDocument read(const std::string& text, const std::vector<std::string>& settings = {})
+StudyPlan plan(const std::string& text, const std::vector<std::string>& settings = {})
 {
-    return parseDesign(text, "a.toml", ".", settings);
+    return parseStudy("design", text, "a.toml", ".", nullptr, settings);
+}
+
+/// The task of a study without problems.
+DesignTask taskOf(const std::string& text, const Case& start)
+{
+    const TomlDocument toml = readToml(text);
+    std::vector<InputProblem> problems;
+    StudyReader reader(toml, "a.toml", start, problems);
+    reader.setKeys(designForm(start).keys);
+    DesignTask task = readDesignTask(reader);
+    if (!problems.empty()) qFatal("%s", problems.front().text().c_str());
+    return task;
+}
+
+QString said(const StudyPlan& plan)
+{
+    QString all;
+    for (const InputProblem& problem : plan.problems) all += QString::fromStdString(problem.text()) + '\n';
+    return all;
 }
 
 std::string with(const std::string& old, const std::string& now)
@@ -54,34 +75,51 @@ std::string with(const std::string& old, const std::string& now)
 
 } // namespace
 
-class TestDesignFile : public QObject {
+class TestDesignTask : public QObject {
     Q_OBJECT
 
 private slots:
     void reads()
     {
-        const DesignDocument d = read(good);
-        QVERIFY2(d.valid(), d.valid() ? "" : d.problems.front().text().c_str());
-        QCOMPARE(d.start.value.model, ModelKind::Film);
-        QCOMPARE(d.task.parameters.size(), std::size_t{2});
-        QCOMPARE(d.task.parameters[0].keys[0].key, std::string("abs.rail[4].width"));
-        QVERIFY(std::abs(d.task.parameters[0].start - 0.2e-3) < 1e-12); // of the case
-        QCOMPARE(d.task.parameters[1].keys.size(), std::size_t{2});
-        QCOMPARE(d.task.parameters[1].start, 0.25e-6);
-        QCOMPARE(d.task.parameters[1].maximum, 0.3e-6);
-        QCOMPARE(d.task.targets.size(), std::size_t{2});
-        QCOMPARE(d.task.targets[0].value, 8e-9);
-        QCOMPARE(d.task.targets[1].quantity.unit, std::string("rad"));
-        QCOMPARE(d.task.targets[1].tolerance, 1e-6);
-        QCOMPARE(d.task.maximumIterations, 12);
-        QCOMPARE(d.task.difference, 0.02);
+        const StudyPlan whole = plan(good);
+        QVERIFY2(whole.valid(), qPrintable(said(whole)));
+        QCOMPARE(whole.title, std::string("A study"));
+        const DesignTask task = taskOf(good, whole.start.value);
+        QCOMPARE(task.parameters.size(), std::size_t{2});
+        QCOMPARE(task.parameters[0].keys[0].key, std::string("abs.rail[4].width"));
+        QVERIFY(std::abs(task.parameters[0].start - 0.2e-3) < 1e-12); // of the case
+        QCOMPARE(task.parameters[1].keys.size(), std::size_t{2});
+        QCOMPARE(task.parameters[1].start, 0.25e-6);
+        QCOMPARE(task.parameters[1].maximum, 0.3e-6);
+        QCOMPARE(task.targets.size(), std::size_t{2});
+        QCOMPARE(task.targets[0].value, 8e-9);
+        QCOMPARE(task.targets[1].quantity.unit, std::string("rad"));
+        QCOMPARE(task.targets[1].tolerance, 1e-6);
+        QCOMPARE(task.maximumIterations, 12);
+        QCOMPARE(task.difference, 0.02);
+    }
+    /// Without tables the preload is searched; where the attitude is held, the height.
+    void defaults()
+    {
+        const Case flying = openCase("film_pico").value, held = openCase("film_plane").value;
+        const DesignTask preload = taskOf("", flying);
+        QCOMPARE(preload.parameters.at(0).keys.at(0).key, std::string("suspension.preload"));
+        QCOMPARE(preload.targets.at(0).quantity.name, std::string("minimum_spacing"));
+        QCOMPARE(preload.maximumIterations, DesignTask{}.maximumIterations);
+        const DesignTask height = taskOf("", held);
+        QCOMPARE(height.parameters.at(0).keys.at(0).key, std::string("initial.nominal_trailing_edge_height"));
+        QCOMPARE(height.targets.at(0).quantity.name, std::string("net_force"));
+        // The template says the same.
+        const DesignTask written = taskOf(templateText(designForm(flying)), flying);
+        QCOMPARE(written.parameters.at(0).minimum, preload.parameters.at(0).minimum);
+        QCOMPARE(written.targets.at(0).tolerance, preload.targets.at(0).tolerance);
     }
     void settings()
     {
-        const DesignDocument d = read(good, {"film.nodes=97, 97"});
+        const StudyPlan d = plan(good, {"film.nodes=97, 97"});
         QVERIFY(d.valid());
         QCOMPARE(d.start.value.film.nodes[0], 97);
-        QCOMPARE(read(good, {"film.nodes=1, 1"}).problems.front().file, std::string("--set"));
+        QCOMPARE(plan(good, {"film.nodes=1, 1"}).problems.front().file, std::string("--set"));
     }
     /// The files beside the sample cases are studies that can be done.
     void samples_data()
@@ -100,11 +138,12 @@ private slots:
     void samples()
     {
         QFETCH(QString, file);
-        DesignDocument d = readDesign(file.toStdString());
-        QVERIFY2(d.valid(), d.valid() ? "" : d.problems.front().text().c_str());
-        for (DesignParameter& parameter : d.task.parameters)
-            parameter.start = parameter.keys.front().get(d.start.value);
-        const DesignStudy study = studyDesign(d.start.value, d.task);
+        const StudyPlan whole = openStudy("design", file.toStdString());
+        QVERIFY2(whole.valid(), qPrintable(said(whole)));
+        const Case& c = whole.start.value;
+        DesignTask task = taskOf(whole.text, c);
+        for (DesignParameter& parameter : task.parameters) parameter.start = parameter.keys.front().get(c);
+        const DesignStudy study = studyDesign(c, task);
         QVERIFY2(study.status == StudyStatus::Completed, study.message.c_str());
         QCOMPARE(study.solves, 1);
     }
@@ -122,7 +161,7 @@ private slots:
         row("a case that is not there", with("\"film_pico\"", "\"film_pigo\""),
             "film_pigo: is neither a file nor a sample case; did you mean film_pico?");
         row("a case without a film", with("\"film_pico\"", "\"fig10a\""),
-            "a.toml:2: case: fig10a: a design study takes a case of model \"film\", whose static state it looks for");
+            "a.toml:2: case: a design study takes a case of model \"film\", whose static state it looks for");
         row("case is a number", with("\"film_pico\"", "7"),
             "a.toml:2: case: has the wrong type; the file of a case, or the name of a sample case, in quotation marks "
             "is needed");
@@ -135,9 +174,9 @@ private slots:
         row("a root key", "file = 1\n" + good, "a.toml:1: file: unknown key");
         row("one parameter as a table", with("[[parameter]]\nkey", "[parameter]\nkey"), "a.toml:");
         row("no parameters", good.substr(0, good.find("[[parameter]]")) + good.substr(good.find("[[target]]")),
-            "a.toml: parameter: a study needs one or more; write [[parameter]] for each");
+            "a.toml: parameter: is missing; write one [[parameter]] or more");
         row("no targets", good.substr(0, good.find("[[target]]")),
-            "a.toml: target: a study needs one or more; write [[target]] for each");
+            "a.toml: target: is missing; write one [[target]] or more");
         row("a key that is none", with("abs.rail[4].width", "abs.base_reces"),
             "a.toml:5: parameter[1].key: \"abs.base_reces\" unknown key; did you mean abs.base_recess?");
         row("a rail that is not there", with("abs.rail[4].width", "abs.rail[9].width"),
@@ -149,7 +188,7 @@ private slots:
         row("a key and keys", with("start = ", "key = \"abs.crown\"\nstart = "),
             "a.toml:11: parameter[2].key: is one key, and keys are several; write one of the two");
         row("keys of two kinds", with("\"abs.rail[3].recess\"", "\"suspension.preload\""),
-            "a.toml:10: parameter[2].keys: \"suspension.preload\" is measured otherwise than the first key");
+            "a.toml:10: parameter[2].keys: \"suspension.preload\" has another unit than the first key");
         row("a key twice", with("\"abs.rail[3].recess\"", "\"abs.rail[4].width\""),
             "a.toml:10: parameter[2].keys: \"abs.rail[4].width\" is changed by more than one parameter");
         row("no minimum", with("minimum = \"0.1 mm\"\n", ""), "a.toml:4: parameter[1].minimum: is missing");
@@ -175,44 +214,19 @@ private slots:
     {
         QFETCH(QString, text);
         QFETCH(QString, says);
-        const DesignDocument d = read(text.toStdString());
+        const StudyPlan d = plan(text.toStdString());
         QVERIFY(!d.valid());
-        QString all;
-        for (const InputProblem& problem : d.problems) all += QString::fromStdString(problem.text()) + '\n';
-        QVERIFY2(all.contains(says), qPrintable(all));
+        QVERIFY2(said(d).contains(says), qPrintable(said(d)));
     }
+    /// The study and its case have the same name.
     void byName()
     {
-        const DesignDocument d = readDesign("film_fig4_pico");
-        QVERIFY2(d.valid(), d.valid() ? "" : d.problems.front().text().c_str());
+        const StudyPlan d = openStudy("design", "film_fig4_pico");
+        QVERIFY2(d.valid(), qPrintable(said(d)));
         QCOMPARE(d.start.name, std::string("film_fig4_pico"));
+        QVERIFY(!d.text.empty());
     }
-    void noFile()
-    {
-        const DesignDocument d = readDesign("no/such.toml");
-        QCOMPARE(d.problems.size(), std::size_t{1});
-        QVERIFY2(d.problems.front().text().starts_with("no/such.toml: "), d.problems.front().text().c_str());
-    }
-
-    void csv()
-    {
-        const DesignDocument d = read(good);
-        DesignStudy study;
-        study.steps = {{0, {2e-4, 2.5e-7}, {9e-9, 1.4e-4}, 10.0, ""}, {1, {3e-4, 2e-7}, {8e-9, 1.5e-4}, 0.5, ""}};
-        const std::filesystem::path file = std::filesystem::path(folder_.path().toStdString()) / "a.csv";
-        QCOMPARE(writeDesignCsv(file, d.task, study), std::string());
-        QFile written(QString::fromStdString(file.string()));
-        QVERIFY(written.open(QIODevice::ReadOnly));
-        QCOMPARE(written.readAll(),
-                 QByteArray(
-                     "iteration,abs.rail[4].width [m],abs.rail[1].recess [m],minimum_spacing [m],pitch [rad],misfit\r\n"
-                     "0,0.0002,2.5e-7,9e-9,0.00014,10\r\n1,0.0003,2e-7,8e-9,0.00015,0.5\r\n"));
-        QVERIFY(!writeDesignCsv(folder_.path().toStdString() + "/no/a.csv", d.task, study).empty());
-    }
-
-private:
-    QTemporaryDir folder_;
 };
 
-TOUCHDOWN_TEST(TestDesignFile)
-#include "test_design_file.moc"
+TOUCHDOWN_TEST(TestDesignTask)
+#include "test_design_task.moc"

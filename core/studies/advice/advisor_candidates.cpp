@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/advice/advisor_ladder.h"
+#include "core/studies/advice/advisor_candidates.h"
 
 #include <algorithm>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr int fewestLines = 33; // of a grid that still sees the rails
 
-std::string listed(const std::vector<LadderPart>& parts, std::string LadderPart::*text)
+std::string listed(const std::vector<ModelPart>& parts, std::string ModelPart::*text)
 {
     std::string list;
-    for (const LadderPart& part : parts) list += (list.empty() ? "" : ", ") + part.*text;
+    for (const ModelPart& part : parts) list += (list.empty() ? "" : ", ") + part.*text;
     return list;
 }
 
@@ -25,7 +25,7 @@ int fewer(int nodes, int divisor)
     return std::max(fewestLines, 16 * ((nodes - 1 + 8 * divisor) / (16 * divisor)) + 1);
 }
 
-void addGrids(const Case& c, std::vector<LadderPart>& parts)
+void addGrids(const Case& c, std::vector<ModelPart>& parts)
 {
     std::array<int, 2> last = c.film.nodes;
     for (const int divisor : {2, 4, 8}) {
@@ -43,9 +43,9 @@ void addGrids(const Case& c, std::vector<LadderPart>& parts)
 
 /// In the order in which they are tried: those that leave out most of the work first, so that what takes longer is soon
 /// given up.
-std::vector<LadderPart> partsOf(const Case& c, double roll)
+std::vector<ModelPart> partsOf(const Case& c, double roll)
 {
-    std::vector<LadderPart> parts;
+    std::vector<ModelPart> parts;
     addGrids(c, parts);
     std::ranges::reverse(parts);
     if (c.run.steps == StepControl::Adaptive)
@@ -80,83 +80,87 @@ std::vector<LadderPart> partsOf(const Case& c, double roll)
     return parts;
 }
 
-bool wanted(const AdvisorTask& task, RungKind kind)
+bool wanted(const AdvisorTask& task, CandidateKind kind)
 {
     return task.models.empty() || std::ranges::find(task.models, name(kind)) != task.models.end();
 }
 
 } // namespace
 
-std::string_view name(RungKind kind)
+std::string_view name(CandidateKind kind)
 {
     switch (kind) {
-    case RungKind::Full: return "full";
-    case RungKind::Static: return "static";
-    case RungKind::ContactRest: return "contact-rest";
-    case RungKind::WaveAnswer: return "wave-answer";
-    case RungKind::SmallMotion: return "small-motion";
-    case RungKind::Springs: return "springs";
-    case RungKind::Part: return "parts";
-    case RungKind::Sum: return "sums";
+    case CandidateKind::Full: return "full";
+    case CandidateKind::Static: return "static";
+    case CandidateKind::ContactRest: return "contact-rest";
+    case CandidateKind::WaveAnswer: return "wave-answer";
+    case CandidateKind::SmallMotion: return "small-motion";
+    case CandidateKind::Springs: return "springs";
+    case CandidateKind::Part: return "parts";
+    case CandidateKind::Sum: return "sums";
     }
     return {};
 }
 
-std::vector<Rung> ladderOf(const AdvisorTask& task, double roll)
+std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
 {
     const Case& c = task.start;
     const bool waves = c.diskSurface.kind == DiskSurfaceKind::Waves && c.diskSurface.motion == SurfaceMotion::Moving;
     const std::string touches = c.contact != ContactKind::None ? ", contact" : "";
     const std::string surface = c.diskSurface.kind != DiskSurfaceKind::Flat ? ", the disk's surface" : "";
-    std::vector<Rung> ladder, reduced;
-    reduced.push_back({RungKind::Static, "static state", "all motion" + surface + touches, {}, c});
+    std::vector<Candidate> candidates, reduced;
+    reduced.push_back({CandidateKind::Static, "static state", "all motion" + surface + touches, {}, c});
     if (c.contact == ContactKind::OnoYamane)
-        reduced.push_back({RungKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
+        reduced.push_back({CandidateKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
     if (waves)
         reduced.push_back(
-            {RungKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
-    reduced.push_back(
-        {RungKind::SmallMotion, "small motions", "all that is not linear" + (waves ? "" : surface) + touches, {}, c});
+            {CandidateKind::WaveAnswer, "answer to the waves", "the start, all that is not linear" + touches, {}, c});
+    reduced.push_back({CandidateKind::SmallMotion,
+                       "small motions",
+                       "all that is not linear" + (waves ? "" : surface) + touches,
+                       {},
+                       c});
     if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)
-        reduced.push_back({RungKind::Springs,
+        reduced.push_back({CandidateKind::Springs,
                            "springs",
                            "the film's own law" + surface + (c.degreesOfFreedom == 3 ? ", motion in roll" : ""),
                            {},
                            c});
-    std::vector<LadderPart> grids{{}};
+    std::vector<ModelPart> grids{{}};
     addGrids(c, grids);
-    for (const Rung& rung : reduced)
-        for (const LadderPart& grid : grids) {
-            Rung on = rung;
+    for (const Candidate& candidate : reduced)
+        for (const ModelPart& grid : grids) {
+            Candidate on = candidate;
             if (!grid.name.empty()) {
                 on.name += " on " + grid.name;
                 on.leavesOut += ", " + grid.leavesOut;
             }
             // Springs hold the roll at that of their static state.
-            if (rung.kind == RungKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
-            if (wanted(task, rung.kind) && applySettings(on.c, grid.settings).empty()) ladder.push_back(std::move(on));
+            if (candidate.kind == CandidateKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
+            if (wanted(task, candidate.kind) && applySettings(on.c, grid.settings).empty())
+                candidates.push_back(std::move(on));
         }
-    if (!wanted(task, RungKind::Part) && !wanted(task, RungKind::Sum)) return ladder;
-    for (const LadderPart& part : partsOf(c, roll)) {
-        Rung rung{RungKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
-        if (applySettings(rung.c, part.settings).empty()) ladder.push_back(std::move(rung));
+    if (!wanted(task, CandidateKind::Part) && !wanted(task, CandidateKind::Sum)) return candidates;
+    for (const ModelPart& part : partsOf(c, roll)) {
+        Candidate candidate{CandidateKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
+        if (applySettings(candidate.c, part.settings).empty()) candidates.push_back(std::move(candidate));
     }
-    return ladder;
+    return candidates;
 }
 
-std::optional<Rung> sumOf(const AdvisorTask& task, const std::vector<LadderPart>& parts)
+std::optional<Candidate> sumOf(const AdvisorTask& task, const std::vector<ModelPart>& parts)
 {
-    const bool noContact = std::ranges::find(parts, "contact", &LadderPart::family) != parts.end();
-    std::vector<LadderPart> kept;
-    for (const LadderPart& part : parts) // without contact nothing adheres, and there are no cells
+    const bool noContact = std::ranges::find(parts, "contact", &ModelPart::family) != parts.end();
+    std::vector<ModelPart> kept;
+    for (const ModelPart& part : parts) // without contact nothing adheres, and there are no cells
         if (!noContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
-    if (!wanted(task, RungKind::Sum) || kept.size() < 2) return {};
-    std::ranges::sort(kept, {}, &LadderPart::family);
-    Rung rung{RungKind::Sum, "film, " + listed(kept, &LadderPart::name), listed(kept, &LadderPart::leavesOut), kept,
-              task.start};
-    for (const LadderPart& part : kept)
-        if (!applySettings(rung.c, part.settings).empty()) return {};
-    return rung;
+    if (!wanted(task, CandidateKind::Sum) || kept.size() < 2) return {};
+    std::ranges::sort(kept, {}, &ModelPart::family);
+    Candidate candidate{CandidateKind::Sum, "film, " + listed(kept, &ModelPart::name),
+                        listed(kept, &ModelPart::leavesOut), kept, task.start};
+    for (const ModelPart& part : kept)
+        if (!applySettings(candidate.c, part.settings).empty()) return {};
+    return candidate;
 }
 
 } // namespace touchdown

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for a design (design.h) as a study: its task (design_task.h), its report, and the case that was found.
+#pragma once
+
+#include "core/studies/study/study.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+struct DesignStudy;
+struct DesignTask;
+
+/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
+StudyPerformance planDesign(StudyReader& reader);
+/// Its keys with their defaults for a case.
+StudyForm designForm(const Case& c);
+
+/// The case that was found is in the report where all targets are reached.
+StudyReport designReport(const DesignTask& task, const DesignStudy& study);
+
+} // namespace touchdown
