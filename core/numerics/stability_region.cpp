@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/numerics/eigenvalues.h"
 #include "core/numerics/newmark.h"
 #include "core/numerics/runge_kutta.h"
 
@@ -53,7 +52,13 @@ struct Oscillator {
     double power(const State&, Mode) const { return 0.0; }
 };
 
-double largestRoot(const Eigen::MatrixXcd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
+/// The spectral radius.
+double largestRoot(const Eigen::MatrixXd& matrix)
+{
+    double square = 0.0;
+    for (const Complex root : eigenvalues(matrix)) square = std::max(square, std::norm(root));
+    return std::sqrt(square);
+}
 
 /// One step of mass and film from (q, v, a, m1, m2, m3) with h = 1, to the same of the next time.
 class CoupledStep {
@@ -217,13 +222,13 @@ double newmarkGrowth(double beta, double gamma, Complex z)
     const double w = std::abs(z);
     const Oscillator system{w, w > 0.0 ? -z.real() / w : 0.0};
     NewmarkStepper<Oscillator> stepper(system, {.beta = beta, .gamma = gamma});
-    Eigen::Matrix2d matrix;
+    Eigen::MatrixXd matrix(2, 2);
     for (int k = 0; k < 2; ++k) {
         Eigen::Vector2d end;
         if (!stepper.step(Eigen::Vector2d::Unit(k), {}, 1.0, end)) return std::numeric_limits<double>::infinity();
         matrix.col(k) = end;
     }
-    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+    return largestRoot(matrix);
 }
 
 double backwardGrowth(BackwardRule rule, Complex z)
@@ -232,9 +237,15 @@ double backwardGrowth(BackwardRule rule, Complex z)
     // m = (share0 m1 + share1 m2 + share2 m3)/(perTime - z)
     const Complex weight = d.perTime - z;
     if (weight == 0.0) return std::numeric_limits<double>::infinity();
-    Eigen::Matrix3cd matrix = Eigen::Matrix3cd::Zero();
-    for (int k = 0; k < 3; ++k) matrix(0, k) = d.share[static_cast<std::size_t>(k)] / weight;
-    matrix(1, 0) = matrix(2, 1) = 1.0;
+    // The complex matrix A + i B as the real one (A, -B; B, A): its eigenvalues and their conjugates.
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, 6);
+    for (int k = 0; k < 3; ++k) {
+        const Complex share = d.share[static_cast<std::size_t>(k)] / weight;
+        matrix(0, k) = matrix(3, k + 3) = share.real();
+        matrix(3, k) = share.imag();
+        matrix(0, k + 3) = -share.imag();
+    }
+    matrix(1, 0) = matrix(2, 1) = matrix(4, 3) = matrix(5, 4) = 1.0;
     return largestRoot(matrix);
 }
 
@@ -243,9 +254,9 @@ double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, dou
     const CoupledStep step(rule, w, dampingRatio, leak);
     if (rule.coupling == CouplingKind::Iterated && !(step.contraction() < 1.0))
         return std::numeric_limits<double>::infinity();
-    Eigen::Matrix<double, 6, 6> matrix;
+    Eigen::MatrixXd matrix(6, 6);
     for (int k = 0; k < 6; ++k) matrix.col(k) = step(CoupledStep::State::Unit(k));
-    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+    return largestRoot(matrix);
 }
 
 double largestStable(const std::function<bool(double)>& stable, double from, double to)
