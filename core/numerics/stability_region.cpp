@@ -28,7 +28,7 @@ double rungeKuttaGrowth(Complex z)
     return std::abs((y + combine<tableau.b, stages>(1.0, k))[0]);
 }
 
-/// q" = -w^2 q - 2 zeta w q', as much of a SwitchedSystem as Newmark's stepper asks for.
+/// q" = -w^2 q - 2 zeta w q': the SwitchedSystem for Newmark's stepper.
 struct Oscillator {
     using State = Eigen::Vector2d;
     struct Mode {
@@ -98,7 +98,7 @@ public:
         next << q, v0 + 0.5 * (a0 + a), a, m, y[3], y[4];
         return next;
     }
-    /// Of the iteration in turns: by how much a displacement of the mass comes back, in the opposite direction.
+    /// Contraction of the staggered iteration: the share of a displacement of the mass that returns with opposite sign.
     double contraction() const
     {
         return rule_.beta * w_ * w_ * (1.0 - leak_ / (film_.perTime + leak_)) / (1.0 + zeta_ * w_);
@@ -185,7 +185,7 @@ private:
         }
         lines_ = std::move(joined);
     }
-    /// A line that ends on the real axis goes on in the lower half; of any other one there is a second there.
+    /// A line that ends on the real axis continues in the lower half; any other line has its mirror image there.
     void mirror()
     {
         const auto onAxis = [&](Complex z) { return std::abs(z.imag()) < 1e-7 * size_; };
