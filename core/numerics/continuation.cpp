@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/numerics/continuation.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,6 +18,30 @@ constexpr int mostIterations = 12;    // of Newton
 constexpr double straightest = 0.995; // cosine between tangents at the ends of a step
 constexpr int fewIterations = 4;      // after so few the step may grow
 constexpr int mostLocations = 80;
+
+/// x of A x = b by elimination with partial pivoting; not finite where A is singular. Eigen's decompositions of
+/// matrices of any size take some 20 s to compile.
+Vector solved(Matrix a, Vector b)
+{
+    const Eigen::Index n = b.size();
+    for (Eigen::Index k = 0; k < n; ++k) {
+        Eigen::Index pivot = k;
+        for (Eigen::Index i = k + 1; i < n; ++i)
+            if (std::abs(a(i, k)) > std::abs(a(pivot, k))) pivot = i;
+        for (Eigen::Index j = k; j < n; ++j) std::swap(a(k, j), a(pivot, j));
+        std::swap(b[k], b[pivot]);
+        for (Eigen::Index i = k + 1; i < n; ++i) {
+            const double factor = a(i, k) / a(k, k);
+            for (Eigen::Index j = k + 1; j < n; ++j) a(i, j) -= factor * a(k, j);
+            b[i] -= factor * b[k];
+        }
+    }
+    for (Eigen::Index k = n; k-- > 0;) {
+        for (Eigen::Index j = k + 1; j < n; ++j) b[k] -= a(k, j) * b[j];
+        b[k] /= a(k, k);
+    }
+    return b;
+}
 
 class BranchFollower {
 public:
@@ -81,18 +102,26 @@ private:
         return y;
     }
 
+    /// The linearisation (dF/dx, dF/dp) with a last row.
+    Matrix bordered(const Vector& lastRow) const
+    {
+        const Eigen::Index n = lastRow.size() - 1;
+        Matrix system(n + 1, n + 1);
+        system.topLeftCorner(n, n) = at_.byState;
+        system.topRightCorner(n, 1) = at_.byParameter;
+        system.bottomRows(1) = lastRow.transpose();
+        return system;
+    }
+
     /// The point at a solution; its tangent is the null vector of (dF/dx, dF/dp) that looks along `along`.
     std::optional<BranchPoint> pointAt(const Vector& y, const Vector& along)
     {
         const Eigen::Index n = y.size() - 1;
         BranchPoint point{.x = y.head(n), .p = y[n], .tangent = {}, .tests = {}};
         if (!problem_.linearise(point.x, point.p, at_)) return {};
-        Matrix transposed(n + 1, n);
-        transposed.topRows(n) = at_.byState.transpose();
-        transposed.row(n) = at_.byParameter.transpose();
-        const Matrix q = transposed.householderQr().householderQ();
-        point.tangent = q.col(n);
-        if (point.tangent.dot(along) < 0.0) point.tangent = -point.tangent;
+        Vector right = Vector::Zero(n + 1);
+        right[n] = 1.0;
+        point.tangent = solved(bordered(along), right).normalized();
         if (!point.tangent.allFinite()) return {};
         return point;
     }
@@ -103,15 +132,11 @@ private:
         const Eigen::Index n = from.x.size();
         const Vector begin = joined(from.x, from.p);
         Vector y = begin + s * from.tangent;
-        Matrix system(n + 1, n + 1);
         Vector right(n + 1);
         for (iterations_ = 1; iterations_ <= mostIterations; ++iterations_) {
             if (!problem_.linearise(y.head(n), y[n], at_)) return {};
-            system.topLeftCorner(n, n) = at_.byState;
-            system.topRightCorner(n, 1) = at_.byParameter;
-            system.bottomRows(1) = from.tangent.transpose();
             right << at_.residual, from.tangent.dot(y - begin) - s;
-            const Vector change = system.partialPivLu().solve(right);
+            const Vector change = solved(bordered(from.tangent), right);
             if (!change.allFinite()) return {};
             y -= change;
             if (change.norm() <= options_.tolerance) return pointAt(y, from.tangent);
@@ -250,7 +275,7 @@ bool solveAt(const ContinuationProblem& problem, Vector& x, double p, double tol
     ContinuationProblem::Linearised at;
     for (int k = 0; k < 2 * mostIterations; ++k) {
         if (!problem.linearise(x, p, at)) return false;
-        const Vector change = at.byState.partialPivLu().solve(at.residual);
+        const Vector change = solved(at.byState, at.residual);
         if (!change.allFinite()) return false;
         x -= change;
         if (change.norm() <= tolerance) return true;

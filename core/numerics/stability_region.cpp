@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/numerics/eigenvalues.h"
 #include "core/numerics/newmark.h"
 #include "core/numerics/runge_kutta.h"
 
@@ -29,7 +28,7 @@ double rungeKuttaGrowth(Complex z)
     return std::abs((y + combine<tableau.b, stages>(1.0, k))[0]);
 }
 
-/// q" = -w^2 q - 2 zeta w q', as much of a SwitchedSystem as Newmark's stepper asks for.
+/// q" = -w^2 q - 2 zeta w q': the SwitchedSystem for Newmark's stepper.
 struct Oscillator {
     using State = Eigen::Vector2d;
     struct Mode {
@@ -53,7 +52,13 @@ struct Oscillator {
     double power(const State&, Mode) const { return 0.0; }
 };
 
-double largestRoot(const Eigen::MatrixXcd& matrix) { return matrix.eigenvalues().cwiseAbs().maxCoeff(); }
+/// The spectral radius.
+double largestRoot(const Eigen::MatrixXd& matrix)
+{
+    double square = 0.0;
+    for (const Complex root : eigenvalues(matrix)) square = std::max(square, std::norm(root));
+    return std::sqrt(square);
+}
 
 /// One step of mass and film from (q, v, a, m1, m2, m3) with h = 1, to the same of the next time.
 class CoupledStep {
@@ -93,7 +98,7 @@ public:
         next << q, v0 + 0.5 * (a0 + a), a, m, y[3], y[4];
         return next;
     }
-    /// Of the iteration in turns: by how much a displacement of the mass comes back, in the opposite direction.
+    /// Contraction of the staggered iteration: the share of a displacement of the mass that returns with opposite sign.
     double contraction() const
     {
         return rule_.beta * w_ * w_ * (1.0 - leak_ / (film_.perTime + leak_)) / (1.0 + zeta_ * w_);
@@ -180,7 +185,7 @@ private:
         }
         lines_ = std::move(joined);
     }
-    /// A line that ends on the real axis goes on in the lower half; of any other one there is a second there.
+    /// A line that ends on the real axis continues in the lower half; any other line has its mirror image there.
     void mirror()
     {
         const auto onAxis = [&](Complex z) { return std::abs(z.imag()) < 1e-7 * size_; };
@@ -217,13 +222,13 @@ double newmarkGrowth(double beta, double gamma, Complex z)
     const double w = std::abs(z);
     const Oscillator system{w, w > 0.0 ? -z.real() / w : 0.0};
     NewmarkStepper<Oscillator> stepper(system, {.beta = beta, .gamma = gamma});
-    Eigen::Matrix2d matrix;
+    Eigen::MatrixXd matrix(2, 2);
     for (int k = 0; k < 2; ++k) {
         Eigen::Vector2d end;
         if (!stepper.step(Eigen::Vector2d::Unit(k), {}, 1.0, end)) return std::numeric_limits<double>::infinity();
         matrix.col(k) = end;
     }
-    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+    return largestRoot(matrix);
 }
 
 double backwardGrowth(BackwardRule rule, Complex z)
@@ -232,9 +237,15 @@ double backwardGrowth(BackwardRule rule, Complex z)
     // m = (share0 m1 + share1 m2 + share2 m3)/(perTime - z)
     const Complex weight = d.perTime - z;
     if (weight == 0.0) return std::numeric_limits<double>::infinity();
-    Eigen::Matrix3cd matrix = Eigen::Matrix3cd::Zero();
-    for (int k = 0; k < 3; ++k) matrix(0, k) = d.share[static_cast<std::size_t>(k)] / weight;
-    matrix(1, 0) = matrix(2, 1) = 1.0;
+    // The complex matrix A + i B as the real one (A, -B; B, A): its eigenvalues and their conjugates.
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, 6);
+    for (int k = 0; k < 3; ++k) {
+        const Complex share = d.share[static_cast<std::size_t>(k)] / weight;
+        matrix(0, k) = matrix(3, k + 3) = share.real();
+        matrix(3, k) = share.imag();
+        matrix(0, k + 3) = -share.imag();
+    }
+    matrix(1, 0) = matrix(2, 1) = matrix(4, 3) = matrix(5, 4) = 1.0;
     return largestRoot(matrix);
 }
 
@@ -243,9 +254,9 @@ double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, dou
     const CoupledStep step(rule, w, dampingRatio, leak);
     if (rule.coupling == CouplingKind::Iterated && !(step.contraction() < 1.0))
         return std::numeric_limits<double>::infinity();
-    Eigen::Matrix<double, 6, 6> matrix;
+    Eigen::MatrixXd matrix(6, 6);
     for (int k = 0; k < 6; ++k) matrix.col(k) = step(CoupledStep::State::Unit(k));
-    return matrix.eigenvalues().cwiseAbs().maxCoeff();
+    return largestRoot(matrix);
 }
 
 double largestStable(const std::function<bool(double)>& stable, double from, double to)

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much a step of length h changes a linear motion: the largest factor by which what two initial states differ in
-// grows per step (the spectral radius of the step's matrix). A method is stable where it is at most 1. All of them are
-// found by taking the very steps of the integrators on linear systems.
+// Growth of a linear motion in a step of length h: the largest factor by which the difference of two initial states
+// grows per step (the spectral radius of the step's matrix). A method is stable where it is at most 1. The matrices are
+// found by steps of the integrators themselves on linear systems.
 //
 //   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a backward
-//   difference; of
-//                       Newmark's rule, the oscillator whose eigenvalues are lambda and its conjugate: omega h = |z|,
-//                       zeta = -Re z/|z|
+//                       difference; with Newmark's rule, the oscillator whose eigenvalues are lambda and its conjugate:
+//                       omega h = |z|, zeta = -Re z/|z|
 //   coupledGrowth(w)    of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
 //
-//       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: what the film is compressed by, m: what
-//       leaks out of it
+//       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: compression of the film, m: leakage
 //
-//   the mass by Newmark's rule with gamma 1/2, the film by a backward difference, and the two
-//     monolithic   at once,
-//     iterated     in turns until they agree: the same where it converges, beta w^2 (1 - s/(s + c/h)) < 1 + zeta w,
-//     with c/h the weight
-//                  of m in the backward difference; infinite elsewhere
-//     in turns     a number of times only; once is one-way: the mass moves under the film's last force, then the film
-//     follows.
+//   the mass by Newmark's rule with gamma 1/2, the film by a backward difference, coupled
+//     monolithic   both at once
+//     iterated     staggered until both agree: the same where it converges, beta w^2 (1 - s/(s + c/h)) < 1 + zeta w,
+//                  with c/h the weight of m in the backward difference; infinite elsewhere
+//     staggered    a given number of times; once is one-way: the mass moves under the film's last force, then the film
+//                  follows
 #pragma once
 
 #include <array>
@@ -34,7 +31,7 @@ namespace touchdown {
 using Growth = std::function<double(std::complex<double> z)>;
 
 double rk4Growth(std::complex<double> z);
-/// Of the fifth-order result, with which the method goes on.
+/// The fifth-order result, with which the method continues.
 double dopri5Growth(std::complex<double> z);
 double newmarkGrowth(double beta, double gamma, std::complex<double> z);
 double backwardGrowth(BackwardRule rule, std::complex<double> z);
@@ -45,7 +42,7 @@ struct CoupledRule {
     double beta = 0.25; // of Newmark's rule [-]
     BackwardRule film = BackwardRule::Bdf2Opt;
     CouplingKind coupling = CouplingKind::Monolithic;
-    int turns = 1; // InTurns: so often the mass moves and the film follows
+    int turns = 1; // InTurns: number of times that the mass moves and the film follows
 };
 /// w = omega h, the mass's own damping ratio, the leak s/omega [-].
 double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, double leak);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Energy of the film's air, which keeps its temperature. With psi(p) = p ln(p/p0) - p + p0 it can do the work sum psi
-// V. Mass balance d(V p)/dt + R = 0 of the cells times ln(p/p0), summed, is
+// Energy balance of the film's air at constant temperature. The air can do the work sum psi V, psi(p) = p ln(p/p0) - p
+// + p0. The mass balance d(V p)/dt + R = 0 of the cells times ln(p/p0), summed, is
 //
 //   d(sum psi V)/dt = - sum (p - p0) dV/dt - sum ln(p/p0) R,   - sum ln(p/p0) R = input - dissipation,
 //
-// the work of slider and disk on the volumes and what flows bring. A face that passes F = A p1 - B p2 (path_flow.h)
-// dissipates, with x = ln(p1/p2),
+// the work of slider and disk on the volumes, and the power of the flows. A face with the flow F = A p1 - B p2
+// (path_flow.h) dissipates, with x = ln(p1/p2),
 //
 //   F x - (A - B)(p1 - p2) = A p1 (x - 1 + exp(-x)) + B p2 (exp(x) - 1 - x) >= 0,
 //
-// where it is smooth the integral of Q h^3 (grad p)^2/(12 mu p). The rest is what the disk puts in by moving along, U h
-// grad p/2, with what the complete flux scheme corrects. The power that goes straight from the disk into Couette's
-// shear is in neither.
+// where it is smooth the integral of Q h^3 (grad p)^2/(12 mu p). The input is the power of the disk's motion, U h grad
+// p/2, with the corrections of the complete flux scheme. Power that goes directly from the disk into Couette's shear is
+// in neither.
 #pragma once
 
 #include <span>

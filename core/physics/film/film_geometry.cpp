@@ -158,7 +158,7 @@ void FilmGeometry::setVolumes()
                 &volume_[at]);
         for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
     }
-    // Where part of a cut cell is closed, the rest holds the air.
+    // Where part of a cut cell is closed, the air is in the rest.
     for (std::size_t n = 0; n < cutCells_.size(); ++n) {
         CutCell& cell = cutCells_[n];
         const CutPlace& place = gaps_.cutCells[n];

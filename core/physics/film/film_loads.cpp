@@ -268,7 +268,7 @@ FilmForces FilmLoads::forces(std::span<const double> p)
     if (result.positive > 0.0) result.centreOfPositive = {px[0] / result.positive, py[0] / result.positive};
     if (result.negative < 0.0) result.centreOfNegative = {px[1] / result.negative, py[1] / result.negative};
     const std::array<double, 5> total = loadAndShear(p);
-    // What layers hold beyond the cells' pressure belongs to the rails: to the positive part.
+    // The layers' force beyond the cells' pressure belongs to the rails: to the positive part.
     result.positive += total[0] - result.positive - result.negative;
     result.net = total[0];
     result.pitchTorque = total[1];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the film's residual answers to the attitude.
+// Derivatives of the film's residual by the attitude.
 #include <algorithm>
 
 #include "core/physics/film/gas_film.h"
@@ -17,7 +17,7 @@ void GasFilm::AttitudeWork::resize(std::size_t size)
             field->assign(size, 0.0);
 }
 
-/// out[at] += what the faces have by the gap and its rise, for the attitude's number k.
+/// out += derivatives by the attitude's number k of the faces' gaps and rises times those of the flow by them.
 void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap,
                             const std::vector<double>& byRise, std::vector<double>& out) const
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of flows over cells, and what the film's residual answers to small changes of the pressure.
+// Sums of flows over cells, and the change of the film's residual with small changes of the pressure.
 #include <algorithm>
 #include <complex>
 
@@ -20,7 +20,7 @@ TOUCHDOWN_VECTOR_CLONES void setFlows(std::size_t count, const double* lower, co
     for (std::size_t k = 0; k < count; ++k) flow[k] = lower[k] * below[k] + upper[k] * above[k];
 }
 
-/// What a row of cells stores, perTime V v.
+/// Storage of a row of cells, perTime V v.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const double* volume, const T* v, T* stored)
 {
@@ -28,8 +28,8 @@ TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const do
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * v[k];
 }
 
-/// A row of cells: what leaves the one way came the other, or out of what was stored. Both slopes in full would take a
-/// cell's storage from it twice: each axis counts what is its own of the motion's square.
+/// Mass balance of a row of cells: change of the flow along x = -change of the flow along y - storage. Both slopes in
+/// full would count a cell's storage twice: each axis counts its share of the motion's square.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross,
                                          double shareX, double shareY, const T* flowX, const T* flowY,
@@ -42,7 +42,7 @@ TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWid
     }
 }
 
-/// Takes off the flows through a row of faces what the slopes in the cells below and above correct.
+/// Subtracts from the flows through a row of faces the corrections by the slopes in the cells below and above.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
                                          const T* slopeBelow, const T* slopeAbove, T* flow)
@@ -51,7 +51,7 @@ TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below,
     for (std::size_t k = 0; k < count; ++k) flow[k] -= slopeBelow[k] * below[k] + slopeAbove[k] * above[k];
 }
 
-/// Besides, adds the corrections' own change, by the cells below and above.
+/// Also adds the change of the corrections with the pressures in the cells below and above.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
                                          const double* ownLower, const double* ownUpper, const T* slopeBelow,
@@ -133,14 +133,14 @@ template void GasFilm::setSlopes(int, const double*, const double*, const double
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
                                   std::span<double>) const;
 
-/// Row by row, so that what one part of it leaves is still at hand for the next: a row of cells has its slopes when the
+/// Row by row, so that each part finds the results of the last one in the cache: a row of cells has its slopes when the
 /// faces above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {
     const PaddedGrid& pad = gaps().pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx), ring = PaddedGrid::rings;
-    // Of the last rows: their places in the work space are used again and again.
+    // The work space holds the last three rows.
     const auto row = [&](std::vector<T>& field, int j) {
         return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
     };

@@ -80,7 +80,7 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, FaceMoments& momen
     }
 }
 
-/// What the flows answer to the gap and to its change along the path; `byGap`: the mobility's own derivative by the
+/// Derivatives of the flows by the gap and by its change along the path; `byGap`: the mobility's own derivative by the
 /// gap.
 template <ConvectionScheme scheme, typename FaceRow>
 TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film's residual and its linearisation, row by row, so that what one part leaves is still at hand for the next: a
-// row of cells has its slopes when the faces above are there, the faces below it are complete when it has its slopes,
-// and the row below then has its sum.
+// The film's residual and its linearisation, row by row, so that each part finds the results of the last one in the
+// cache: a row of cells has its slopes when the faces above are there, the faces below it are complete when it has its
+// slopes, and the row below then has its sum.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
-/// What a row of cells stores.
+/// Storage of a row of cells.
 TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
                                        const double* history, double* stored)
 {
@@ -23,7 +23,7 @@ TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const 
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
 }
 
-/// The flows of a row of faces less the limited corrections, and what the linear maps need of these.
+/// The flows of a row of faces less the limited corrections, and the derivatives of the corrections.
 template <bool derived>
 TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, const FaceMoments& moments,
                                       const double* before, const double* after, FilmFaces& faces, double* out)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a cell's outflow has from the nine cells that its faces and the corrections of their flows meet.
+// Coefficients of a cell's outflow in the nine cells that its faces and the corrections of their flows meet.
 #include <algorithm>
 #include <array>
 
@@ -30,7 +30,7 @@ struct StencilFaces {
     {}
 };
 
-/// What leaves the one way came the other.
+/// Mass balance: the change of the flow along one axis is minus that along the other.
 TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, std::size_t step, const double* lower, const double* upper,
                                          const double* perWidth, SlopeRow out)
 {
@@ -75,7 +75,7 @@ TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFa
     }
 }
 
-/// What the faces before and after a row of cells pass on of what these store.
+/// Shares of the storage of a row of cells that the faces before and after them pass on.
 TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, double share, const double* perWidth,
                                        const double* below, const double* above, float* storedBelow, float* storedAbove)
 {
