@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numerics/eigenvalues.h"
+#include "core/numerics/small_matrix.h"
 #include "core/numerics/newmark.h"
 #include "core/numerics/runge_kutta.h"
 
@@ -56,7 +56,7 @@ struct Oscillator {
 double largestRoot(const Eigen::MatrixXd& matrix)
 {
     double square = 0.0;
-    for (const Complex root : eigenvalues(matrix)) square = std::max(square, std::norm(root));
+    for (const Complex root : eigenvaluesOf(matrix)) square = std::max(square, std::norm(root));
     return std::sqrt(square);
 }
 
