@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_settings.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
