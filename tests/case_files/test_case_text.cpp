@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"

@@ -2,6 +2,7 @@
 #include "core/case_files/surface_text.h"
 
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
