@@ -9,6 +9,7 @@
 #include "core/simulation/contact/contact_run.h"
 #include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/flight/film_run.h"
+#include "core/simulation/springs/spring_model.h"
 #include "core/simulation/springs/spring_run.h"
 
 namespace touchdown {
