@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::array<const char*, 3> motions{"height", "pitch", "roll"};
 
-Json matrix(const std::array<std::array<double, 3>, 3>& rows)
+Json matrix(const Matrix3& m)
 {
     Json result = Json::array();
-    for (const auto& row : rows) result.push_back({jsonNumber(row[0]), jsonNumber(row[1]), jsonNumber(row[2])});
+    for (int k = 0; k < 3; ++k) result.push_back({jsonNumber(m(k, 0)), jsonNumber(m(k, 1)), jsonNumber(m(k, 2))});
     return result;
 }
 
