@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/commands/command_line.h"
+#include "app/terminal/console.h"
 
 int main(int argc, char** argv)
 {
