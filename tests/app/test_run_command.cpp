@@ -5,7 +5,7 @@
 
 #include <QtTest>
 
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
 

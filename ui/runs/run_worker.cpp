@@ -5,7 +5,7 @@
 #include <cmath>
 #include <exception>
 
-#include "core/results/results_file.h"
+#include "core/results/results_writer.h"
 
 namespace touchdown {
 

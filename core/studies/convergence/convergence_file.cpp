@@ -6,7 +6,7 @@
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
 #include "core/formats/text_file.h"
-#include "core/results/results_layout.h"
+#include "core/results/file_header.h"
 
 namespace touchdown {
 
@@ -19,13 +19,11 @@ std::vector<double> column(const ConvergenceStudy& study, const auto& of)
     return values;
 }
 
-void writeLevels(hid_t file, const ConvergenceStudy& study)
+void writeLevels(const Hdf5Group& file, const ConvergenceStudy& study)
 {
-    const Hdf5Handle group = createHdf5Group(file, "levels");
+    const Hdf5Group group = file.create("levels");
     const auto write = [&](const std::string& name, const std::vector<double>& values, const std::string& unit,
-                           const std::string& longName) {
-        describeHdf5(writeHdf5Array(group, name, values), unit.empty() ? "1" : unit, longName);
-    };
+                           const std::string& longName) { group.put(name, values, unit, longName); };
     write("cell", column(study, [](const auto& level) { return level.cell; }), "m", "Side of a cell");
     write("cells", column(study, [](const auto& level) { return static_cast<double>(level.cells); }), "",
           "Cells of all patches");
@@ -35,9 +33,9 @@ void writeLevels(hid_t file, const ConvergenceStudy& study)
               study.quantities[i].unit, study.quantities[i].longName);
 }
 
-void writeObserved(hid_t file, const ConvergenceStudy& study)
+void writeObserved(const Hdf5Group& file, const ConvergenceStudy& study)
 {
-    const Hdf5Handle group = createHdf5Group(file, "observed");
+    const Hdf5Group group = file.create("observed");
     std::vector<std::string> names;
     std::vector<double> orders, limits, errors;
     for (std::size_t i = 0; i < study.observed.size(); ++i) {
@@ -46,12 +44,10 @@ void writeObserved(hid_t file, const ConvergenceStudy& study)
         limits.push_back(study.observed[i].limit);
         errors.push_back(study.observed[i].error);
     }
-    describeHdf5(writeHdf5Array(group, "quantity", names), "1", "Quantities");
-    describeHdf5(writeHdf5Array(group, "order", orders), "1", "Observed order; 0 where there is none");
-    describeHdf5(writeHdf5Array(group, "limit", limits), "SI unit of the quantity",
-                 "Limit by Richardson's extrapolation");
-    describeHdf5(writeHdf5Array(group, "error", errors), "SI unit of the quantity",
-                 "Estimated error of the finest level");
+    group.put("quantity", names, "1", "Quantities");
+    group.put("order", orders, "1", "Observed order; 0 where there is none");
+    group.put("limit", limits, "SI unit of the quantity", "Limit by Richardson's extrapolation");
+    group.put("error", errors, "SI unit of the quantity", "Estimated error of the finest level");
 }
 
 } // namespace
@@ -60,10 +56,10 @@ std::string writeConvergence(const std::filesystem::path& path, const Case& c, c
                              const ConvergenceStudy& study)
 {
     if (study.status != StudyStatus::Completed) return "a study that did not end has no results to write";
-    return writeHdf5File(path, "the study", [&](hid_t file) {
+    return writeHdf5File(path, "the study", [&](const Hdf5Group& file) {
         writeFileHeader(file, "touchdown-convergence", 1, 0, dateNow(), c.title);
-        writeHdf5Attribute(file, "status", std::string(name(study.status)));
-        writeHdf5Attribute(file, "message", study.message);
+        file.set("status", name(study.status));
+        file.set("message", study.message);
         writeCaseGroup(file, c, caseText);
         writeLevels(file, study);
         writeObserved(file, study);

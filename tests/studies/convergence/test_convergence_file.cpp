@@ -4,8 +4,7 @@
 #include <QtTest>
 
 #include "core/case/fields.h"
-#include "core/formats/hdf5_access.h"
-#include "core/results/results_series.h"
+#include "core/formats/hdf5_file.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -34,14 +33,14 @@ private slots:
         const Case c = defaultsOf(ModelKind::Contact);
         QCOMPARE(writeConvergence(path("a.h5"), c, "# text", someStudy()), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file(H5Fopen(path("a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-        QCOMPARE(readHdf5Attribute(file, "format"), std::string("touchdown-convergence"));
-        QCOMPARE(readHdf5Attribute(file, "status"), std::string("completed"));
-        QCOMPARE(readHdf5Text(file, "case/text"), std::string("# text"));
-        QCOMPARE(readSeries(openHdf5Dataset(file, "levels/contact_force")), (std::vector{1e-3, 1.001, 2.001}));
-        QCOMPARE(readSeries(openHdf5Dataset(file, "levels/cells")), (std::vector{100.0, 200.0, 400.0}));
-        QCOMPARE(readSeries(openHdf5Dataset(file, "observed/order")), (std::vector{2.0, 0.0}));
-        QCOMPARE(readHdf5Attribute(openHdf5Dataset(file, "levels/contact_area"), "unit"), std::string("m^2"));
+        const Hdf5Group file = openHdf5File(path("a.h5"));
+        QCOMPARE(file.attribute("format"), std::string("touchdown-convergence"));
+        QCOMPARE(file.attribute("status"), std::string("completed"));
+        QCOMPARE(file.get("case/text").text(), std::string("# text"));
+        QCOMPARE(file.get("levels/contact_force").column(), (std::vector{1e-3, 1.001, 2.001}));
+        QCOMPARE(file.get("levels/cells").column(), (std::vector{100.0, 200.0, 400.0}));
+        QCOMPARE(file.get("observed/order").column(), (std::vector{2.0, 0.0}));
+        QCOMPARE(file.get("levels/contact_area").attribute("unit"), std::string("m^2"));
     }
     void csv()
     {
