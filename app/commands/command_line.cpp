@@ -51,7 +51,7 @@ void findCase(const CLI::App& command, CaseArguments& arguments)
     findCase(command, arguments.name, {&arguments.settings});
 }
 
-// What all studies that give a report have.
+// Arguments of all studies that give a report.
 void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name)
 {
     command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
@@ -61,11 +61,11 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
         ->type_name("KEY=VALUE");
     command.add_option("--out", arguments.out, "Writes findings, charts and tables as HDF5")->type_name("FILE.h5");
     command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
-    command.add_option("--jobs", arguments.jobs, "Solutions at a time; as many as there are cores without it")
+    command.add_option("--jobs", arguments.jobs, "Number of solutions in parallel; default: the number of cores")
         ->check(CLI::Range(1, 64));
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
     command.add_flag("--template", arguments.asTemplate,
-                     "Prints the study, or one of the case with every key, to begin a file with");
+                     "Prints the study, or a study of the case with every key, as the start of a file");
 }
 
 std::vector<std::string> namesOf(const CLI::App& app)
@@ -94,19 +94,21 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
     return arguments;
 }
 
-// --tolerance is one of the options.
+// --tolerance is short for --option tolerance=VALUE.
 void addTolerance(const std::string& tolerance, std::vector<std::string>& options)
 {
-    for (const std::string& option : options)
-        if (option.starts_with("tolerance") &&
-            option.find_first_not_of(' ', std::string_view("tolerance").size()) == option.find('='))
+    for (const std::string& option : options) {
+        std::string key = option.substr(0, option.find('='));
+        key.erase(key.find_last_not_of(' ') + 1);
+        if (key == "tolerance")
             throw CLI::ParseError("advise: --tolerance " + tolerance + " and --option " + option +
                                       " are one value; give it once",
                                   CLI::ExitCodes::ExcludesError);
+    }
     options.push_back("tolerance=" + tolerance);
 }
 
-// What stands first and is no option must be a command, and of "study" a kind.
+// The first word must be a command, the word behind "study" a kind of study.
 void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
 {
     const CommandWords known{namesOf(app), namesOf(*app.get_subcommand("study"))};
@@ -117,7 +119,7 @@ void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
         throw CLI::ParseError(problem, CLI::ExitCodes::ExtrasError);
 }
 
-// The command that was to take what is left over.
+// Names the arguments that the command did not take.
 std::string notTakenBy(const CLI::App& app)
 {
     const CLI::App* command = &app;
@@ -128,7 +130,7 @@ std::string notTakenBy(const CLI::App& app)
     return notTaken(command->get_name(), app.remaining(true), options);
 }
 
-// A full disk or a closed pipe behind standard output is found out at the last moment.
+// A full disk or a closed pipe behind standard output shows only when the last text is written.
 int finishOutput(int code)
 {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -172,7 +174,7 @@ int commandLine(int argc, char** argv)
     addJson(modes);
 
     ConvergenceArguments convergenceArguments;
-    CLI::App& study = *app.add_subcommand("study", "Solves a case many times and tells what that shows");
+    CLI::App& study = *app.add_subcommand("study", "Solves a case many times and reports what that shows");
     study.require_subcommand(0, 1); // as above
     CLI::App& convergence = *study.add_subcommand(
         "convergence", "How the closest approach of a contact case depends on the cells of its patch");
@@ -209,10 +211,10 @@ int commandLine(int argc, char** argv)
         kinds.push_back(&command);
     }
     std::string tolerance;
-    CLI::App& advise = *app.add_subcommand("advise", "Finds the least model of a film case that is good enough");
+    CLI::App& advise = *app.add_subcommand("advise", "Finds the simplest model of a film case whose error is within a tolerance");
     addStudy(advise, studyArguments, "CASE");
-    advise.add_option("--tolerance", tolerance, "What the advice may be wrong by, such as 1%");
-    advise.add_option("--apply", studyArguments.apply, "Writes the case as it is advised")->type_name("FILE.toml");
+    advise.add_option("--tolerance", tolerance, "Largest error of the advised model, such as 1%");
+    advise.add_option("--apply", studyArguments.apply, "Writes the advised case")->type_name("FILE.toml");
     addJson(advise);
 
     std::string from;

@@ -8,8 +8,8 @@
 
 namespace touchdown {
 
-/// Tells of "study", of "study.KIND" or "KIND", and of a key below it; the exit code. Nothing where the key is none of
-/// a study.
+/// Describes "study", "study.KIND" or "KIND", or a key below it, and returns the exit code. Nothing where the key is no
+/// key of a study.
 std::optional<int> describeStudy(const std::string& key, bool json);
 
 } // namespace touchdown
