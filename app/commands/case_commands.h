@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown list`; what all commands on cases have in common.
+// `touchdown list`; how all commands open a case.
 #pragma once
 
 #include "app/terminal/console.h"
@@ -8,16 +8,16 @@
 
 namespace touchdown {
 
-/// Tells standard error what a case says that is not modelled, and each of its problems.
+/// Writes the warnings and problems of a case to standard error.
 void complainOf(const CaseDocument& document);
 
-/// The case of a name, with settings; all that is wrong has gone to standard error.
+/// The case of a name, with settings; warnings and problems have been written to standard error.
 CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings = {});
 
-/// The same, and what has no effect has gone there, too.
+/// The same, and keys without effect have been reported, too.
 CaseDocument openCaseOrComplain(const CaseArguments& arguments);
 
-/// The same of a case that must have an air film.
+/// The same for a case that must have an air film.
 CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments);
 
 int listCommand(bool json);

@@ -20,6 +20,7 @@
 #include "app/commands/study_command.h"
 #include "app/commands/validate_command.h"
 #include "app/terminal/mistaken_words.h"
+#include "core/formats/words.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -49,6 +50,7 @@ void findCase(const CLI::App& command, CaseArguments& arguments)
     findCase(command, arguments.name, {&arguments.settings});
 }
 
+// Arguments of all studies.
 void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name, const StudyKind& kind)
 {
     command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
@@ -60,11 +62,11 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
     command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
     if (kind.findsCase)
         command.add_option("--apply", arguments.apply, "Writes the case that the study found")->type_name("FILE.toml");
-    command.add_option("--jobs", arguments.jobs, "Solutions at a time; default: the number of cores")
+    command.add_option("--jobs", arguments.jobs, "Number of solutions in parallel; default: the number of cores")
         ->check(CLI::Range(1, 64));
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
     command.add_flag("--template", arguments.asTemplate,
-                     "Prints the study, or one of the case with every key, to begin a file with");
+                     "Prints the study, or a study of the case with every key, as the start of a file");
 }
 
 std::vector<std::string> namesOf(const CLI::App& app)
@@ -93,20 +95,20 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
     return arguments;
 }
 
-// An option of the command line that stands for a key of the study: --tolerance, --levels.
+// An option of the command line that is short for a key of the study: --tolerance, --levels.
 void addShortcut(const std::string& kind, const std::string& key, const std::string& value,
                  std::vector<std::string>& options)
 {
     if (value.empty()) return;
     for (const std::string& option : options)
-        if (option.starts_with(key) && option.find_first_not_of(' ', key.size()) == option.find('='))
+        if (trimmed(std::string_view(option).substr(0, option.find('='))) == key)
             throw CLI::ParseError(kind + ": --" + key + ' ' + value + " and --option " + option +
                                       " are one value; give it once",
                                   CLI::ExitCodes::ExcludesError);
     options.push_back(key + '=' + value);
 }
 
-// What stands first and is no option must be a command, and of "study" a kind.
+// The first word must be a command, the word behind "study" a kind of study.
 void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
 {
     const CommandWords known{namesOf(app), namesOf(*app.get_subcommand("study"))};
@@ -117,7 +119,7 @@ void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
         throw CLI::ParseError(problem, CLI::ExitCodes::ExtrasError);
 }
 
-// The command that was to take what is left over.
+// Names the arguments that the command did not take.
 std::string notTakenBy(const CLI::App& app)
 {
     const CLI::App* command = &app;
@@ -128,7 +130,7 @@ std::string notTakenBy(const CLI::App& app)
     return notTaken(command->get_name(), app.remaining(true), options);
 }
 
-// A full disk or a closed pipe behind standard output is found out at the last moment.
+// A full disk or a closed pipe behind standard output shows only when the last text is written.
 int finishOutput(int code)
 {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -181,7 +183,7 @@ int commandLine(int argc, char** argv)
         CLI::App& command = *parent.add_subcommand(name, help);
         addStudy(command, studyArguments, &parent == &app ? "CASE" : "FILE", kind);
         if (kind.name == "advise" && &parent == &app)
-            command.add_option("--tolerance", tolerance, "Error that the advice may have, such as 1%");
+            command.add_option("--tolerance", tolerance, "Largest error of the advised model, such as 1%");
         if (kind.name == "convergence")
             command.add_option("--levels", levels, "Levels of cells, the finest half of elastic.cell");
         addJson(command);
@@ -190,7 +192,7 @@ int commandLine(int argc, char** argv)
     for (const StudyKind& kind : studyKinds()) addKind(study, kind.name, kind, kind.help);
     for (const StudyKind& kind : studyKinds())
         if (kind.name == "advise")
-            addKind(app, kind.name, kind, "Finds the cheapest model of a film case that is good enough");
+            addKind(app, kind.name, kind, "Finds the cheapest model of a film case whose error is within a tolerance");
 
     std::string from;
     std::string to;

@@ -8,8 +8,8 @@
 
 namespace touchdown {
 
-/// Describes "study", "study.KIND" or "KIND", or a key of it; returns the exit code. Nothing where the key does not
-/// belong to a study.
+/// Describes "study", "study.KIND" or "KIND", or a key below it, and returns the exit code. Nothing where the key is no
+/// key of a study.
 std::optional<int> describeStudy(const std::string& key, bool json);
 
 } // namespace touchdown

@@ -14,7 +14,9 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
 #include "core/case_files/case_text.h"
-#include "core/results/results_file.h"
+#include "core/formats/output_file.h"
+#include "core/results/csv_writer.h"
+#include "core/results/results_writer.h"
 #include "core/simulation/recording/run_spectra.h"
 #include "core/simulation/run.h"
 
@@ -29,14 +31,14 @@ std::string checkCsvTarget(const std::string& file)
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
     const bool stream = fs::is_character_file(status) || fs::is_fifo(status);
-    return stream && ::access(file.c_str(), W_OK) == 0 ? std::string() : checkResultsTarget(file);
+    return stream && ::access(file.c_str(), W_OK) == 0 ? std::string() : checkOutputFile(file);
 }
 
 // Everything that can be known to go wrong with the output before anything is written.
 bool targetsAreGood(const RunArguments& arguments)
 {
     const std::string& name = arguments.caseArguments.name;
-    bool good = targetIsGood("--out", arguments.out, checkResultsTarget(arguments.out), name);
+    bool good = targetIsGood("--out", arguments.out, checkOutputFile(arguments.out), name);
     good = targetIsGood("--csv", arguments.csv, checkCsvTarget(arguments.csv), name) && good;
     if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
         complain("--out and --csv: both name " + arguments.out);

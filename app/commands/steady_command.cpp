@@ -11,8 +11,8 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
 #include "core/case_files/case_text.h"
-#include "core/results/results_file.h"
-#include "core/results/steady_file.h"
+#include "core/formats/output_file.h"
+#include "core/results/steady_writer.h"
 #include "core/simulation/static_state/steady_progress.h"
 
 namespace touchdown {
@@ -34,7 +34,7 @@ int steadyCommand(SteadyArguments arguments)
     if (arguments.fixedAttitude) arguments.caseArguments.settings.emplace_back("steady.fixed_attitude=true");
     const CaseDocument document = openFilmCaseOrComplain(arguments.caseArguments);
     const bool good =
-        targetIsGood("--out", arguments.out, checkResultsTarget(arguments.out), arguments.caseArguments.name);
+        targetIsGood("--out", arguments.out, checkOutputFile(arguments.out), arguments.caseArguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     const Case& c = document.value;
 

@@ -232,9 +232,7 @@ std::string worstMessage(const std::vector<SteadyState>& states)
 
 std::string statusText(SteadyStatus status, const std::string& message)
 {
-    const std::string said(name(status));
-    if (message.starts_with(said)) return message;
-    return message.empty() ? said : said + ": " + message;
+    return std::string(name(status)) + (message.empty() ? "" : ": " + message);
 }
 
 std::string leftOut(const Case& c)

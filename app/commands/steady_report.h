@@ -21,16 +21,16 @@ struct SteadyState {
 SteadyStatus worstStatus(const std::vector<SteadyState>& states);
 std::string worstMessage(const std::vector<SteadyState>& states);
 
-/// "not converged: why", for a person; a message that begins with the status says it once.
+/// "not converged: why".
 std::string statusText(SteadyStatus status, const std::string& message);
 
-/// The keys of one state; numbers in SI, what is not known as null with the reason in the message.
-/// What of the case has no part in a static state or in its modes, in a sentence; empty where all has.
+/// The parts of the case that a static state and its modes leave out, in a sentence; empty where there are none.
 std::string leftOut(const Case& c);
 
+/// The keys of one state; numbers in SI, unknown values as null with the reason in the message.
 Json steadyObject(const Case& c, const SteadyResult& result);
 
-/// One object: of one state its keys; of a series the status of the whole, and "series" with the keys of each.
+/// One object: the keys of a single state; for a series its status, and "series" with the keys of each state.
 std::string steadyJson(const Case& c, const std::vector<SteadyState>& states, SteadyStatus status,
                        const std::string& message);
 std::string steadyText(const Case& c, const std::vector<SteadyState>& states);

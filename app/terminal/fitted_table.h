@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table for people that is no wider than what shows it: headings of several lines, cut texts and, where that is not
-// enough, fewer columns.
+// A table for people that fits into a width: headings of several lines, cut texts and, where that is not enough, fewer
+// columns.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct FittedTable {
 FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows,
                         std::size_t width);
 
-/// What shows standard output: COLUMNS, the terminal's width, or 100.
+/// Width of standard output: COLUMNS, else the terminal's width, else 100.
 std::size_t outputWidth();
 
 } // namespace touchdown

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "app/terminal/console.h"
-#include "core/results/results_file.h"
+#include "core/formats/output_file.h"
 
 namespace touchdown {
 
@@ -38,7 +38,7 @@ bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string&
     bool good = true;
     for (auto one = targets.begin(); one != targets.end(); ++one) {
         if (one->file.empty()) continue;
-        good = targetIsGood(one->option, one->file, checkResultsTarget(one->file), input) && good;
+        good = targetIsGood(one->option, one->file, checkOutputFile(one->file), input) && good;
         for (auto other = targets.begin(); other != one; ++other) {
             if (other->file.empty() || !sameFile(other->file, one->file)) continue;
             complain(other->option + " and " + one->option + ": both name " + one->file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that a command writes, looked at before it begins.
+// Checks of the files that a command will write, before it begins.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace touchdown {
 /// Whether two names lead to one file, which need not exist.
 bool sameFile(const std::string& a, const std::string& b);
 
-/// Complains of a file that cannot be written, for the given reason or because it is the case itself. "" is no file.
+/// Complains about a file with the given problem, or that is the case itself. "" is no file.
 bool targetIsGood(const std::string& option, const std::string& file, const std::string& problem,
                   const std::string& caseName);
 
@@ -21,7 +21,7 @@ struct OutputTarget {
     std::string file;
 };
 
-/// Complains of all that cannot be written as a regular file, and of those that name one file or the input.
+/// Complains about every file that cannot be written as a regular file, is the input, or is named twice.
 bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input);
 
 } // namespace touchdown

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SIGINT and SIGTERM ask a run to end in good order; the second one ends the program as ever.
+// SIGINT and SIGTERM ask a run to end in good order; the second signal ends the program at once.
 #pragma once
 
 #include <csignal>

@@ -13,7 +13,7 @@
 #include "app/workbench/workbench_pictures.h"
 #include "app/workbench/workbench_study.h"
 #include "core/case_files/case_file.h"
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
 #include "ui/case/case_files.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"

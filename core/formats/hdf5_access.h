@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // HDF5 with owned identifiers, failures as exceptions with a readable cause, and one thread at a time:
-// Debian's library is not thread-safe. Used by the results files only.
+// Debian's library is not thread-safe.
 #pragma once
 
-#include <cstdint>
 #include <mutex>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include <hdf5.h>
 
@@ -21,7 +17,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Hold one around every use: the library is ours alone, and prints no errors of its own meanwhile.
+/// Hold one around every use: it locks the library, which prints no errors of its own meanwhile.
 class Hdf5Access {
 public:
     Hdf5Access();
@@ -57,36 +53,5 @@ private:
 
 /// Throws Hdf5Error when the library reported a failure.
 void checkHdf5(herr_t status);
-
-/// The default access of a file, but closing it closes all that is in it, and a file system without locks is no
-/// failure.
-Hdf5Handle hdf5FileAccess();
-
-Hdf5Handle createHdf5Group(hid_t parent, const std::string& name); // keeps the order of creation
-Hdf5Handle openHdf5Group(hid_t parent, const std::string& name);
-Hdf5Handle openHdf5Dataset(hid_t parent, const std::string& name);
-
-/// UTF-8 of any length.
-Hdf5Handle hdf5TextType();
-
-void writeHdf5Attribute(hid_t object, const std::string& name, const std::string& value);
-void writeHdf5Attribute(hid_t object, const std::string& name, double value);
-void writeHdf5Attribute(hid_t object, const std::string& name, std::int64_t value);
-/// "" if there is no such text.
-std::string readHdf5Attribute(hid_t object, const std::string& name);
-
-Hdf5Handle writeHdf5Scalar(hid_t parent, const std::string& name, const std::string& value);
-Hdf5Handle writeHdf5Scalar(hid_t parent, const std::string& name, double value);
-Hdf5Handle writeHdf5Scalar(hid_t parent, const std::string& name, std::int64_t value);
-std::string readHdf5Text(hid_t parent, const std::string& name);
-
-Hdf5Handle writeHdf5Array(hid_t parent, const std::string& name, std::span<const double> values);
-Hdf5Handle writeHdf5Array(hid_t parent, const std::string& name, const std::vector<std::string>& values);
-
-/// What is in a group, in the order of creation where that was kept.
-std::vector<std::string> namesInHdf5Group(hid_t group);
-
-/// Unit and name for a person, on every array.
-void describeHdf5(hid_t dataset, const std::string& unit, const std::string& longName);
 
 } // namespace touchdown

@@ -4,30 +4,53 @@
 #include <exception>
 #include <system_error>
 
+#include "core/formats/output_file.h"
+
 namespace touchdown {
 
 namespace fs = std::filesystem;
 
-std::string writeHdf5File(const fs::path& path, const std::string& what, const std::function<void(hid_t)>& fill)
+namespace {
+
+/// The default access, but closing the file closes all that is in it, and a file system without locks is no failure.
+Hdf5Handle fileAccess()
+{
+    Hdf5Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    checkHdf5(H5Pset_fclose_degree(list, H5F_CLOSE_STRONG));
+    checkHdf5(H5Pset_file_locking(list, true, true));
+    return list;
+}
+
+} // namespace
+
+Hdf5Group createHdf5File(const fs::path& file)
+{
+    const Hdf5Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    checkHdf5(H5Pset_link_creation_order(list, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+    return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list, fileAccess()), H5Fclose};
+}
+
+Hdf5Group openHdf5File(const fs::path& file, unsigned flags)
+{
+    return {H5Fopen(file.c_str(), flags, fileAccess()), H5Fclose};
+}
+
+std::string writeHdf5File(const fs::path& file, const std::string& what,
+                          const std::function<void(const Hdf5Group&)>& fill)
 {
     const auto refuse = [&](const std::string& reason) {
-        return "cannot write " + what + " to " + path.string() + ": " + reason;
+        return "cannot write " + what + " to " + file.string() + ": " + reason;
     };
-    std::error_code error;
-    const fs::path canonical = fs::weakly_canonical(path, error);
-    const fs::path target = error ? path : canonical;
-    if (fs::is_directory(target, error)) return refuse("it is a directory");
-    const fs::path part = target.string() + ".part";
+    std::error_code none;
+    if (fs::is_directory(file, none)) return refuse("it is a directory");
     const Hdf5Access access;
     try {
-        const Hdf5Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-        checkHdf5(H5Pset_link_creation_order(list, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-        Hdf5Handle file(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, list, hdf5FileAccess()), H5Fclose);
-        fill(file);
-        file.close();
-        fs::rename(part, target);
+        PartFile part(file);
+        Hdf5Group root = createHdf5File(part.path());
+        fill(root);
+        root.close();
+        part.show();
     } catch (const std::exception& failure) {
-        fs::remove(part, error);
         return refuse(failure.what());
     }
     return {};

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An HDF5 file that is there whole or not at all.
+// HDF5 files. Hold a Hdf5Access around createHdf5File and openHdf5File and all that is done with what they return.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
 
-#include "core/formats/hdf5_access.h"
+#include "core/formats/hdf5_group.h"
 
 namespace touchdown {
 
-/// Lets `fill` write NAME.part, which then takes the place of NAME; a link stays a link. Returns "" or the problem in
-/// one sentence that begins "cannot write WHAT to NAME: "; what was there before is then as it was.
+/// Creates a file that keeps the order of creation; one that exists is replaced. Throws Hdf5Error.
+Hdf5Group createHdf5File(const std::filesystem::path& file);
+/// `flags`: H5F_ACC_RDONLY or H5F_ACC_RDWR. Throws Hdf5Error.
+Hdf5Group openHdf5File(const std::filesystem::path& file, unsigned flags = H5F_ACC_RDONLY);
+
+/// Lets `fill` write a file that appears whole or not at all (core/formats/output_file.h). Returns "" or the problem in
+/// one sentence that begins "cannot write WHAT to NAME: ".
 std::string writeHdf5File(const std::filesystem::path& file, const std::string& what,
-                          const std::function<void(hid_t)>& fill);
+                          const std::function<void(const Hdf5Group&)>& fill);
 
 } // namespace touchdown

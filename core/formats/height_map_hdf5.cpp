@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/formats/cml_text.h"
-#include "core/formats/hdf5_access.h"
+#include "core/formats/hdf5_file.h"
 #include "core/formats/height_map_builder.h"
 #include "core/formats/quotation.h"
 #include "core/physics/disk/disk_surface_check.h"
@@ -28,34 +28,29 @@ std::string shapeText(const std::vector<hsize_t>& shape)
     return text.empty() ? "a single number" : text;
 }
 
-double unitOf(hid_t dataset, const std::string& name)
+double unitOf(const Hdf5Dataset& dataset, const std::string& name)
 {
-    const std::string unit = readHdf5Attribute(dataset, "unit");
+    const std::string unit = dataset.attribute("unit");
     if (unit.empty()) return 1.0;
     if (const auto factor = lengthUnit(unit)) return *factor;
     throw CmlError(0, "the unit of dataset \"" + name + "\" must be a length, as \"nm\", not " + inQuotes(unit));
 }
 
-Dataset readDataset(hid_t file, const std::string& name)
+Dataset readDataset(const Hdf5Group& file, const std::string& name)
 {
-    if (H5Lexists(file, name.c_str(), H5P_DEFAULT) <= 0)
+    if (!file.has(name))
         throw CmlError(0, "has no dataset \"" + name + "\"; a profile needs x and height, a map x, y and height");
-    const Hdf5Handle dataset = openHdf5Dataset(file, name);
+    const Hdf5Dataset dataset = file.get(name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     if (const auto kind = H5Tget_class(type); kind != H5T_FLOAT && kind != H5T_INTEGER)
         throw CmlError(0, "dataset \"" + name + "\" must hold numbers");
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
-    const int dimensions = H5Sget_simple_extent_ndims(space);
-    Dataset data;
-    data.shape.resize(static_cast<std::size_t>(std::max(0, dimensions)));
-    if (dimensions > 0) checkHdf5(H5Sget_simple_extent_dims(space, data.shape.data(), nullptr));
+    Dataset data{dataset.shape(), {}};
     double points = 1.0;
     for (const hsize_t n : data.shape) points *= static_cast<double>(n);
     if (points > mostMapPoints)
         throw CmlError(0, "dataset \"" + name + "\" is " + shapeText(data.shape) + "; at most 64 million points fit");
     const double unit = unitOf(dataset, name);
-    data.values.resize(static_cast<std::size_t>(points));
-    if (points > 0.0) checkHdf5(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()));
+    data.values = dataset.numbers();
     const auto hole = std::ranges::find_if(data.values, [](double v) { return !std::isfinite(v); });
     if (hole != data.values.end())
         throw CmlError(0, "dataset \"" + name + "\" holds no number at entry " +
@@ -81,8 +76,7 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path)
     if (!std::filesystem::is_regular_file(path, error)) throw CmlError(0, "is not a regular file");
     const Hdf5Access access;
     try {
-        const Hdf5Handle list = hdf5FileAccess();
-        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, list), H5Fclose);
+        const Hdf5Group file = openHdf5File(path);
         Dataset height = readDataset(file, "height");
         const MapAxis x = axisOf(readDataset(file, "x"), "x");
         MapAxis y{1, 0.0, x.step};

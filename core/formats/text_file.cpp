@@ -2,15 +2,14 @@
 #include "core/formats/text_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
+
+#include "core/formats/output_file.h"
 
 namespace touchdown {
 
@@ -47,16 +46,6 @@ bool writeAll(int descriptor, const std::string& text)
     return ::fsync(descriptor) == 0;
 }
 
-/// The mode of the file that is replaced, or of a new one.
-mode_t modeFor(const fs::path& file)
-{
-    struct stat old {};
-    if (::stat(file.c_str(), &old) == 0) return old.st_mode & 07777u;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    return 0666u & ~mask;
-}
-
 } // namespace
 
 std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::uintmax_t largest)
@@ -88,21 +77,19 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
 
 std::string writeTextFile(const fs::path& file, const std::string& text)
 {
-    std::error_code error;
-    // A link stays a link: its target is replaced.
-    const fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-    if (fs::is_directory(target, error)) return "is a directory, not a file";
-    if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) return "cannot be written: " + lastError();
-
-    std::string temporary = target.string() + ".XXXXXX";
-    Descriptor descriptor(::mkstemp(temporary.data()));
-    if (descriptor.number() < 0) return "cannot be written: " + lastError();
-    const bool written = writeAll(descriptor.number(), text) && ::fchmod(descriptor.number(), modeFor(target)) == 0 &&
-                         descriptor.close() && ::rename(temporary.c_str(), target.c_str()) == 0;
-    if (written) return {};
-    const std::string problem = "cannot be written: " + lastError();
-    ::unlink(temporary.c_str());
-    return problem;
+    std::error_code none;
+    if (fs::is_directory(file, none)) return "is a directory, not a file";
+    if (fs::exists(file, none) && ::access(file.c_str(), W_OK) != 0) return "cannot be written: " + lastError();
+    PartFile part(file);
+    Descriptor descriptor(::open(part.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (descriptor.number() < 0 || !writeAll(descriptor.number(), text) || !descriptor.close())
+        return "cannot be written: " + lastError();
+    try {
+        part.show();
+    } catch (const std::system_error& error) {
+        return "cannot be written: " + error.code().message();
+    }
+    return {};
 }
 
 } // namespace touchdown

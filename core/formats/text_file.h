@@ -18,8 +18,7 @@ struct FileProblem {
 /// Reads a regular file of at most `largest` bytes; one that is larger is refused without being read.
 std::variant<std::string, FileProblem> readTextFile(const std::filesystem::path& file, std::uintmax_t largest);
 
-/// Writes through a temporary file in the same folder and a rename, so that a failure leaves the old file as it was.
-/// Returns the problem, or "".
+/// Writes a file that appears whole or not at all (core/formats/output_file.h). Returns the problem, or "".
 std::string writeTextFile(const std::filesystem::path& file, const std::string& text);
 
 } // namespace touchdown

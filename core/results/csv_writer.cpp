@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_file.h"
+#include "core/results/csv_writer.h"
 
 #include <cerrno>
 #include <charconv>
@@ -111,7 +111,7 @@ std::string CsvWriter::close()
 {
     if (!file_) return "no CSV file is open";
     file_->write();
-    // Only closing tells of a failure on some network file systems.
+    // Some network file systems report a failure only here.
     const int descriptor = std::exchange(file_->descriptor, -1);
     if (::close(descriptor) != 0 && errno != EINTR) file_->fail(errno);
     const std::string problem = file_->problem;

@@ -9,18 +9,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/results/results_fields.h"
+#include "core/formats/hdf5_file.h"
+#include "core/results/results_samples.h"
+#include "core/results/results_summary.h"
 
 namespace touchdown {
 namespace {
 
 // Space that rewritten chunks leave unused in a file before it is built anew [byte].
 constexpr hsize_t tolerableWaste = 4 << 20;
-
-Hdf5Handle openFile(const std::filesystem::path& path, unsigned flags)
-{
-    return {H5Fopen(path.c_str(), flags, hdf5FileAccess()), H5Fclose};
-}
 
 } // namespace
 
@@ -48,10 +45,13 @@ bool HeldFile::standsAt(const std::filesystem::path& path) const
 }
 
 ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header)
-    : file_(file), part_(file.string() + ".part"), header_(std::move(header))
+    : file_(file),
+      part_(file.string() + ".part"),
+      header_(std::move(header)),
+      arrays_(growingArrays(header_.quantities, header_.fields))
 {
     const Hdf5Access access;
-    // What a killed run may have left here; removed, not overwritten, since someone may be reading it.
+    // A part that a killed run left is removed, not overwritten, since it may be open in a reader.
     std::error_code ignored;
     std::filesystem::remove(part_, ignored);
     try {
@@ -70,14 +70,13 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
     const Hdf5Access access;
     checkOwned();
     try {
-        Hdf5Handle part = openPart();
+        Hdf5Group part = openPart();
         if (shown_) {
-            const Hdf5Handle shown = openFile(file_, H5F_ACC_RDONLY);
-            copyMissingSamples(shown, part, header_.quantities);
-            copyMissingFields(shown, part, header_.fields);
+            const Hdf5Group shown = openHdf5File(file_);
+            for (const std::string& array : arrays_) part.get(array).copyMissing(shown.get(array));
         }
         appendSamples(part, header_.quantities, samples);
-        appendFields(part, header_.fields, fields);
+        appendSnapshots(part, header_.fields, fields);
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
         if (summary) writeSummary(part, header_.quantities, *summary);
         part.close();
@@ -88,33 +87,34 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
     }
 }
 
-// Two runs that write to one name, or a person who moves the file away: their samples must not mix.
+// Samples of two runs that write to one name must not mix; the user may move the file away.
 void ResultsExchange::checkOwned() const
 {
     if (shown_ && !shown_.standsAt(file_)) throw Hdf5Error("someone removed or replaced it");
     if (next_ && !next_.standsAt(part_)) throw Hdf5Error("another run writes to it");
 }
 
-Hdf5Handle ResultsExchange::openPart()
+Hdf5Group ResultsExchange::openPart()
 {
     if (!next_) return createPart();
     try {
-        Hdf5Handle part = openFile(part_, H5F_ACC_RDWR);
+        Hdf5Group part = openHdf5File(part_, H5F_ACC_RDWR);
         hsize_t size = 0;
         checkHdf5(H5Fget_filesize(part, &size));
-        const hsize_t used = storedBytes(part, header_.quantities) + storedFieldBytes(part, header_.fields);
+        hsize_t used = 0;
+        for (const std::string& array : arrays_) used += part.get(array).storedBytes();
         if (size < used + used / 4 + tolerableWaste) return part;
     } catch (const Hdf5Error&) {
-        // A reader who opened it under the file's name still holds its lock: leave it to him.
+        // A reader who opened it under the file's name still holds its lock.
     }
     removePart();
     return createPart();
 }
 
-Hdf5Handle ResultsExchange::createPart()
+Hdf5Group ResultsExchange::createPart()
 {
     try {
-        Hdf5Handle part = createResultsFile(part_, header_);
+        Hdf5Group part = createResultsFile(part_, header_);
         next_ = HeldFile(part_);
         return part;
     } catch (...) {
@@ -138,7 +138,7 @@ void ResultsExchange::show()
         std::swap(shown_, next_);
         return;
     }
-    // The first time; or on a file system that cannot exchange, where each flush then copies all that went before.
+    // The first time, or on a file system that cannot exchange names: there each flush copies all earlier samples.
     std::error_code error;
     std::filesystem::rename(part_, file_, error);
     if (error) throw Hdf5Error(error.message());

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two states of a results file under way: the one that others see, whole at every moment, and NAME.part,
-// the one that the next flush works on. See core/results/results_file.h for why.
+// The two states of a results file during a run: the file that others see, whole at every moment, and NAME.part, on
+// which the next flush works. core/results/results_writer.h says why.
 #pragma once
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/results/results_layout.h"
+#include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
 
-/// Keeps hold of a file, so that it can be told from another one that takes its name (or, once it is gone, its inode).
+/// Holds a file open, so that it can be distinguished from another one that takes its name, or its inode after removal.
 class HeldFile {
 public:
     HeldFile() = default;
@@ -37,23 +39,24 @@ public:
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
-    /// Adds samples and snapshots, and what ends a run, and shows the result under the file's name. Throws Hdf5Error;
-    /// then the file is what it was before.
+    /// Adds samples and snapshots, at the end of a run its spectra and summary, and shows the result under the file's
+    /// name. Throws Hdf5Error; then the file is as it was.
     void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
                  const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
 
 private:
     void checkOwned() const;
-    Hdf5Handle openPart();
-    Hdf5Handle createPart();
+    Hdf5Group openPart();
+    Hdf5Group createPart();
     void removePart();
     void show();
 
     std::filesystem::path file_;
     std::filesystem::path part_;
     ResultsHeader header_;
-    HeldFile shown_; // at file_; none before the first state
-    HeldFile next_;  // at part_
+    std::vector<std::string> arrays_; // paths of those that grow
+    HeldFile shown_;                  // at file_; none before the first state
+    HeldFile next_;                   // at part_
 };
 
 } // namespace touchdown

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <new>
 #include <system_error>
 
-#include "core/results/results_fields.h"
+#include "core/formats/hdf5_file.h"
 #include "core/results/results_layout.h"
-#include "core/results/results_series.h"
+#include "core/results/results_samples.h"
 
 namespace touchdown {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Why a file cannot be opened at all, told before the library is asked: its own words would not say it so plainly.
+// Why a file cannot be opened at all, in plainer words than those of the library.
 std::string unreadable(const fs::path& path)
 {
     const std::string name = path.string();
@@ -37,35 +37,18 @@ int majorVersion(const std::string& text)
     return major;
 }
 
-std::string foreign(const fs::path& path, hid_t file)
+std::string foreign(const fs::path& path, const Hdf5Group& file)
 {
-    if (readHdf5Attribute(file, "format") != resultsFormat)
+    if (file.attribute("format") != resultsFormat)
         return path.string() + " is an HDF5 file, but not the results of a run of Touchdown";
-    const std::string version = readHdf5Attribute(file, "format_version");
+    const std::string version = file.attribute("format_version");
     const int major = majorVersion(version);
     if (major < 0) return path.string() + " does not say the version of its format";
     if (major > resultsFormatMajor)
         return path.string() + " has format version " + version + ", written by Touchdown " +
-               readHdf5Attribute(file, "software_version") + "; this program, version " + TOUCHDOWN_VERSION +
+               file.attribute("software_version") + "; this program, version " + TOUCHDOWN_VERSION +
                ", reads versions up to " + std::to_string(resultsFormatMajor) + ".x: use a newer one";
     return {};
-}
-
-void readTimeSeries(hid_t file, StoredRun& run)
-{
-    const Hdf5Handle group = openHdf5Group(file, "timeseries");
-    run.samples.time = readSeries(openHdf5Dataset(group, "time"));
-    for (const std::string& name : namesInHdf5Group(group)) {
-        if (name == "time") continue;
-        const Hdf5Handle dataset = openHdf5Dataset(group, name);
-        std::vector<double> column = readSeries(dataset);
-        if (column.size() != run.samples.size()) throw Hdf5Error(name + " and time differ in length");
-        Quantity quantity{name, readHdf5Attribute(dataset, "unit"), readHdf5Attribute(dataset, "display_unit"),
-                          readHdf5Attribute(dataset, "long_name")};
-        if (quantity.unit == "1") quantity.unit.clear();
-        run.quantities.push_back(std::move(quantity));
-        run.samples.columns.push_back(std::move(column));
-    }
 }
 
 } // namespace
@@ -81,18 +64,19 @@ StoredRun readResults(const fs::path& path)
     };
     if (std::string problem = unreadable(path); !problem.empty()) return refused(std::move(problem));
     try {
-        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, hdf5FileAccess()), H5Fclose);
+        const Hdf5Group file = openHdf5File(path);
         if (std::string problem = foreign(path, file); !problem.empty()) return refused(std::move(problem));
-        run.title = readHdf5Attribute(file, "title");
-        run.status = readHdf5Attribute(file, "status");
-        run.message = readHdf5Attribute(file, "message");
-        run.softwareVersion = readHdf5Attribute(file, "software_version");
-        run.date = readHdf5Attribute(file, "date");
-        run.caseText = readHdf5Text(file, "case/text");
-        readTimeSeries(file, run);
-        StoredFields fields = readFields(file);
-        run.recorded = std::move(fields.sets);
-        run.fields = std::move(fields.snapshots);
+        run.title = file.attribute("title");
+        run.status = file.attribute("status");
+        run.message = file.attribute("message");
+        run.softwareVersion = file.attribute("software_version");
+        run.date = file.attribute("date");
+        run.caseText = file.get("case/text").text();
+        StoredSamples stored = readSamples(file);
+        run.quantities = std::move(stored.quantities);
+        run.samples = std::move(stored.samples);
+        run.recorded = std::move(stored.sets);
+        run.fields = std::move(stored.snapshots);
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());
     } catch (const std::bad_alloc&) {

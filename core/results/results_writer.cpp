@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_file.h"
+#include "core/results/results_writer.h"
 
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 
-#include <unistd.h>
-
+#include "core/formats/output_file.h"
+#include "core/results/file_header.h"
 #include "core/results/results_exchange.h"
-#include "core/results/results_layout.h"
 
 namespace touchdown {
 namespace {
@@ -136,22 +134,6 @@ struct ResultsWriter::File {
     }
 };
 
-std::string checkResultsTarget(const fs::path& file)
-{
-    const std::string beginning = "cannot write to " + file.string() + ": ";
-    if (file.empty() || !file.has_filename()) return beginning + "it names no file";
-    std::error_code none;
-    const fs::file_status status = fs::status(file, none);
-    if (fs::is_directory(status)) return beginning + "it is a directory";
-    if (fs::exists(status) && !fs::is_regular_file(status)) return beginning + "it is no regular file";
-    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) return beginning + "no permission";
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, none)) return beginning + "there is no directory " + folder.string();
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        return beginning + "the directory " + folder.string() + " cannot be written to";
-    return {};
-}
-
 ResultsWriter::ResultsWriter(std::chrono::milliseconds flushInterval) : flushInterval_(flushInterval) {}
 ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
@@ -161,12 +143,9 @@ std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::
                                 const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields)
 {
     file_.reset();
-    if (std::string problem = checkResultsTarget(file); !problem.empty()) return problem;
-    // Through a symbolic link, so that the link stays one.
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(file, error);
+    if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
     try {
-        file_ = std::make_unique<File>(error ? file : target, ResultsHeader{c, caseText, dateNow(), quantities, fields},
+        file_ = std::make_unique<File>(linkTarget(file), ResultsHeader{c, caseText, dateNow(), quantities, fields},
                                        flushInterval_);
     } catch (const std::exception& failure) {
         return "cannot write results to " + file.string() + ": " + failure.what();

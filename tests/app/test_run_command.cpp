@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "core/case_files/case_reader.h"
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
 

@@ -9,12 +9,13 @@
 #include <limits>
 
 #include "core/formats/cml_text.h"
-#include "core/formats/hdf5_access.h"
+#include "core/formats/hdf5_file.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
 
-Q_DECLARE_METATYPE(std::function<void(hid_t)>)
+using Writer = std::function<void(const Hdf5Group&)>;
+Q_DECLARE_METATYPE(Writer)
 
 namespace {
 
@@ -22,21 +23,22 @@ const std::vector<double> x{0.0, 1.0, 2.0, 3.0};
 const std::vector<double> y{0.0, 2.0};
 const std::vector<double> profile{1.0, 2.0, 3.0, 5.0};
 
-void writeList(hid_t file, const std::string& name, const std::vector<double>& values, const std::string& unit = {})
+void writeList(const Hdf5Group& file, const std::string& name, const std::vector<double>& values,
+               const std::string& unit = {})
 {
-    const Hdf5Handle dataset = writeHdf5Array(file, name, values);
-    if (!unit.empty()) writeHdf5Attribute(dataset, "unit", unit);
+    const Hdf5Dataset dataset = file.put(name, values);
+    if (!unit.empty()) dataset.set("unit", unit);
 }
 
-void writeMatrix(hid_t file, const std::string& name, hsize_t rows, hsize_t columns, const std::vector<double>& values,
-                 const std::string& unit = {})
+void writeMatrix(const Hdf5Group& file, const std::string& name, hsize_t rows, hsize_t columns,
+                 const std::vector<double>& values, const std::string& unit = {})
 {
     const hsize_t shape[] = {rows, columns};
     const Hdf5Handle space(H5Screate_simple(2, shape, nullptr), H5Sclose);
-    const Hdf5Handle dataset(
+    const Hdf5Dataset dataset(
         H5Dcreate2(file, name.c_str(), H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
     checkHdf5(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-    if (!unit.empty()) writeHdf5Attribute(dataset, "unit", unit);
+    if (!unit.empty()) dataset.set("unit", unit);
 }
 
 } // namespace
@@ -46,12 +48,11 @@ class TestHeightMapHdf5 : public QObject {
 
     QTemporaryDir folder_;
 
-    std::filesystem::path written(const std::function<void(hid_t)>& write)
+    std::filesystem::path written(const Writer& write)
     {
         const std::filesystem::path path = folder_.filePath("map.h5").toStdString();
         const Hdf5Access access;
-        const Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-        write(file);
+        write(createHdf5File(path));
         return path;
     }
 
@@ -68,7 +69,7 @@ class TestHeightMapHdf5 : public QObject {
 private slots:
     void aProfile()
     {
-        const HeightMap map = readHeightMapHdf5(written([](hid_t file) {
+        const HeightMap map = readHeightMapHdf5(written([](const Hdf5Group& file) {
             writeList(file, "x", x, "um");
             writeList(file, "height", profile, "nm");
         }));
@@ -80,7 +81,7 @@ private slots:
 
     void withoutUnitsItIsInMetres()
     {
-        const HeightMap map = readHeightMapHdf5(written([](hid_t file) {
+        const HeightMap map = readHeightMapHdf5(written([](const Hdf5Group& file) {
             writeList(file, "x", x);
             writeList(file, "height", profile);
         }));
@@ -91,7 +92,7 @@ private slots:
     void aMapOfAnyNumberType()
     {
         const std::vector<double> heights{1, 2, 3, 4, 5, 6, 7, 8};
-        const HeightMap map = readHeightMapHdf5(written([&](hid_t file) {
+        const HeightMap map = readHeightMapHdf5(written([&](const Hdf5Group& file) {
             writeList(file, "x", x);
             writeList(file, "y", y);
             writeMatrix(file, "height", 2, 4, heights);
@@ -104,26 +105,27 @@ private slots:
 
     void whatIsNoSurfaceIsRefused_data()
     {
-        QTest::addColumn<std::function<void(hid_t)>>("write");
+        QTest::addColumn<Writer>("write");
         QTest::addColumn<QByteArray>("problem");
-        const auto row = [](const char* name, std::function<void(hid_t)> write, const char* problem) {
+        const auto row = [](const char* name, Writer write, const char* problem) {
             QTest::newRow(name) << write << QByteArray(problem);
         };
         row(
-            "nothing", [](hid_t) {}, "has no dataset \"height\"; a profile needs x and height, a map x, y and height");
+            "nothing", [](const Hdf5Group&) {},
+            "has no dataset \"height\"; a profile needs x and height, a map x, y and height");
         row(
-            "no x", [](hid_t f) { writeList(f, "height", profile); },
+            "no x", [](const Hdf5Group& f) { writeList(f, "height", profile); },
             "has no dataset \"x\"; a profile needs x and height, a map x, y and height");
         row(
             "a map without y",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x);
                 writeMatrix(f, "height", 2, 4, std::vector<double>(8));
             },
             "has no dataset \"y\"; a profile needs x and height, a map x, y and height");
         row(
             "x before y",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x);
                 writeList(f, "y", y);
                 writeMatrix(f, "height", 4, 2, std::vector<double>(8));
@@ -131,42 +133,42 @@ private slots:
             "dataset \"height\" is 4 x 2; x and y ask for 2 x 4 points (y before x)");
         row(
             "a shorter profile",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x);
                 writeList(f, "height", {1.0, 2.0});
             },
             "dataset \"height\" is 2; x and y ask for 4 points (y before x)");
         row(
             "a hole",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x);
                 writeList(f, "height", {1.0, 2.0, std::numeric_limits<double>::quiet_NaN(), 4.0});
             },
             "dataset \"height\" holds no number at entry 3; a map has no holes: all must be finite");
         row(
             "x that jumps",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", {0.0, 1.0, 2.0, 4.0});
                 writeList(f, "height", profile);
             },
             "x must ascend in equal steps, without gaps: 4 m stands where 3 m is needed");
         row(
             "a unit of time",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x, "s");
                 writeList(f, "height", profile);
             },
             "the unit of dataset \"x\" must be a length, as \"nm\", not \"s\"");
         row(
             "words",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeList(f, "x", x);
-                writeHdf5Array(f, "height", std::vector<std::string>{"a", "b", "c", "d"});
+                f.put("height", std::vector<std::string>{"a", "b", "c", "d"});
             },
             "dataset \"height\" must hold numbers");
         row(
             "x of two dimensions",
-            [](hid_t f) {
+            [](const Hdf5Group& f) {
                 writeMatrix(f, "x", 2, 4, std::vector<double>(8));
                 writeList(f, "height", profile);
             },
@@ -174,7 +176,7 @@ private slots:
     }
     void whatIsNoSurfaceIsRefused()
     {
-        QFETCH(std::function<void(hid_t)>, write);
+        QFETCH(Writer, write);
         QFETCH(QByteArray, problem);
         QCOMPARE(refusal(written(write)), problem.toStdString());
     }

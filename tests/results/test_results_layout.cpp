@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "core/case/fields.h"
+#include "core/formats/hdf5_file.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/test_program.h"
 
@@ -39,32 +40,27 @@ void TestResultsLayout::layout()
     QCOMPARE(writer.finish(sampleSummary()), std::string());
 
     const Hdf5Access access;
-    const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    QCOMPARE(readHdf5Attribute(file, "format"), std::string("touchdown-run"));
-    QCOMPARE(readHdf5Attribute(file, "format_version"), std::string("1.2"));
-    const auto number = [&](const char* name) {
-        double value = NAN;
-        const Hdf5Handle dataset = openHdf5Dataset(file, name);
-        checkHdf5(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value));
-        return value;
-    };
-    const auto unit = [&](const char* name) { return readHdf5Attribute(openHdf5Dataset(file, name), "unit"); };
+    const Hdf5Group file = openHdf5File(path());
+    QCOMPARE(file.attribute("format"), std::string("touchdown-run"));
+    QCOMPARE(file.attribute("format_version"), std::string("1.2"));
+    const auto number = [&](const char* name) { return file.get(name).numbers().at(0); };
+    const auto unit = [&](const char* name) { return file.get(name).attribute("unit"); };
     QCOMPARE(number("case/parameters/springs.cutoff"), 0.4e-9);
     QCOMPARE(unit("case/parameters/springs.cutoff"), std::string("m"));
     QCOMPARE(unit("case/parameters/ono_yamane.friction"), std::string("1"));
-    QCOMPARE(readHdf5Text(file, "case/parameters/run.integrator"), std::string("dopri5"));
+    QCOMPARE(file.get("case/parameters/run.integrator").text(), std::string("dopri5"));
     QCOMPARE(number("summary/final/pitch"), 90e-6);
     QCOMPARE(unit("summary/final/pitch"), std::string("rad"));
     QCOMPARE(number("summary/tail/pitch/std"), 1e-9);
     QCOMPARE(number("summary/steps"), 123.0);
     QCOMPARE(number("summary/peaks/frequency"), 8e5);
     QCOMPARE(unit("events/time"), std::string("s"));
-    QCOMPARE(H5Lexists(file, "events/name", H5P_DEFAULT), 1);
+    QVERIFY(file.has("events/name"));
 
-    const Hdf5Handle time = openHdf5Dataset(file, "timeseries/time");
-    const Hdf5Handle pitch = openHdf5Dataset(file, "timeseries/pitch");
-    QCOMPARE(readHdf5Attribute(pitch, "long_name"), std::string("Pitch"));
-    QCOMPARE(readHdf5Attribute(time, "CLASS"), std::string("DIMENSION_SCALE"));
+    const Hdf5Dataset time = file.get("timeseries/time");
+    const Hdf5Dataset pitch = file.get("timeseries/pitch");
+    QCOMPARE(pitch.attribute("long_name"), std::string("Pitch"));
+    QCOMPARE(time.attribute("CLASS"), std::string("DIMENSION_SCALE"));
     QVERIFY(H5Aexists(pitch, "DIMENSION_LIST") > 0);
     const Hdf5Handle list(H5Dget_create_plist(pitch), H5Pclose);
     QCOMPARE(H5Pget_layout(list), H5D_CHUNKED);
@@ -89,17 +85,13 @@ void TestResultsLayout::figuresAndFit()
     QCOMPARE(writer.open(path(), c, "", sampleQuantities), std::string());
     QCOMPARE(writer.finish(summary), std::string());
     const Hdf5Access access;
-    const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    const auto number = [&](const char* name) {
-        double value = NAN;
-        checkHdf5(H5Dread(openHdf5Dataset(file, name), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value));
-        return value;
-    };
+    const Hdf5Group file = openHdf5File(path());
+    const auto number = [&](const char* name) { return file.get(name).numbers().at(0); };
     QCOMPARE(number("summary/figures/pull_off_force"), 5e-6);
-    QCOMPARE(readHdf5Attribute(openHdf5Dataset(file, "summary/figures/pull_off_force"), "unit"), std::string("N"));
+    QCOMPARE(file.get("summary/figures/pull_off_force").attribute("unit"), std::string("N"));
     QCOMPARE(number("summary/fit/take_off"), 5e-9);
     QCOMPARE(number("summary/fit/describes"), 1.0);
-    QCOMPARE(readHdf5Text(file, "summary/fit/take_off_shape"), std::string("constant"));
+    QCOMPARE(file.get("summary/fit/take_off_shape").text(), std::string("constant"));
     QCOMPARE(number("case/parameters/disk.surface.seed"), 42.0);
     std::int64_t seed = 0;
     const Hdf5Handle attribute(H5Aopen(file, "seed", H5P_DEFAULT), H5Aclose);
@@ -138,19 +130,17 @@ void TestResultsLayout::spectra()
     QCOMPARE(writer.finish(sampleSummary()), std::string());
 
     const Hdf5Access access;
-    const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    QCOMPARE(H5Lexists(file, "spectra/pitch", H5P_DEFAULT), 0);
-    const Hdf5Handle group = openHdf5Group(file, "spectra/minimum_spacing");
-    QCOMPARE(readHdf5Attribute(group, "window"), std::string("hann"));
-    QCOMPARE(readHdf5Attribute(group, "scaling"), std::string(density ? "density" : "amplitude"));
+    const Hdf5Group file = openHdf5File(path());
+    QVERIFY(!file.has("spectra/pitch"));
+    const Hdf5Group group = file.group("spectra/minimum_spacing");
+    QCOMPARE(group.attribute("window"), std::string("hann"));
+    QCOMPARE(group.attribute("scaling"), std::string(density ? "density" : "amplitude"));
     for (const char* name : {"segment_length", "segment_samples", "segments", "overlap"})
         QVERIFY2(H5Aexists(group, name) > 0, name);
-    const Hdf5Handle power = openHdf5Dataset(group, dataset.toStdString());
-    QCOMPARE(QString::fromStdString(readHdf5Attribute(power, "unit")), unit);
-    std::vector<double> values(4);
-    checkHdf5(H5Dread(power, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-    QCOMPARE(values, spectrum.power);
-    QCOMPARE(readHdf5Attribute(openHdf5Dataset(group, "frequency"), "unit"), std::string("Hz"));
+    const Hdf5Dataset power = group.get(dataset.toStdString());
+    QCOMPARE(QString::fromStdString(power.attribute("unit")), unit);
+    QCOMPARE(power.numbers(), spectrum.power);
+    QCOMPARE(group.get("frequency").attribute("unit"), std::string("Hz"));
 }
 
 TOUCHDOWN_TEST(TestResultsLayout)

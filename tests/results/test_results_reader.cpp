@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
 
 #include <QtTest>
 
-#include "core/results/results_layout.h"
+#include "core/formats/hdf5_file.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/test_program.h"
 
@@ -54,7 +54,7 @@ void TestResultsReader::unreadableFiles_data()
     QTest::newRow("columns of different length") << "ragged"
                                                  << "differ in length";
     QTest::newRow("a column that claims too much") << "claim"
-                                                   << "fewer samples than it says";
+                                                   << "fewer numbers than it says";
 }
 
 void TestResultsReader::unreadableFiles()
@@ -68,11 +68,11 @@ void TestResultsReader::unreadableFiles()
     const std::string whole = bytes(path());
     {
         const Hdf5Access access;
-        const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDWR, hdf5FileAccess()), H5Fclose);
-        const Hdf5Handle pitch = openHdf5Dataset(file, "timeseries/pitch");
+        const Hdf5Group file = openHdf5File(path(), H5F_ACC_RDWR);
+        const Hdf5Dataset pitch = file.get("timeseries/pitch");
         const hsize_t more = 5001;
         const hsize_t far = hsize_t{1} << 40;
-        if (kind == "2.0" || kind == "x") writeHdf5Attribute(file, "format_version", kind.toStdString());
+        if (kind == "2.0" || kind == "x") file.set("format_version", kind.toStdString());
         if (kind == "ragged") checkHdf5(H5Dset_extent(pitch, &more));
         if (kind == "claim") checkHdf5(H5Dset_extent(pitch, &far));
     }
@@ -85,7 +85,7 @@ void TestResultsReader::unreadableFiles()
     if (kind == "directory") fs::create_directory(path());
     if (kind == "other") {
         const Hdf5Access access;
-        const Hdf5Handle file(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+        createHdf5File(path());
     }
     const StoredRun run = readResults(path());
     QVERIFY2(run.problem.find(says.toStdString()) != std::string::npos, run.problem.c_str());

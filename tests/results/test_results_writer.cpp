@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_file.h"
+#include "core/results/results_writer.h"
 
 #include <cstdio>
 #include <random>

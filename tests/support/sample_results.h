@@ -12,7 +12,8 @@
 
 #include <QString>
 
-#include "core/results/results_file.h"
+#include "core/results/results_reader.h"
+#include "core/results/results_writer.h"
 
 namespace touchdown {
 

@@ -11,7 +11,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
-#include "core/results/results_file.h"
+#include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/run.h"
 

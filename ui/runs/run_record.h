@@ -7,6 +7,8 @@
 // fields are bounded too (see FieldHistory).
 #pragma once
 
+#include "core/numerics/spectrum.h"
+#include "core/simulation/run.h"
 #include "ui/maps/field_history.h"
 #include "ui/plot/min_max_pyramid.h"
 

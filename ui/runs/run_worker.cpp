@@ -5,6 +5,7 @@
 #include <exception>
 #include <limits>
 
+#include "core/results/results_writer.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {

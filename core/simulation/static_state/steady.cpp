@@ -161,8 +161,8 @@ private:
         result_.status = SteadyStatus::NotConverged;
         char text[240];
         std::snprintf(text, sizeof text,
-                      "not converged after %d iterations on the finest grid: film residual %.1e, load error %.1e",
-                      result_.iterations, result_.residual, result_.loadError);
+                      "film residual %.1e and load error %.1e remain after %d iterations on the finest grid",
+                      result_.residual, result_.loadError, result_.iterations);
         result_.message = text;
         if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
             result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does "

@@ -10,7 +10,7 @@
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
 #include "core/formats/text_file.h"
-#include "core/results/results_layout.h"
+#include "core/results/file_header.h"
 
 namespace touchdown {
 
@@ -30,12 +30,9 @@ std::string textIn(const StudyValue& value)
     return text == nullptr ? std::string() : *text;
 }
 
-void writeFlag(hid_t object, const std::string& name, bool flag)
-{
-    writeHdf5Attribute(object, name, std::int64_t{flag});
-}
+std::string unitText(const std::string& unit) { return unit.empty() ? "1" : unit; }
 
-void writeNumbers(hid_t table, const StudyColumn& column, const std::vector<StudyValue>& values)
+void putNumbers(const Hdf5Group& table, const StudyColumn& column, const std::vector<StudyValue>& values)
 {
     std::vector<double> numbers, known;
     for (const StudyValue& value : values) {
@@ -43,45 +40,42 @@ void writeNumbers(hid_t table, const StudyColumn& column, const std::vector<Stud
         numbers.push_back(number == nullptr ? 0.0 : *number);
         known.push_back(number == nullptr ? 0.0 : 1.0);
     }
-    const Hdf5Handle array = writeHdf5Array(table, column.name, numbers);
-    describeHdf5(array, column.unit.empty() ? "1" : column.unit, column.longName);
-    writeHdf5Attribute(array, "display_unit", column.displayUnit.empty() ? std::string("1") : column.displayUnit);
+    table.put(column.name, numbers, column.unit, column.longName).set("display_unit", unitText(column.displayUnit));
     if (std::ranges::find(known, 0.0) != known.end())
-        describeHdf5(writeHdf5Array(table, column.name + "_known", known), "1", "1 where " + column.name + " is known");
+        table.put(column.name + "_known", known, "1", "1 where " + column.name + " is known");
 }
 
-void writeTable(hid_t tables, const StudyTable& table)
+void writeTable(const Hdf5Group& group, const StudyTable& table)
 {
-    const Hdf5Handle group = createHdf5Group(tables, table.name);
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const StudyColumn& column = table.columns[i];
         std::vector<StudyValue> values;
         for (const auto& row : table.rows) values.push_back(row[i]);
         const auto isText = [](const StudyValue& value) { return std::holds_alternative<std::string>(value); };
         if (std::ranges::none_of(values, isText)) {
-            writeNumbers(group, column, values);
+            putNumbers(group, column, values);
             continue;
         }
         std::vector<std::string> texts;
         for (const StudyValue& value : values) texts.push_back(textIn(value));
-        describeHdf5(writeHdf5Array(group, column.name, texts), "1", column.longName);
+        group.put(column.name, texts, "1", column.longName);
     }
 }
 
-void writeAxis(hid_t panel, const std::string& name, const ChartAxis& axis)
+void writeAxis(const Hdf5Group& panel, const std::string& name, const ChartAxis& axis)
 {
-    writeHdf5Attribute(panel, name + "_label", axis.label);
-    writeHdf5Attribute(panel, name + "_unit", axis.unit.empty() ? std::string("1") : axis.unit);
-    writeHdf5Attribute(panel, name + "_display_unit", axis.displayUnit.empty() ? std::string("1") : axis.displayUnit);
-    writeFlag(panel, name + "_logarithmic", axis.logarithmic);
+    panel.set(name + "_label", axis.label);
+    panel.set(name + "_unit", unitText(axis.unit));
+    panel.set(name + "_display_unit", unitText(axis.displayUnit));
+    panel.set(name + "_logarithmic", std::int64_t{axis.logarithmic});
 }
 
-void writeSeries(hid_t group, const ChartSeries& series)
+void writeSeries(const Hdf5Group& group, const ChartSeries& series)
 {
-    writeHdf5Attribute(group, "name", series.name);
-    writeHdf5Attribute(group, "line", std::string(name(series.line)));
-    writeFlag(group, "markers", series.markers);
-    writeFlag(group, "quiet", series.quiet);
+    group.set("name", series.name);
+    group.set("line", name(series.line));
+    group.set("markers", std::int64_t{series.markers});
+    group.set("quiet", std::int64_t{series.quiet});
     std::vector<double> x, y, xError, yError, chosen;
     std::vector<std::string> labels, kinds;
     for (const ChartPoint& point : series.points) {
@@ -94,62 +88,61 @@ void writeSeries(hid_t group, const ChartSeries& series)
         labels.push_back(point.label);
         kinds.emplace_back(name(point.kind));
     }
-    writeHdf5Array(group, "x", x);
-    writeHdf5Array(group, "y", y);
-    writeHdf5Array(group, "x_error", xError);
-    writeHdf5Array(group, "y_error", yError);
-    writeHdf5Array(group, "label", labels);
-    writeHdf5Array(group, "kind", kinds);
-    writeHdf5Array(group, "chosen", chosen);
+    group.put("x", x);
+    group.put("y", y);
+    group.put("x_error", xError);
+    group.put("y_error", yError);
+    group.put("label", labels);
+    group.put("kind", kinds);
+    group.put("chosen", chosen);
 }
 
-void writeBand(hid_t group, const ChartBand& band)
+void writeBand(const Hdf5Group& group, const ChartBand& band)
 {
-    writeHdf5Attribute(group, "along", std::string(band.alongX ? "x" : "y"));
-    writeHdf5Attribute(group, "label", band.label);
-    if (std::isfinite(band.lower)) writeHdf5Attribute(group, "lower", band.lower);
-    if (std::isfinite(band.upper)) writeHdf5Attribute(group, "upper", band.upper);
+    group.set("along", band.alongX ? "x" : "y");
+    group.set("label", band.label);
+    if (std::isfinite(band.lower)) group.set("lower", band.lower);
+    if (std::isfinite(band.upper)) group.set("upper", band.upper);
 }
 
-void writeMap(hid_t group, const ChartMap& map)
+void writeMap(const Hdf5Group& group, const ChartMap& map)
 {
-    writeHdf5Array(group, "x", map.x);
-    writeHdf5Array(group, "y", map.y);
-    writeHdf5Array(group, "cells", std::vector<double>(map.cells.begin(), map.cells.end()));
     std::vector<std::string> names;
     std::vector<double> severities;
     for (const ChartClass& each : map.classes) {
         names.push_back(each.name);
         severities.push_back(each.severity);
     }
-    writeHdf5Array(group, "class_name", names);
-    writeHdf5Array(group, "class_severity", severities);
-    writeHdf5Array(group, "details", map.details);
+    group.put("x", map.x);
+    group.put("y", map.y);
+    group.put("cells", std::vector<double>(map.cells.begin(), map.cells.end()));
+    group.put("class_name", names);
+    group.put("class_severity", severities);
+    group.put("details", map.details);
 }
 
-/// A group with one for each, from 1.
-template <class List, class Write>
-void writeNumbered(hid_t parent, const std::string& name, const List& list, const Write& write)
+/// A group with one member for each element, numbered from 1.
+void writeNumbered(const Hdf5Group& parent, const std::string& name, const auto& list, const auto& write)
 {
-    const Hdf5Handle group = createHdf5Group(parent, name);
+    const Hdf5Group group = parent.create(name);
     std::size_t number = 0;
-    for (const auto& each : list) write(createHdf5Group(group, std::to_string(++number)), each);
+    for (const auto& each : list) write(group.create(std::to_string(++number)), each);
 }
 
-void writePanel(hid_t group, const ChartPanel& panel)
+void writePanel(const Hdf5Group& group, const ChartPanel& panel)
 {
     writeAxis(group, "x", panel.x);
     writeAxis(group, "y", panel.y);
-    writeFlag(group, "equal_scales", panel.equalScales);
+    group.set("equal_scales", std::int64_t{panel.equalScales});
     writeNumbered(group, "series", panel.series, writeSeries);
     writeNumbered(group, "bands", panel.bands, writeBand);
-    if (panel.map) writeMap(createHdf5Group(group, "map"), *panel.map);
+    if (panel.map) writeMap(group.create("map"), *panel.map);
 }
 
-void writeChart(hid_t group, const StudyChart& chart)
+void writeChart(const Hdf5Group& group, const StudyChart& chart)
 {
-    writeHdf5Attribute(group, "title", chart.title);
-    writeHdf5Attribute(group, "caption", chart.caption);
+    group.set("title", chart.title);
+    group.set("caption", chart.caption);
     writeNumbered(group, "panels", chart.panels, writePanel);
 }
 
@@ -158,23 +151,21 @@ void writeChart(hid_t group, const StudyChart& chart)
 std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,
                        const std::string& caseText, const std::string& studyText)
 {
-    return writeHdf5File(path, "the study", [&](hid_t file) {
+    return writeHdf5File(path, "the study", [&](const Hdf5Group& file) {
         writeFileHeader(file, studyFormat, studyFormatMajor, studyFormatMinor, dateNow(), report.title);
-        writeHdf5Attribute(file, "kind", report.kind);
-        writeHdf5Attribute(file, "status", std::string(name(report.status)));
-        writeHdf5Attribute(file, "message", report.message);
-        writeHdf5Attribute(file, "wall_seconds", report.wallSeconds);
+        file.set("kind", report.kind);
+        file.set("status", name(report.status));
+        file.set("message", report.message);
+        file.set("wall_seconds", report.wallSeconds);
         writeCaseGroup(file, c, caseText);
-        describeHdf5(writeHdf5Scalar(createHdf5Group(file, "study"), "text", studyText), "1",
-                     "The study as it was given");
-        describeHdf5(writeHdf5Array(file, "findings", report.findings), "1", "What the study found");
-        describeHdf5(writeHdf5Array(file, "warnings", report.warnings), "1", "What weakens that");
-        const Hdf5Handle tables = createHdf5Group(file, "tables");
-        for (const StudyTable& table : report.tables) writeTable(tables, table);
+        file.create("study").put("text", studyText, "1", "The study as it was given");
+        file.put("findings", report.findings, "1", "What the study found");
+        file.put("warnings", report.warnings, "1", "What weakens that");
+        const Hdf5Group tables = file.create("tables");
+        for (const StudyTable& table : report.tables) writeTable(tables.create(table.name), table);
         writeNumbered(file, "charts", report.charts, writeChart);
         if (report.found)
-            describeHdf5(writeHdf5Scalar(createHdf5Group(file, "found"), "text", formatCase(*report.found)), "1",
-                         "The case that the study advises");
+            file.create("found").put("text", formatCase(*report.found), "1", "The case that the study advises");
     });
 }
 

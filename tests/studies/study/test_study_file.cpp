@@ -5,8 +5,7 @@
 
 #include <QtTest>
 
-#include "core/formats/hdf5_access.h"
-#include "core/results/results_series.h"
+#include "core/formats/hdf5_file.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -57,54 +56,54 @@ private slots:
     {
         QCOMPARE(write(someReport()), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file = open();
-        QCOMPARE(readHdf5Attribute(file, "format"), std::string("touchdown-study"));
-        QCOMPARE(readHdf5Attribute(file, "format_version"), std::string("1.0"));
-        QCOMPARE(readHdf5Attribute(file, "kind"), std::string("work-precision"));
-        QCOMPARE(readHdf5Attribute(file, "status"), std::string("completed"));
-        QCOMPARE(readHdf5Attribute(file, "title"), std::string("Some study"));
-        QCOMPARE(readHdf5Text(file, "case/text"), std::string("# the case"));
-        QCOMPARE(readHdf5Text(file, "study/text"), std::string("# the study"));
+        const Hdf5Group file = open();
+        QCOMPARE(file.attribute("format"), std::string("touchdown-study"));
+        QCOMPARE(file.attribute("format_version"), std::string("1.0"));
+        QCOMPARE(file.attribute("kind"), std::string("work-precision"));
+        QCOMPARE(file.attribute("status"), std::string("completed"));
+        QCOMPARE(file.attribute("title"), std::string("Some study"));
+        QCOMPARE(file.get("case/text").text(), std::string("# the case"));
+        QCOMPARE(file.get("study/text").text(), std::string("# the study"));
         QCOMPARE(texts(file, "findings"), (std::vector<std::string>{"rk4 is slow.", "dopri5 is not."}));
         QCOMPARE(texts(file, "warnings").size(), std::size_t{1});
-        QVERIFY(H5Lexists(file, "found", H5P_DEFAULT) == 0);
+        QVERIFY(!file.has("found"));
     }
     void tables()
     {
         QCOMPARE(write(someReport()), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file = open();
+        const Hdf5Group file = open();
         QCOMPARE(texts(file, "tables/runs/method"), (std::vector<std::string>{"rk4", "dopri5"}));
         QCOMPARE(numbers(file, "tables/runs/error"), (std::vector{1e-9, 0.0}));
         QCOMPARE(numbers(file, "tables/runs/error_known"), (std::vector{1.0, 0.0}));
         QCOMPARE(numbers(file, "tables/runs/steps"), (std::vector{10.0, 20.0}));
-        QVERIFY(H5Lexists(file, "tables/runs/steps_known", H5P_DEFAULT) == 0);
+        QVERIFY(!file.has("tables/runs/steps_known"));
         QCOMPARE(texts(file, "tables/runs/note")[1], std::string());
-        QCOMPARE(readHdf5Attribute(openHdf5Dataset(file, "tables/runs/error"), "unit"), std::string("m"));
-        QCOMPARE(readHdf5Attribute(openHdf5Dataset(file, "tables/runs/error"), "display_unit"), std::string("nm"));
-        QCOMPARE(namesInHdf5Group(openHdf5Group(file, "tables")), (std::vector<std::string>{"runs", "empty"}));
+        QCOMPARE(file.get("tables/runs/error").attribute("unit"), std::string("m"));
+        QCOMPARE(file.get("tables/runs/error").attribute("display_unit"), std::string("nm"));
+        QCOMPARE(file.group("tables").names(), (std::vector<std::string>{"runs", "empty"}));
         QVERIFY(numbers(file, "tables/empty/nothing").empty());
     }
     void charts()
     {
         QCOMPARE(write(someReport()), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file = open();
-        QCOMPARE(readHdf5Attribute(openHdf5Group(file, "charts/1"), "caption"), std::string("How to read it"));
-        const Hdf5Handle panel = openHdf5Group(file, "charts/1/panels/1");
-        QCOMPARE(readHdf5Attribute(panel, "x_display_unit"), std::string("ms"));
-        const Hdf5Handle series = openHdf5Group(panel, "series/1");
-        QCOMPARE(readHdf5Attribute(series, "line"), std::string("dashed"));
+        const Hdf5Group file = open();
+        QCOMPARE(file.group("charts/1").attribute("caption"), std::string("How to read it"));
+        const Hdf5Group panel = file.group("charts/1/panels/1");
+        QCOMPARE(panel.attribute("x_display_unit"), std::string("ms"));
+        const Hdf5Group series = panel.group("series/1");
+        QCOMPARE(series.attribute("line"), std::string("dashed"));
         QCOMPARE(numbers(series, "x"), (std::vector{1e-3, 2e-3}));
         QCOMPARE(numbers(series, "y_error"), (std::vector{1e-10, 0.0}));
         QCOMPARE(numbers(series, "chosen"), (std::vector{1.0, 0.0}));
         QCOMPARE(texts(series, "kind"), (std::vector<std::string>{"good", "failed"}));
         QCOMPARE(texts(series, "label"), (std::vector<std::string>{"10 ns", ""}));
-        const Hdf5Handle band = openHdf5Group(panel, "bands/1");
-        QCOMPARE(readHdf5Attribute(band, "along"), std::string("y"));
+        const Hdf5Group band = panel.group("bands/1");
+        QCOMPARE(band.attribute("along"), std::string("y"));
         QVERIFY(H5Aexists(band, "lower") == 0);
         QVERIFY(H5Aexists(band, "upper") > 0);
-        const Hdf5Handle map = openHdf5Group(file, "charts/1/panels/2/map");
+        const Hdf5Group map = file.group("charts/1/panels/2/map");
         QCOMPARE(numbers(map, "cells"), (std::vector{1.0, -1.0}));
         QCOMPARE(texts(map, "class_name"), (std::vector<std::string>{"agrees", "diverged"}));
         QCOMPARE(numbers(map, "class_severity"), (std::vector{0.0, 3.0}));
@@ -118,7 +117,7 @@ private slots:
         report.charts[0].panels[0].series[0].points[0].y = std::numeric_limits<double>::quiet_NaN();
         QCOMPARE(write(report), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file = open();
+        const Hdf5Group file = open();
         QCOMPARE(numbers(file, "tables/runs/error_known"), (std::vector{0.0, 0.0}));
         QCOMPARE(numbers(file, "charts/1/panels/1/series/1/x"), std::vector{2e-3});
     }
@@ -130,9 +129,9 @@ private slots:
         report.found.emplace().title = "Advised";
         QCOMPARE(write(report), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file = open();
-        QCOMPARE(readHdf5Attribute(file, "status"), std::string("cancelled"));
-        QVERIFY(readHdf5Text(file, "found/text").find("Advised") != std::string::npos);
+        const Hdf5Group file = open();
+        QCOMPARE(file.attribute("status"), std::string("cancelled"));
+        QVERIFY(file.get("found/text").text().find("Advised") != std::string::npos);
         QVERIFY(texts(file, "findings").empty());
     }
     void csv()
@@ -163,14 +162,11 @@ private:
     {
         return writeStudy(path("a.h5"), report, Case{}, "# the case", "# the study");
     }
-    Hdf5Handle open() const { return Hdf5Handle(H5Fopen(path("a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose); }
-    static std::vector<double> numbers(hid_t at, const std::string& name)
+    Hdf5Group open() const { return openHdf5File(path("a.h5")); }
+    static std::vector<double> numbers(const Hdf5Group& at, const std::string& name) { return at.get(name).column(); }
+    static std::vector<std::string> texts(const Hdf5Group& at, const std::string& name)
     {
-        return readSeries(openHdf5Dataset(at, name));
-    }
-    static std::vector<std::string> texts(hid_t at, const std::string& name)
-    {
-        const Hdf5Handle array = openHdf5Dataset(at, name);
+        const Hdf5Dataset array = at.get(name);
         const Hdf5Handle space(H5Dget_space(array), H5Sclose);
         std::vector<char*> read(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
         if (!read.empty()) checkHdf5(H5Dread(array, hdf5TextType(), H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/results_fields.h"
+#include "core/results/results_samples.h"
 
 #include <QtTest>
 
+#include "core/formats/hdf5_file.h"
+#include "core/results/file_header.h"
 #include "core/results/results_exchange.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/test_program.h"
@@ -81,7 +83,7 @@ QString difference(const StoredRun& run, const std::vector<RecordedFields>& sets
 
 } // namespace
 
-class TestResultsFields : public QObject {
+class TestResultsSamples : public QObject {
     Q_OBJECT
 
 private slots:
@@ -163,14 +165,12 @@ private slots:
         const std::vector<RecordedFields> sets{someFields()};
         {
             const Hdf5Access access;
-            const Hdf5Handle file(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+            const Hdf5Group file(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
             writeFileHeader(file, "touchdown-run", 1, 1, dateNow(), "Old");
-            writeHdf5Attribute(file, "status", std::string("completed"));
+            file.set("status", "completed");
             writeCaseGroup(file, sampleCase(), sampleCaseText);
-            const Hdf5Handle series = createHdf5Group(file, "timeseries");
-            const Hdf5Handle time = writeHdf5Array(series, "time", std::vector<double>{});
-            createFields(file, sets);
-            appendFields(file, sets, snapshots(0, 3, sets));
+            createSamples(file, {}, sets);
+            appendSnapshots(file, sets, snapshots(0, 3, sets));
         }
         QCOMPARE(difference(readResults(path()), sets, snapshots(0, 3, sets)), QString());
     }
@@ -184,30 +184,20 @@ private slots:
         QCOMPARE(writer.append(sampleBatch(0, 3), snapshots(0, 3, fields)), std::string());
         QCOMPARE(writer.finish(sampleSummary()), std::string());
         const Hdf5Access access;
-        const Hdf5Handle file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-        const Hdf5Handle gap = openHdf5Dataset(file, "fields/gap");
-        const Hdf5Handle space(H5Dget_space(gap), H5Sclose);
-        hsize_t extent[3] = {};
-        QCOMPARE(H5Sget_simple_extent_dims(space, extent, nullptr), 3);
-        QCOMPARE(extent[0], hsize_t{3});
-        QCOMPARE(extent[1], hsize_t{2}); // y
-        QCOMPARE(extent[2], hsize_t{3}); // x
-        const Hdf5Handle contactGap = openHdf5Dataset(file, "contact_fields/gap");
-        const Hdf5Handle contactSpace(H5Dget_space(contactGap), H5Sclose);
-        QCOMPARE(H5Sget_simple_extent_dims(contactSpace, extent, nullptr), 3);
-        QCOMPARE(extent[0], hsize_t{2}); // of times 0 and 2
-        QCOMPARE(extent[1], hsize_t{4});
-        QCOMPARE(extent[2], hsize_t{1});
-        QCOMPARE(readHdf5Attribute(contactGap, "long_name"), std::string("Gap of the contact"));
+        const Hdf5Group file = openHdf5File(path());
+        const Hdf5Dataset gap = file.get("fields/gap");
+        QCOMPARE(gap.shape(), (std::vector<hsize_t>{3, 2, 3})); // time, y, x
+        const Hdf5Dataset contactGap = file.get("contact_fields/gap");
+        QCOMPARE(contactGap.shape(), (std::vector<hsize_t>{2, 4, 1})); // of times 0 and 2
+        QCOMPARE(contactGap.attribute("long_name"), std::string("Gap of the contact"));
         QVERIFY(H5Aexists(contactGap, "DIMENSION_LIST") > 0);
         QVERIFY(H5Aexists(gap, "DIMENSION_LIST") > 0);
-        QCOMPARE(readHdf5Attribute(gap, "unit"), std::string("m"));
-        double x[3] = {};
-        const Hdf5Handle scale = openHdf5Dataset(file, "fields/x");
-        checkHdf5(H5Dread(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x));
+        QCOMPARE(gap.attribute("unit"), std::string("m"));
+        const Hdf5Dataset scale = file.get("fields/x");
+        const std::vector<double> x = scale.column();
         QCOMPARE(x[0], 0.5e-6);
         QCOMPARE(x[1], 2e-6);
-        QCOMPARE(readHdf5Attribute(scale, "CLASS"), std::string("DIMENSION_SCALE"));
+        QCOMPARE(scale.attribute("CLASS"), std::string("DIMENSION_SCALE"));
         const Hdf5Handle list(H5Dget_create_plist(gap), H5Pclose);
         QCOMPARE(H5Pget_layout(list), H5D_CHUNKED);
         QCOMPARE(H5Pget_nfilters(list), 2);
@@ -243,5 +233,5 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-TOUCHDOWN_TEST(TestResultsFields)
-#include "test_results_fields.moc"
+TOUCHDOWN_TEST(TestResultsSamples)
+#include "test_results_samples.moc"

@@ -28,17 +28,18 @@ inline constexpr const char* steadyFormat = "touchdown-steady";
 inline constexpr int steadyFormatMajor = 1;
 inline constexpr int steadyFormatMinor = 0;
 
-/// Writes NAME.part and gives it its name at the end. Every call returns "" or the problem in one sentence.
+/// Writes a file that appears whole or not at all (core/formats/output_file.h). Every call returns "" or the problem in
+/// one sentence.
 class SteadyWriter {
 public:
     SteadyWriter();
-    ~SteadyWriter(); // what was not finished is taken away
+    ~SteadyWriter(); // removes a file that was not finished
     SteadyWriter(SteadyWriter&&) noexcept;
     SteadyWriter& operator=(SteadyWriter&&) noexcept;
 
     std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText);
     std::string add(const SteadySeriesPoint& point, const SteadyResult& result);
-    /// The status of the whole: that of the state that is worst.
+    /// `status` of the whole series: that of its worst state.
     std::string finish(SteadyStatus status, const std::string& message);
 
 private:

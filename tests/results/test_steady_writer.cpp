@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/steady_file.h"
+#include "core/results/steady_writer.h"
 
-#include "core/formats/hdf5_access.h"
+#include "core/formats/hdf5_file.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
@@ -32,48 +32,30 @@ bool same(const std::vector<double>& a, const std::vector<double>& b)
     return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= 1e-14 * std::abs(y); });
 }
 
-/// A file that is read with the library alone, as any other program would.
 class Reader {
 public:
-    explicit Reader(const std::filesystem::path& path)
-        : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, hdf5FileAccess()), H5Fclose)
-    {}
+    explicit Reader(const std::filesystem::path& path) : file_(openHdf5File(path)) {}
     bool has(const std::string& name) const { return H5LTpath_valid(file_, name.c_str(), true) > 0; }
-    std::vector<double> numbers(const std::string& name) const
-    {
-        const Hdf5Handle dataset = openHdf5Dataset(file_, name);
-        const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
-        std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-        checkHdf5(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-        return values;
-    }
-    std::vector<hsize_t> shape(const std::string& name) const
-    {
-        const Hdf5Handle dataset = openHdf5Dataset(file_, name);
-        const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
-        std::vector<hsize_t> size(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-        H5Sget_simple_extent_dims(space, size.data(), nullptr);
-        return size;
-    }
+    std::vector<double> numbers(const std::string& name) const { return file_.get(name).numbers(); }
+    std::vector<hsize_t> shape(const std::string& name) const { return file_.get(name).shape(); }
     std::string attribute(const std::string& object, const char* name) const
     {
-        const Hdf5Handle handle(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose);
-        return readHdf5Attribute(handle, name);
+        return Hdf5Object(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose).attribute(name);
     }
     bool isOn(const std::string& field, unsigned dimension, const std::string& scale) const
     {
-        return H5DSis_attached(openHdf5Dataset(file_, field), openHdf5Dataset(file_, scale), dimension) > 0;
+        return H5DSis_attached(file_.get(field), file_.get(scale), dimension) > 0;
     }
-    std::string text(const std::string& name) const { return readHdf5Text(file_, name); }
+    std::string text(const std::string& name) const { return file_.get(name).text(); }
 
 private:
     Hdf5Access access_;
-    Hdf5Handle file_;
+    Hdf5Group file_;
 };
 
 } // namespace
 
-class TestSteadyFile : public QObject {
+class TestSteadyWriter : public QObject {
     Q_OBJECT
 
 private slots:
@@ -215,5 +197,5 @@ private:
     std::unique_ptr<QTemporaryDir> folder_;
 };
 
-TOUCHDOWN_TEST(TestSteadyFile)
-#include "test_steady_file.moc"
+TOUCHDOWN_TEST(TestSteadyWriter)
+#include "test_steady_writer.moc"

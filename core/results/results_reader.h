@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads a results file (HDF5).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/simulation/recording/field_snapshot.h"
+#include "core/simulation/recording/quantity.h"
+
+namespace touchdown {
+
+struct StoredRun {
+    std::string title;
+    std::string status; // of RunStatus, or "interrupted"
+    std::string message;
+    std::string caseText;
+    std::string softwareVersion;
+    std::string date;
+    std::vector<Quantity> quantities;
+    SampleBatch samples;
+    std::vector<RecordedFields> recorded; // sets of which there are snapshots
+    std::vector<FieldSnapshot> fields;    // in the order of time
+    std::string problem;                  // "" when it was read; else one sentence, and nothing else is set
+};
+StoredRun readResults(const std::filesystem::path& file);
+
+} // namespace touchdown

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes a run to a results file (HDF5).
+//
+// The file starts with status "interrupted" and is flushed at least once a second, so that after a kill it opens, holds
+// all up to the last flush, and says that the run was interrupted.
+//
+// HDF5 changes a file in many small writes, and between any two of them the file may be unreadable. So NAME.part is
+// brought up to date and closed, then the two names are exchanged (one atomic call), and the next flush works on the
+// older file. During a run this takes the space of the results twice; chunks are compressed once and copied as they
+// are.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/case/case.h"
+#include "core/numerics/spectrum.h"
+#include "core/simulation/recording/quantity.h"
+#include "core/simulation/recording/run_summary.h"
+
+namespace touchdown {
+
+/// Writes one run, on a thread of its own. Every call returns "" or the problem in one sentence (disk full, no
+/// permission, ...).
+class ResultsWriter {
+public:
+    explicit ResultsWriter(std::chrono::milliseconds flushInterval = std::chrono::milliseconds(700));
+    ~ResultsWriter(); // writes pending samples; the status stays "interrupted" if finish() was not called
+    ResultsWriter(ResultsWriter&&) noexcept;
+    ResultsWriter& operator=(ResultsWriter&&) noexcept;
+
+    /// `caseText` is the exact input; the parameters come from `c`. An existing file is replaced only when `finish` or
+    /// the first flush has written the new one whole.
+    std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText,
+                     const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields = {});
+    /// Takes samples and snapshots; waits only when the disk is far behind. Reports the problem of an earlier flush.
+    std::string append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields = {});
+    /// Kept for `finish`.
+    std::string addSpectrum(const Quantity& quantity, const Spectrum& spectrum, const SpectrumCase& options);
+    /// Writes pending samples, status, message, events, summary and spectra; closes the file.
+    std::string finish(const Summary& summary);
+
+private:
+    struct File;
+    std::chrono::milliseconds flushInterval_;
+    std::unique_ptr<File> file_;
+};
+
+} // namespace touchdown

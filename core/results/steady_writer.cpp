@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/results/steady_writer.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/formats/hdf5_file.h"
+#include "core/formats/output_file.h"
+#include "core/results/file_header.h"
+#include "core/simulation/static_state/steady_quantities.h"
+
+namespace touchdown {
+namespace {
+
+namespace fs = std::filesystem;
+
+void putPlace(const Hdf5Group& group, const std::string& name, const SurfacePoint& place, const std::string& longName)
+{
+    group.put(name, std::vector{place.x, place.y}, "m", longName);
+}
+
+void writeFields(const Hdf5Group& state, const SteadyResult& result)
+{
+    const CellGrid& grid = result.grid;
+    if (grid.x.size() < 2 || grid.y.size() < 2) return;
+    std::vector<double> x, y;
+    for (int i = 0; i < grid.nx(); ++i) x.push_back(grid.centreX(i));
+    for (int j = 0; j < grid.ny(); ++j) y.push_back(grid.centreY(j));
+
+    const Hdf5Group group = state.create("fields");
+    const Hdf5Dataset alongX = group.put("x", x, "m", "Distance from the leading edge, of the cells' centres");
+    const Hdf5Dataset alongY = group.put("y", y, "m", "Distance from the inner edge, of the cells' centres");
+    alongX.makeScale("x");
+    alongY.makeScale("y");
+    group.put("x_lines", grid.x, "m", "Distance from the leading edge, of the cells' borders");
+    group.put("y_lines", grid.y, "m", "Distance from the inner edge, of the cells' borders");
+
+    const auto putField = [&](const char* name, const std::vector<double>& values, const char* unit,
+                              const char* longName) {
+        if (values.size() != grid.cells()) return;
+        const Hdf5Dataset field = group.table(name, y.size(), x.size(), values.data(), unit, longName);
+        field.attachScale(alongY, 0);
+        field.attachScale(alongX, 1);
+    };
+    putField("pressure", result.pressure, "Pa", "Air pressure, absolute");
+    putField("gap", result.gap, "m", "Gap, mean over the cell");
+    putField("recess", result.recess, "m", "Recess of the surface, mean over the cell");
+}
+
+void writeInterest(const Hdf5Group& state, const std::vector<SurfacePoint>& points, const std::vector<double>& spacing)
+{
+    if (points.empty() || points.size() != spacing.size()) return;
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < points.size(); ++i) rows.insert(rows.end(), {points[i].x, points[i].y, spacing[i]});
+    state.table("points_of_interest", points.size(), 3, rows.data(), "m", "Points of interest: x, y and spacing");
+}
+
+void writeSensitivities(const Hdf5Group& state, const std::vector<Sensitivity>& sensitivities)
+{
+    if (sensitivities.empty()) return;
+    const Hdf5Group group = state.create("sensitivities");
+    for (const Sensitivity& each : sensitivities)
+        group.put(each.parameter, std::vector{each.height, each.pitch, each.roll, each.minimumSpacing}, "SI",
+                  "Change of trailing edge height, pitch, roll and minimum spacing" +
+                      (each.unit.empty() ? "" : " per " + each.unit));
+}
+
+void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& result)
+{
+    state.set("status", name(result.status));
+    state.set("message", result.message);
+    state.set("iterations", std::int64_t{result.iterations});
+    state.set("wall_seconds", result.wallSeconds);
+    state.set("residual", result.residual);
+    state.set("load_error", result.loadError);
+    for (const auto& [quantity, value] : steadyQuantities(result))
+        state.put(quantity.name, value, quantity.unit, quantity.longName);
+    const FilmForces& forces = result.forces;
+    putPlace(state, "minimum_spacing_at", result.minimumAt, "Where the spacing is least");
+    putPlace(state, "maximum_pressure_at", forces.maximumAt, "Where the pressure is highest");
+    putPlace(state, "minimum_pressure_at", forces.minimumAt, "Where the pressure is lowest");
+    putPlace(state, "centre_of_positive_pressure", forces.centreOfPositive, "Centre of the pressure above ambient");
+    putPlace(state, "centre_of_negative_pressure", forces.centreOfNegative, "Centre of the pressure below ambient");
+    if (result.stiffness)
+        state.table("stiffness", 3, 3, result.stiffness->front().data(), "SI",
+                    "Stiffness of the film: force, pitch and roll torque (rows) by height, pitch and roll (columns)");
+    writeInterest(state, c.surface.pointsOfInterest, result.interestSpacing);
+    writeSensitivities(state, result.sensitivities);
+    writeFields(state, result);
+}
+
+/// Returns the problem, or "".
+std::string attempt(const fs::path& file, const auto& write)
+{
+    try {
+        write();
+    } catch (const std::exception& error) {
+        return "cannot write results to " + file.string() + ": " + error.what();
+    }
+    return {};
+}
+
+} // namespace
+
+struct SteadyWriter::File {
+    fs::path path;
+    PartFile part;
+    Case value;
+    Hdf5Group root;
+    std::size_t count = 0;
+    std::vector<std::pair<Quantity, std::vector<double>>> series; // columns
+
+    File(const fs::path& file, const Case& c, const std::string& caseText) : path(file), part(file), value(c)
+    {
+        const Hdf5Access access;
+        Hdf5Group created = createHdf5File(part.path());
+        writeFileHeader(created, steadyFormat, steadyFormatMajor, steadyFormatMinor, dateNow(), c.title);
+        writeCaseGroup(created, c, caseText);
+        created.create("states");
+        root = std::move(created);
+    }
+    ~File()
+    {
+        const Hdf5Access access;
+        root = {};
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    void add(const SteadySeriesPoint& point, const SteadyResult& result)
+    {
+        const Hdf5Access access;
+        writeState(root.create("states/" + std::to_string(++count)), value, result);
+        std::size_t column = 0;
+        for (const auto& numbers : {seriesQuantities(point), steadyQuantities(result)})
+            for (const auto& [quantity, number] : numbers) {
+                if (column == series.size()) series.emplace_back(quantity, std::vector<double>());
+                series[column++].second.push_back(number);
+            }
+    }
+
+    void finish(SteadyStatus status, const std::string& message)
+    {
+        const Hdf5Access access;
+        root.set("status", name(status));
+        root.set("message", message);
+        if (count > 1) {
+            const Hdf5Group group = root.create("series");
+            for (const auto& [quantity, values] : series)
+                group.put(quantity.name, values, quantity.unit, quantity.longName);
+        }
+        root.close();
+        part.show();
+    }
+};
+
+SteadyWriter::SteadyWriter() = default;
+SteadyWriter::~SteadyWriter() = default;
+SteadyWriter::SteadyWriter(SteadyWriter&&) noexcept = default;
+SteadyWriter& SteadyWriter::operator=(SteadyWriter&&) noexcept = default;
+
+std::string SteadyWriter::open(const fs::path& file, const Case& c, const std::string& caseText)
+{
+    file_.reset();
+    if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
+    return attempt(file, [&] { file_ = std::make_unique<File>(file, c, caseText); });
+}
+
+std::string SteadyWriter::add(const SteadySeriesPoint& point, const SteadyResult& result)
+{
+    if (!file_) return "no results file is open";
+    return attempt(file_->path, [&] { file_->add(point, result); });
+}
+
+std::string SteadyWriter::finish(SteadyStatus status, const std::string& message)
+{
+    if (!file_) return "no results file is open";
+    std::string problem = attempt(file_->path, [&] { file_->finish(status, message); });
+    file_.reset();
+    return problem;
+}
+
+} // namespace touchdown
