@@ -9,6 +9,7 @@
 #include <QPixmap>
 #include <QRegularExpression>
 
+#include "ui/disk/disk_surface_view.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/plot/plot_export.h"

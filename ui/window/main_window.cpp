@@ -25,6 +25,7 @@
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/runs/runs_panel.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/studies/study_catalogue.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"

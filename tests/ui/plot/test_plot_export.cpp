@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include "tests/support/test_program.h"
+#include "ui/plot/plot_widget.h"
 
 using namespace touchdown;
 

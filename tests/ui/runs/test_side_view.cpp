@@ -5,7 +5,6 @@
 
 #include <QTest>
 
-#include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/runs/run_record.h"

@@ -15,7 +15,6 @@
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
-#include "ui/plot/cursor_table.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
 #include "ui/plot/spectrum_view.h"
@@ -31,7 +30,6 @@
 #include "ui/window/help_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
-#include "ui/window/window_session.h"
 
 using namespace touchdown;
 using State = RunController::State;

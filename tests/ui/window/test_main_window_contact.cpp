@@ -14,6 +14,7 @@
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/disk/disk_surface_view.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/maps/maps_view.h"
