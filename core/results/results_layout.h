@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands where in a results file (HDF5):
+// Layout of a results file (HDF5):
 //
-//   /                                attributes format, format_version, software_version, date, seed, status, message,
-//   title /case/text                       the input as it was /case/parameters/<key>           every parameter that
-//   the model uses, with unit and long_name /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle +
-//   deflate; time is the dimension scale /fields/time, x, y, <quantity>   snapshots (time, y, x) at cell centres;
-//   x_lines and y_lines bound the cells /contact_fields/...              likewise, of the patch that can touch, where
-//   the film above it has its own /fields; since 1.2 /spectra/<quantity>/frequency, density | power /events/time, name
+//   /                                attributes format, format_version, software_version, date, seed, status,
+//                                    message, title
+//   /case/text                       the input as it was
+//   /case/parameters/<key>           every parameter that the model uses, with unit and long_name
+//   /timeseries/time, <quantity>     float64, chunked, unlimited, shuffle + deflate; time is the dimension scale
+//   /fields/time, x, y, <quantity>   snapshots (time, y, x) at cell centres; x_lines and y_lines bound the cells
+//   /contact_fields/...              the same for the patch that can touch, where the film above it has its own
+//                                    /fields; since 1.2
+//   /spectra/<quantity>/frequency, density | power
+//   /events/time, name
 //   /summary/...                     numbers and texts of the Summary
 //
 // Each function throws Hdf5Error. Hold a Hdf5Access around them.

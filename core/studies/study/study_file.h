@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study found, on disk. HDF5:
+// The result of a study, on disk. HDF5:
 //
 //   /                         attributes format ("touchdown-study"), format_version, software_version, date, title,
-//   kind, status,
-//                             message, wall_seconds
+//                             kind, status, message, wall_seconds
 //   /case/text, parameters    the case that was studied, as in a results file of a run
 //   /study/text               the study's file; empty where the study took its defaults
 //   /findings, warnings       sentences
 //   /tables/<name>/<column>   an element for each row, numbers in SI (attributes unit, display_unit, long_name) or
-//   texts.
-//                             Where a number is not known or has no meaning it is 0, and <column>_known is 0 there,
-//                             else 1; without such rows there is no <column>_known. A text that is not known is empty.
+//                             texts. Where a number is not known or has no meaning it is 0, and <column>_known is 0
+//                             there, else 1; without such rows there is no <column>_known. An unknown text is empty.
 //   /charts/<n>/              from 1: attributes title, caption
 //       panels/<n>/           attributes x_label, x_unit, x_display_unit, x_logarithmic, the same of y, equal_scales
 //           series/<n>/       attributes name, line, markers, quiet; x, y, x_error, y_error, label, kind, chosen of
-//           each point bands/<n>/        attributes along ("x", "y"), label, lower, upper; an end that is missing
-//           reaches to the edge map/              x, y; cells row by row, x first, as indices into class_name and
-//           class_severity, -1: not known; details
+//                             each point
+//           bands/<n>/        attributes along ("x", "y"), label, lower, upper; a missing end reaches to the edge
+//           map/              x, y; cells row by row, x first, as indices into class_name and class_severity, -1: not
+//                             known; details
 //   /found/text               a case that the study advises, if it does
 //
-// CSV as RFC 4180: the first table, units in the heading; what is not known is an empty field.
+// CSV as RFC 4180: the first table, units in the heading; an unknown value is an empty field.
 #pragma once
 
 #include <filesystem>
