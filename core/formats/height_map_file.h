@@ -10,7 +10,7 @@
 //                    two columns     x, height: a profile
 //                    three columns   x, y, height: a map, every point once, line by line along x or along y
 //                    a matrix        of heights, the first line at y = 0, after comments with its size and unit:
-//                                    "# Width: 10 um", "# Height: 5 um", "# Value units: nm" (as Gwyddion writes them)
+//                                    "# Width: 10 um", "# Height: 5 um", "# Value units: nm" (as Gwyddion writes)
 //                  Lines that begin with #, %, ! or // are comments; headings may precede the first number.
 //                  Lengths are in m, or in the units in brackets in a heading or comment, one per column:
 //                  "x [um]  h [nm]".

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Growth of a linear motion in a step of length h: the largest factor by which the difference of two initial states
-// grows per step (the spectral radius of the step's matrix). A method is stable where it is at most 1. The matrices are
-// found by steps of the integrators themselves on linear systems.
+// grows per step (the spectral radius of the step's matrix). A method is stable where it is at most 1. The matrices
+// are found by steps of the integrators themselves on linear systems.
 //
-//   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a backward
-//                       difference; with Newmark's rule, the oscillator whose eigenvalues are lambda and its conjugate:
-//                       omega h = |z|, zeta = -Re z/|z|
+//   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a
+//                       backward difference; with Newmark's rule, the oscillator whose eigenvalues are lambda and its
+//                       conjugate: omega h = |z|, zeta = -Re z/|z|
 //   coupledGrowth(w)    of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
 //
 //       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: compression of the film, m: leakage
@@ -15,8 +15,8 @@
 //     monolithic   both at once
 //     iterated     staggered until both agree: the same where it converges, beta w^2 (1 - s/(s + c/h)) < 1 + zeta w,
 //                  with c/h the weight of m in the backward difference; infinite elsewhere
-//     staggered    a given number of times; once is one-way: the mass moves under the film's last force, then the film
-//                  follows
+//     staggered    a given number of times; once is one-way: the mass moves under the film's last force, then the
+//                  film follows
 #pragma once
 
 #include <array>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A static film counted as the established program counts it (its published source, CMLAir), in code of its own: a
-// check of core/physics/film/gas_film.h that shares no face, no gap and no quadrature with it, only slip, recess and
+// A static film computed as the established program computes it (its published source, CMLAir), in code of its own.
+// It checks core/physics/film/gas_film.h and shares no face, no gap and no quadrature with it, only slip, recess and
 // linear algebra.
 //
-// Pressures sit on nodes at the crossings of lines, those on the outline at p0; faces stand halfway between lines. A
-// face sees the recess on its own line only, not what lies before or behind it:
+// Pressures are defined on nodes at the crossings of lines, those on the outline are p0; faces stand halfway between
+// lines. A face depends on the recess on its own line only, not on the recess before or behind it:
 //
-//   conductance  K = width <h^3 p Q>/(12 mu length), the mean of two gaps, that over the deepest and that over the
-//   shallowest
-//                recess on the face, weighted so that their mean is the mean recess; p the mean of the two nodes
+//   conductance  K = width <h^3 p Q>/(12 mu length), the mean of two gaps, one over the deepest and one over the
+//                shallowest recess on the face, weighted so that their mean is the mean recess; p the mean of the two
+//                nodes
 //   convection   c = (U/2) width h, h over the mean recess, U at the face
 //   both         F = c (p1 + p2)/2 - E(K, c) (p2 - p1), Patankar's power law
 //   load         each node's pressure above ambient times its control volume (reported in gram-force of 9.81 mN)
 //
-// That is consistent, but of first order: an edge between two nodes may lie half a spacing nearer or farther and no
-// face sees it.
+// The scheme is consistent, but of first order: no face resolves an edge between two nodes, which may lie half a
+// spacing nearer or farther.
 #pragma once
 
 #include <cstdint>

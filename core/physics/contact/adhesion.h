@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adhesive pressure between two smooth surfaces at the gap g, local (each point sees the gap above it). Pressure is
-// positive when it pushes the surfaces apart, so attraction is negative.
+// Adhesive pressure between two smooth surfaces at the gap g. It is local: each point depends on the gap above it
+// only. Pressure is positive when it pushes the surfaces apart, so attraction is negative.
 //
 //   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact
-//   alone
-//                   repels. A reading of the improved intermolecular model that Chen & Bogy name as their reference
-//                   [8], whose equations were not available. Its integral over g from 0 is -dgamma.
+//                   alone repels. A reading of the improved intermolecular model that Chen & Bogy cite as their
+//                   reference [8], whose equations were not available. Its integral over g from 0 is -dgamma.
 //   van-der-waals   f = -A/(6 pi g^3) + B/(45 pi g^9), with a repulsion of its own
-//   electrostatic   f = -eps0 V^2/(2 (g + z0)^2), added to either or alone
+//   electrostatic   f = -eps0 V^2/(2 (g + z0)^2), alone or added to either of them
 //
-// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. Nearer than half the
-// distance at which the van der Waals pressure vanishes that law goes on along its tangent; with B = 0 it has no such
-// distance, and its attraction is held at what it is at z0.
+// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. The van der Waals law is
+// continued along its tangent at gaps below half the gap at which its pressure vanishes. With B = 0 there is no such
+// gap; then the attraction is held at its value at z0.
 #pragma once
 
 #include <cstdint>

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), for each unit of area. d is
-// the separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s
+// Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), per unit of area. d is the
+// separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s
 // (Asperities::planeHeight; for a Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is
-// pressed by w = z - (d - y_s); with the density phi of Gaussian heights,
+// pressed by w = z - (d - y_s). With the density phi of Gaussian heights,
 //
 //   p = eta int P(w) phi(z) dz over w > 0, likewise the contacts (P -> 1), their area (P -> A) and energy.
 //
 //   greenwood-williamson   P = (4/3) E* sqrt(R) w^(3/2), A = pi R w (Hertz)
-//   elastic-plastic        the same up to w_c = (pi K H/(2 E*))^2 R; beyond it the summit's volume is conserved under
-//   the
-//                          pressure K H: A = pi R (2 w - w_c), P = K H A; H = 2.8 Y, K = 0.454 + 0.41 nu, nu of the
-//                          disk (Chang, Etsion & Bogy 1987, 1988). P of one summit jumps at w_c from 2/3 to 1 of K H A,
-//                          as theirs does; p does not. It depends on d alone: unloading after flow is not theirs, nor
-//                          ours.
+//   elastic-plastic        the same up to w_c = (pi K H/(2 E*))^2 R. Beyond w_c the summit's volume is conserved
+//                          under the pressure K H: A = pi R (2 w - w_c), P = K H A; H = 2.8 Y, K = 0.454 + 0.41 nu,
+//                          nu of the disk (Chang, Etsion & Bogy 1987, 1988). As in their model, P of one summit jumps
+//                          at w_c from 2/3 to 1 of K H A; p does not jump. It depends on d alone: neither their model
+//                          nor this one describes unloading after plastic flow.
 //
-// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s, which meet the energy and
-// its first three derivatives at both ends: p = -dW/dd and the stiffness -dp/dd hold exactly, and p is smooth. Its
-// error is below 1e-9 of p or p(0), whichever is larger. Left of the table every summit is pressed deep: there all are
-// elastic or all flow, and the moments of w are known. Only where some flow, because w_c happens to lie there, is the
-// integral itself taken (5 us).
+// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s. The polynomials meet
+// the energy and its first three derivatives at both ends, so p = -dW/dd and the stiffness -dp/dd hold exactly, and p
+// is smooth. The error is below 1e-9 of p or p(0), whichever is larger. To the left of the table every summit is
+// pressed deep: all are elastic or all flow, and the moments of w are known. Where w_c lies there and only some
+// summits flow, the integral itself is evaluated (5 us).
 #pragma once
 
 #include <algorithm>

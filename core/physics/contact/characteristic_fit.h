@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The five parameters of the simplified characteristic (core/physics/contact/ono_yamane.h) that best describe the full
-// multi-asperity model over one way in and out, and how well they do:
+// The five parameters of the simplified characteristic (core/physics/contact/ono_yamane.h) that best describe the
+// full multi-asperity model over one approach and retraction, and the quality of the fit:
 //
-//   d_s, d_e    where the menisci gather and go: at the jump with the largest change of F_m, or where there is none,
-//   where F_m
-//               passes half its largest value
+//   d_s, d_e    where the menisci form and break: at the jump with the largest change of F_m, or, without a jump,
+//               where F_m passes half its largest value
 //   f_m         the largest adhesion
 //   k_c, f_c0   least squares of F_cr over d <= d_s, both ways
-//   shape       F_m between d_s and d_e constant or linear, what fits better
+//   shape       F_m between d_s and d_e constant or linear, whichever fits better
 //
-// The characteristic describes the model if nowhere on the way, jumps included, F_m is off by more than a tenth of the
-// largest adhesion, or F_cr by more than a tenth of the largest contact force.
+// The characteristic describes the model if nowhere on the way, jumps included, the error of F_m exceeds a tenth of
+// the largest adhesion, or the error of F_cr a tenth of the largest contact force.
 #pragma once
 
 #include <string>

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which parts of a pad can touch the disk, and how high they stand: uniform patches of cells, each one a half-space of
+// The parts of a pad that can touch the disk, and their heights: uniform patches of cells, each one a half-space of
 // its own for core/physics/contact/elastic_contact.h.
 //
 //   flat      a rectangle, height 0
 //   sphere    the paraboloid r^2/(2 R) over a rectangle around its lowest point
 //   slider    the regions of an air bearing surface at a given pitch and roll that lie within `reach` of its lowest
-//   point,
-//             h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines whose pieces
-//             between two breaks of the recess are smooth, boxed, and merged where boxes come nearer than the smaller
-//             one is long.
+//             point, h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines. The
+//             pieces of a line between two breaks of the recess are smooth. They are boxed, and boxes are merged
+//             where their distance is less than the length of the smaller one.
 //
-// Patches are solved as if each were alone: the load F on one lowers the disk at a distance r by F/(pi E* r)
-// (Boussinesq; Johnson 1985, equation 3.22a), which is left out.
+// Each patch is solved as if it were alone: the load F on one patch lowers the disk at a distance r by F/(pi E* r)
+// (Boussinesq; Johnson 1985, equation 3.22a), which is neglected.
 #pragma once
 
 #include <functional>

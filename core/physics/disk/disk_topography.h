@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The disk's surface as all that samples it see it: film, contact patch, plots. w(x, y) [m] above the mean plane, in
-// the disk's coordinates, is the sum of
+// The disk's surface as film, contact patch and plots sample it. w(x, y) [m] above the mean plane, in the disk's
+// coordinates, is the sum of
 //
-//   waves      analytic; they run on without end;
-//   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which lie
-//   at
-//              multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map repeats.
-//              Halfway between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994 of its
-//              amplitude;
+//   waves      analytic, without end;
+//   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which
+//              lie at multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map
+//              repeats. Halfway between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994
+//              of its amplitude;
 //   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
 //
-// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits,
-// wherever the points lie: their positions, and on its own the shift, are rounded to 2^-30 of a cell, or to what
-// numbers of their size can hold, if that is more.
+// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same
+// bits, wherever the points lie. For this the positions, and separately the shift, are rounded to 2^-30 of a cell, or
+// to the floating-point spacing at their size, if that is larger.
 #pragma once
 
 #include <cstddef>

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Isotropic rough surfaces with Gaussian heights and a given spectrum, periodic in both directions. In the plane, with
-// C(q) over the wave vector so that its integral is the variance:
+// Isotropic rough surfaces with Gaussian heights and a given spectrum, periodic in both directions. In the plane,
+// with C(q) over the wave vector so that its integral is the variance:
 //
 //   gaussian      R(r) = sigma^2 exp(-r^2/lc^2)
 //   exponential   R(r) = sigma^2 exp(-r/lc)
-//   self-affine   C(q) = C0 for q < q_r, C0 (q/q_r)^(-2-2H) for q_r <= q <= q_c, 0 beyond (Persson et al. 2005), q_r
-//   and q_c
-//                 2 pi over the roll-off and cut-off wavelengths; C0 from sigma.
+//   self-affine   C(q) = C0 for q < q_r, C0 (q/q_r)^(-2-2H) for q_r <= q <= q_c, 0 beyond (Persson et al. 2005);
+//                 q_r and q_c are 2 pi over the roll-off and cut-off wavelengths; C0 follows from sigma.
 //
 // The first two are made from their autocovariance, repeated with the period (circulant embedding, Dietrich & Newsam
-// 1997): the heights at the points have exactly that covariance, and so what waves shorter than two cells would have
-// held is folded to longer ones, as in a measurement at those points. The third has no waves so short.
+// 1997). The heights at the points have exactly that covariance, so the content of waves shorter than two cells is
+// folded to longer ones, as in a measurement at those points. The third has no waves that short.
 //
-// Each realisation has the exact RMS about its mean, 0; left alone, over n correlated patches it would scatter by
-// 1/sqrt(2 n) of itself, 1 % and more. To that end the power P of each wave is multiplied by 1 + alpha P, one alpha for
-// all: what powers of normal waves are expected to be, given their sum. The few strong waves that make the RMS scatter
-// are changed, by a few per cent, and the many weak ones are left alone: the density stays within the scatter of the
-// request.
+// Each realisation has the exact RMS about its mean, 0. Without a correction, the RMS over n correlated patches would
+// scatter by 1/sqrt(2 n) of itself, 1 % and more. For this the power P of each wave is multiplied by 1 + alpha P,
+// with one alpha for all waves: this is the expected power of normal waves, given the sum of the powers. It changes
+// the few strong waves that make the RMS scatter, by a few per cent, and leaves the many weak ones alone: the density
+// stays within the scatter of the request.
 #pragma once
 
 #include <functional>

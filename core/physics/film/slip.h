@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Flow factor Q(Kn) of a rarefied film: the Poiseuille flow in units of the continuum's. Kn = lambda(p)/h, D =
-// (sqrt(pi)/2)/Kn, a = (2 - alpha)/alpha with alpha the accommodation coefficient.
+// Flow factor Q(Kn) of a rarefied film: the Poiseuille flow in units of the continuum's. Kn = lambda(p)/h,
+// D = (sqrt(pi)/2)/Kn, a = (2 - alpha)/alpha with alpha the accommodation coefficient.
 //
 //   continuum            1
 //   first order          1 + 6 a Kn                      Burgdorfer 1959

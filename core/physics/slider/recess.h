@@ -3,19 +3,17 @@
 // The recess s(x, y) of an air bearing surface: its height above the zero plane, positive away from the disk, with
 // walls, form and taper.
 //
-//   top   of the rail that comes last in the list; the base recess where there is none. An outline belongs to its rail:
-//   a
-//         point on it is inside (exact on edges parallel to an axis, to rounding on others).
-//   wall  profile of the distance normal to its edge; outside its own polygon it holds wherever it is shallower than
-//   what
-//         is there, whatever the order of the rails. Ramps, and steps at or below the base recess, have no walls. At a
-//         corner of two walled edges each wall ends at the line from the corner to the meeting point of the two outer
-//         offset lines; beyond the end of an edge the distance to the corner counts. Next to an edge without a wall a
-//         wall ends on that edge's straight extension. Inside its own polygon (negative distances) it takes the place
-//         of the rail's top, where that shows; there walls end towards the meeting point of the two inner offset lines,
-//         and the deepest of several holds.
-//   taper for x < length the recess is at least angle (length - x)
-//   form  s - 4 crown X (1 - X) - 4 camber Y (1 - Y) - 4 twist (X - 1/2)(Y - 1/2), X = x/L, Y = y/W
+//   top    of the rail that comes last in the list; the base recess where there is no rail. An outline belongs to its
+//          rail: a point on it is inside (exact on edges parallel to an axis, to rounding on others).
+//   wall   profile of the distance normal to its edge. Outside its own polygon a wall holds wherever it is shallower
+//          than the surface there, whatever the order of the rails. Ramps, and steps at or below the base recess,
+//          have no walls. At a corner of two walled edges each wall ends at the line from the corner to the meeting
+//          point of the two outer offset lines; beyond the end of an edge the distance to the corner counts. Next to
+//          an edge without a wall a wall ends on that edge's straight extension. Inside its own polygon (negative
+//          distances) a wall replaces the rail's top, where that is visible. There walls end towards the meeting
+//          point of the two inner offset lines, and the deepest of several holds.
+//   taper  for x < length the recess is at least angle (length - x)
+//   form   s - 4 crown X (1 - X) - 4 camber Y (1 - Y) - 4 twist (X - 1/2)(Y - 1/2), X = x/L, Y = y/W
 #pragma once
 
 #include <memory>

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Equilibria of a slider on its film while one value of its case changes, followed by pseudo-arclength
-// (core/numerics/continuation.h) in attitude and parameter: each residual is the force on the slider at an attitude,
-// with the film steady there (core/simulation/small_motions/film_balance.h); its Jacobian comes from what the film
-// answers, the parameter's from a difference.
+// (core/numerics/continuation.h) in attitude and parameter. The residual is the force on the slider at an attitude,
+// with the film steady there (core/simulation/small_motions/film_balance.h). Its Jacobian comes from the response of
+// the film, its derivative with respect to the parameter from a difference.
 //
 //   fold    the branch turns back in the parameter
-//   Hopf    along the branch the growth of the leading oscillation (core/simulation/small_motions/small_motions.h)
-//   changes its sign switch  the branch meets an end of the interval in which its law of contact holds, and the force
-//   jumps kink    the force is continuous there, and the branch continues under the next law
+//   Hopf    the growth of the leading oscillation (core/simulation/small_motions/small_motions.h) changes its sign
+//           along the branch
+//   switch  the branch meets an end of the interval in which its law of contact holds, and the force jumps
+//   kink    the force is continuous there, and the branch continues under the next law
 //
-// located to `branchesLocatedTo` of the range in arclength. One grid serves the whole range, that of the static state
-// in its middle or next to it: a branch differs from what a grid adapted at its place would give by no more than the
-// grid's error. Where the suspension exerts its load is interpolated between static states. Branches are sought at a
-// number of values, flying and in contact; others are missed.
+// These points are located to `branchesLocatedTo` of the range in arclength. One grid serves the whole range: that of
+// the static state in its middle or next to it. The difference of a branch from the result on a grid adapted at its
+// place is not larger than the error of the grid. The place where the suspension exerts its load is interpolated
+// between static states. Branches are sought at a number of values, flying and in contact; others are missed.
 #pragma once
 
 #include <functional>

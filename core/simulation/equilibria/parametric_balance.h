@@ -2,14 +2,16 @@
 //
 // The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case
 // changes, as a continuation needs it: G(x, p) and its derivatives, distances from the ends of a law of contact, and
-// the description of an equilibrium. All in shares and scales:
+// the description of an equilibrium. All are dimensionless:
 //
 //   p  0 at one end of its range, 1 at the other
 //   x  height of the trailing edge, pitch and roll times a fifth of length and width, in units of a length near the
-//   spacing G  force and torques over length and width, as shares of the preload
+//      spacing
+//   G  force and torques over length and width, as shares of the preload
 //
-// on one grid, each film started from the last one. Where the suspension exerts its load is interpolated between the
-// static states of the looks: a nanometre amiss there counts k 1e-9 m, 1e-8 N of a suspension with 10 N/m.
+// They are evaluated on one grid, each film started from the last one. The place where the suspension exerts its load
+// is interpolated between the static states of the looks: an error of 1 nm there counts k 1e-9 m, 1e-8 N for a
+// suspension with 10 N/m.
 #pragma once
 
 #include <cmath>

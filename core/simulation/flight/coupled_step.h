@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One step of film, contact and slider together, all implicit. The film by BDF2 (film_step.h: second order, L-stable),
-// the slider by Newmark's method (1959) with gamma 1/2, which has no damping of its own:
+// One step of film, contact and slider together, all implicit. The film is integrated by BDF2 (film_step.h: second
+// order, L-stable), the slider by Newmark's method (1959) with gamma 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //
-// beta 1/12 (Fox & Goodwin 1949): fourth order, stable up to omega dt = sqrt 6. u is not quite the velocity, v = u -
-// dt^2 a'/12, which
-//              counts where dt changes. Taken where omega dt is far below that limit and the stiffness is known: by
-//              monolithic.
-// beta 1/4     the trapezoidal rule: second order, stable. u = v.
+//   beta 1/12    (Fox & Goodwin 1949): fourth order, stable up to omega dt = sqrt 6. u is not exactly the velocity:
+//                v = u - dt^2 a'/12. The difference matters where dt changes. Used by monolithic, where omega dt is
+//                far below that limit and the stiffness is known.
+//   beta 1/4     the trapezoidal rule: second order, stable. u = v.
 //
 //   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
 //
-// monolithic   one Newton on pressure and attitude: with X = J^-1 dR/dq kept as long as the film's Jacobian is good,
-//              (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
-// staggered    the film is solved at the attitude, the slider moved by the forces, (M/(beta dt^2) + C/(2 beta dt) + K)
-// dq = G, until neither
-//              changes: the established program's way. It converges where the stiffness k of film and contact satisfies
-//              beta k dt^2 < M, and reports where it does not.
+//   monolithic   one Newton iteration on pressure and attitude, with X = J^-1 dR/dq kept as long as the film's
+//                Jacobian is good:
+//                (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
+//   staggered    the film is solved at the attitude, then the slider is moved by the forces,
+//                (M/(beta dt^2) + C/(2 beta dt) + K) dq = G,
+//                until neither changes: the established program's method. It converges where the stiffness k of film
+//                and contact satisfies beta k dt^2 < M, and reports where it does not.
 #pragma once
 
 #include <array>

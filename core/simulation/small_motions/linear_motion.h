@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion of a slider on its film for small displacements from the static state: a sum of its modes, which start and
-// velocities set going, and of what it answers to the waves of the disk's surface that run through under it.
+// The motion of a slider on its film for small displacements from the static state: the sum of its modes, which the
+// initial displacement and velocities excite, and of its response to the waves of the disk's surface that pass under
+// it.
 //
 //   q(t) = q_0 + Re sum_k 2 a_k e^(s_k t) + Re sum_j q_j e^(i omega_j t),   omega_j = k_j . U
 //
 // With D(s) = s^2 M + s C + K + Z(s), F(s) w the film's force from a surface w e^(s t) under a slider at rest, and
-// psi^T D(s_k) = 0:
+// psi_k^T D(s_k) = 0:
 //
 //   q_j = D(i omega_j)^-1 F(i omega_j) w_j
-//   a_k = phi_k psi_k^T ( M v - D(0) dq/s_k + F(s_k) sum_j (w_j/(s_k - i omega_j) + w_j*/(s_k + i omega_j))/2 ) /
-//   (psi_k^T D'(s_k) phi_k)
+//   a_k = phi_k psi_k^T ( M v - D(0) dq/s_k + F(s_k) sum_j (w_j/(s_k - i omega_j) + w_j*/(s_k + i omega_j))/2 )
+//         / (psi_k^T D'(s_k) phi_k)
 //
-// which are the residues of the Laplace transform: the slider begins displaced by dq, with velocity v and over a film
-// that is steady there, as a run does, and the waves begin under it at that moment. q_0, modes and answers are those of
-// the film on the grid of run(). Contact, adhesion, surfaces other than moving waves, and what the film itself forgets
-// at rates of its own are left out.
+// These are the residues of the Laplace transform. As in a run, the slider starts displaced by dq, with velocity v
+// and over a film that is steady there, and the waves start under it at that moment. q_0, modes and responses are
+// those of the film on the grid of run(). Contact, adhesion, surfaces other than moving waves, and the film's own
+// decaying modes are left out.
 #pragma once
 
 #include <complex>

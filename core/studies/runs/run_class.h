@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What became of a run, against a reference that two independent methods prove (proven_reference.h).
+// The class of a run, judged against a reference that two independent methods prove (proven_reference.h).
 //
-//   failed            by its failure: chatter, lost spring, diverged, stopped; or just as the reference, whose failure
-//   is the truth not determined    the end of the reference wrong end state   it completed, and ends otherwise than the
-//   reference drifting energy   |E(t) - E(0) - gained| exceeds `energyDrift` of the largest change of a part of the
-//   energy (spring_energy_balance.h,
-//                     film_energy_balance.h), and what the reference misses, which is the grid's, by half
+//   failed            by the kind of failure: chatter, lost spring, diverged, stopped; or it fails as the reference
+//                     does, whose failure is the true result
+//   not determined    the end of the reference is not determined
+//   wrong end state   the run completed, and its end differs from the reference's
+//   drifting energy   the energy imbalance |E(t) - E(0) - gained| exceeds `energyDrift` of the largest change of an
+//                     energy term (spring_energy_balance.h, film_energy_balance.h), and is more than 1.5 times that
+//                     of the reference, which is due to the grid
 //   cut steps         steps of a fixed length had to be cut, as they found no solution
-//   another way       to the right end, by a trajectory further than the agreement from the reference's, where that is
-//   determined agrees            none of these
+//   another way       to the right end, but the trajectory differs from the reference's by more than the agreement,
+//                     where the reference's trajectory is determined
+//   agrees            none of these
 #pragma once
 
 #include <string>

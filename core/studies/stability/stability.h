@@ -2,26 +2,25 @@
 //
 // Stability where methods fail, in two pictures.
 //
-// The linear one (stability_picture.h): where each method damps small motions and where it blows them up, with the
-// case's own eigenvalues times its step, and the largest stable step of each method.
+// The linear picture (stability_picture.h) shows where each method damps small motions and where it amplifies them,
+// with the case's own eigenvalues times its step, and the largest stable step of each method.
 //
-// The map (stability_map.h): runs of several methods over their settings and the values of one parameter of the case,
-// each compared with a reference of that value which two independent methods prove, and put into a class (run_class.h):
-// agrees, wrong end state, drifting energy, chatter, lost spring, diverged ... Beside the class stands what the paper's
-// own criterion says, the same run with a tenth of the step, so that one sees where that is fooled and where it raises
-// a false alarm.
+// The map (stability_map.h) shows runs of several methods over their settings and the values of one parameter of the
+// case. Each run is compared with a reference for that value, which two independent methods prove, and put into a
+// class (run_class.h): agrees, wrong end state, drifting energy, chatter, lost spring, diverged ... Beside the class
+// stands the result of the paper's own criterion, which is the same run with a tenth of the step. This shows where
+// the criterion misses an error and where it raises a false alarm.
 //
 //   case = "fig10a"
-//   picture = true                            # the linear picture
-//   map = true                                # the runs
-//   parameter = "ono_yamane.contact_stiffness" # a key of the case; none: the case as it is
+//   picture = true                             # the linear picture
+//   map = true                                 # the runs
+//   parameter = "ono_yamane.contact_stiffness" # a key of the case; default: the case as it is
 //   values = ["1 N/um", "5 N/um", "20 N/um"]
-//   agreement = "0.1 nm"                      # of trajectories: within it two are one
-//   energy_drift = 0.01                       # what the books may miss, of the largest change of a part of the energy
+//   agreement = "0.1 nm"                       # largest difference of two trajectories that count as one
+//   energy_drift = 0.01                        # largest energy imbalance, of the largest change of an energy term
 //
-//   [[method]]                                # see swept_method.h; none: those that suit the model. With tenths of a
-//   value among the
-//   ...                                       # values of run.step the paper's criterion can be applied
+//   [[method]]                                 # see swept_method.h; default: methods that suit the model. With
+//   ...                                        # values of run.step and tenths of them the paper's criterion applies
 #pragma once
 
 #include <string>
