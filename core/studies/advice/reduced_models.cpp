@@ -7,6 +7,7 @@
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/small_motions/linear_motion.h"
+#include "core/simulation/static_state/slider_body.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/spring_fit.h"
 #include "core/studies/study/few_digits.h"
