@@ -4,37 +4,14 @@
 // every run (work-precision diagrams; as in Mazzia & Magherini, Test Set for IVP Solvers, 2008, and SciML's
 // DiffEqDevTools).
 //
-// As a method is any change of the case and any key that it sweeps, integrators, steps, tolerances, grids,
-// schemes, slip paths, couplings and contact patches are all compared by the same means. What a setting leaves out
-// counts as error, too.
+// A method (swept_method.h) is any change of the case with any key that it sweeps, so that integrators, steps,
+// tolerances, grids, schemes, slip paths, couplings and contact patches are all compared by the same means. The
+// modelling error of a setting counts, too.
 //
 // Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h): two finer runs
 // of different families that agree. Where no two agree the trajectory is not determined, and ensembles of starts are
-// compared instead (ensemble.h). The time is the solver's own, without samples and statistics for springs, as the least
-// and the median of several repeats after a run that warms up; timed runs run alone.
-//
-//   case = "fig10a"
-//   of = "run"                  # film: or "static", the static state
-//   quantity = "flying_height"  # of which the errors are; default: the spacing
-//   error = "worst"             # in the chart: final, l2, worst, mean, deviation, peak-frequency, peak-amplitude
-//   repeats = 5
-//   time_limit = "0.1 s"        # runs that take longer are timed once
-//   budget = "15 s"             # of wall time: what is not run yet when it is spent is left out; up to 60 % of it for
-//   the references agreement = "0.1 nm"        # within which the two best references must stay together
-//
-//   [[method]]                  # see swept_method.h; the case's own value is added to the method that is the case's
-//   own; none: those
-//   ...                         # that suit the model, see precision_methods.h
-//
-//   [[reference]]               # two or more; none: those that suit the model
-//   name = "finer"
-//   set = { "run.tolerance" = 1e-13 }
-//
-//   [ensemble]                  # none: of springs, where the trajectory is not determined
-//   starts = 300
-//   spread = "0.5 nm"           # around the case's own start, evenly
-//   key = "initial.flying_height"
-//   set = { "run.tolerance" = 1e-12 } # the reference ensemble
+// compared instead (ensemble.h). The time is that of the solver, for springs without samples and statistics: the
+// shortest and the median of several repeats after a run that warms up; timed runs run alone.
 #pragma once
 
 #include <string>

@@ -10,18 +10,6 @@
 // agrees, wrong end state, drifting energy, chatter, lost spring, diverged ... Beside the class stands what the paper's
 // own criterion says, the same run with a tenth of the step, so that one sees where that is fooled and where it raises
 // a false alarm.
-//
-//   case = "fig10a"
-//   picture = true                            # the linear picture
-//   map = true                                # the runs
-//   parameter = "ono_yamane.contact_stiffness" # a key of the case; none: the case as it is
-//   values = ["1 N/um", "5 N/um", "20 N/um"]
-//   agreement = "0.1 nm"                      # of trajectories: within it two are one
-//   energy_drift = 0.01                       # what the books may miss, of the largest change of a part of the energy
-//
-//   [[method]]                                # see swept_method.h; none: those that suit the model. With tenths of a
-//   value among the
-//   ...                                       # values of run.step the paper's criterion can be applied
 #pragma once
 
 #include <string>
