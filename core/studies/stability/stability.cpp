@@ -44,10 +44,10 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
         report.findings = std::move(picture.findings);
         report.warnings = std::move(picture.warnings);
         if (!picture.problem.empty())
-            report.warnings.insert(report.warnings.begin(), "T" + picture.problem.substr(1) + ".");
+            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + picture.problem + ".");
         if (!picture.problem.empty() && !task.map) {
             report.status = StudyStatus::Failed;
-            report.message = picture.problem;
+            report.message = "there is no linear picture: " + picture.problem;
         }
         if (!tell(task.map ? pictureShare : 1.0, "runs", &report)) return cancelled(std::move(report), begin);
     }

@@ -10,17 +10,6 @@
 // class (run_class.h): agrees, wrong end state, drifting energy, chatter, lost spring, diverged ... Beside the class
 // stands the result of the paper's own criterion, which is the same run with a tenth of the step. This shows where
 // the criterion misses an error and where it raises a false alarm.
-//
-//   case = "fig10a"
-//   picture = true                             # the linear picture
-//   map = true                                 # the runs
-//   parameter = "ono_yamane.contact_stiffness" # a key of the case; default: the case as it is
-//   values = ["1 N/um", "5 N/um", "20 N/um"]
-//   agreement = "0.1 nm"                       # largest difference of two trajectories that count as one
-//   energy_drift = 0.01                        # largest energy imbalance, of the largest change of an energy term
-//
-//   [[method]]                                 # see swept_method.h; default: methods that suit the model. With
-//   ...                                        # values of run.step and tenths of them the paper's criterion applies
 #pragma once
 
 #include <string>

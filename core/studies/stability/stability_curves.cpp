@@ -182,7 +182,7 @@ std::string limitSentence(const std::string& subject, double limit, const std::s
 
 std::string motionText(const LocalMotion& motion)
 {
-    if (motion.where.find("Hz") != std::string::npos) return motion.where;
+    if (motion.isMode) return motion.where;
     return "motion " + motion.where + " (" + fewDigits(motion.fastest() / (2.0 * std::numbers::pi), "kHz", 3) + ")";
 }
 

@@ -73,7 +73,8 @@ LocalMotion motionOf(const AirBearingMode& mode)
     const double size = 2.0 * std::numbers::pi * mode.frequency /
                         std::sqrt(std::max(1e-12, 1.0 - mode.dampingRatio * mode.dampingRatio));
     return {mode.kind + " mode at " + fewDigits(mode.frequency, "kHz", 3),
-            {{-mode.dampingRatio * size, 2.0 * std::numbers::pi * mode.frequency}}};
+            {{-mode.dampingRatio * size, 2.0 * std::numbers::pi * mode.frequency}},
+            true};
 }
 
 double explicitLimit(const Case& c, const SteadyResult& rest)
@@ -97,8 +98,7 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
     const ModesResult result = modes(at, [&](const SteadyProgress&) { return goOn(); });
     if (result.status == SteadyStatus::Cancelled) return false;
     if (result.modes.empty()) {
-        picture.problem = "the linear picture is missing, as there are no modes: " +
-                          (result.message.empty() ? "none oscillates" : result.message);
+        picture.problem = "there are no modes: " + (result.message.empty() ? "none oscillates" : result.message);
         return true;
     }
     std::vector<LocalMotion> motions;

@@ -65,66 +65,53 @@ std::string lineText(const StudyKey& key, std::size_t width)
 StudyKey numberKey(std::string key, StudyDefault standard, std::string unit, std::string displayUnit, double minimum,
                    double maximum, std::string help)
 {
-    return {.key = std::move(key),
-            .kind = StudyKeyKind::Number,
-            .standard = std::move(standard),
-            .help = std::move(help),
-            .unit = std::move(unit),
-            .displayUnit = std::move(displayUnit),
-            .minimum = minimum,
-            .maximum = maximum};
+    return {std::move(key),
+            StudyKeyKind::Number,
+            std::move(standard),
+            std::move(help),
+            std::move(unit),
+            std::move(displayUnit),
+            minimum,
+            maximum};
 }
 
 StudyKey integerKey(std::string key, int standard, int minimum, int maximum, std::string help)
 {
-    return {.key = std::move(key),
-            .kind = StudyKeyKind::Integer,
-            .standard = standard,
-            .help = std::move(help),
-            .minimum = double(minimum),
-            .maximum = double(maximum)};
+    return {std::move(key), StudyKeyKind::Integer, standard, std::move(help), "", "", double(minimum), double(maximum)};
 }
 
 StudyKey booleanKey(std::string key, bool standard, std::string help)
 {
-    return {.key = std::move(key), .kind = StudyKeyKind::Boolean, .standard = standard, .help = std::move(help)};
+    return {std::move(key), StudyKeyKind::Boolean, standard, std::move(help)};
 }
 
 StudyKey choiceKey(std::string key, std::string standard, std::vector<std::string> choices, std::string help)
 {
-    return {.key = std::move(key),
-            .kind = StudyKeyKind::Choice,
-            .standard = std::move(standard),
-            .help = std::move(help),
-            .choices = std::move(choices)};
+    StudyKey row{std::move(key), StudyKeyKind::Choice, std::move(standard), std::move(help)};
+    row.choices = std::move(choices);
+    return row;
 }
 
 StudyKey textKey(std::string key, StudyDefault standard, std::string needed, std::string help)
 {
-    return {.key = std::move(key),
-            .kind = StudyKeyKind::Text,
-            .standard = std::move(standard),
-            .help = std::move(help),
-            .needed = std::move(needed)};
+    StudyKey row{std::move(key), StudyKeyKind::Text, std::move(standard), std::move(help)};
+    row.needed = std::move(needed);
+    return row;
 }
 
 StudyKey listKey(std::string key, StudyDefault standard, std::string help)
 {
-    StudyKey list = textKey(std::move(key), std::move(standard), neededList, std::move(help));
-    list.kind = StudyKeyKind::List;
-    return list;
+    return {std::move(key), StudyKeyKind::List, std::move(standard), std::move(help)};
 }
 
 StudyKey settingsKey(std::string key, std::string help)
 {
-    StudyKey settings = textKey(std::move(key), {}, neededSettings, std::move(help));
-    settings.kind = StudyKeyKind::Settings;
-    return settings;
+    return {std::move(key), StudyKeyKind::Settings, {}, std::move(help)};
 }
 
 StudyKey tableKey(std::string key, std::string help)
 {
-    return {.key = std::move(key), .kind = StudyKeyKind::Table, .help = std::move(help)};
+    return {std::move(key), StudyKeyKind::Table, {}, std::move(help)};
 }
 
 StudyKey inList(StudyKey key)
