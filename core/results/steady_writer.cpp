@@ -82,7 +82,7 @@ void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& resul
     putPlace(state, "centre_of_positive_pressure", forces.centreOfPositive, "Centre of the pressure above ambient");
     putPlace(state, "centre_of_negative_pressure", forces.centreOfNegative, "Centre of the pressure below ambient");
     if (result.stiffness)
-        state.table("stiffness", 3, 3, result.stiffness->front().data(), "SI",
+        state.table("stiffness", 3, 3, Matrix3(result.stiffness->transpose()).data(), "SI",
                     "Stiffness of the film: force, pitch and roll torque (rows) by height, pitch and roll (columns)");
     writeInterest(state, c.surface.pointsOfInterest, result.interestSpacing);
     writeSensitivities(state, result.sensitivities);
