@@ -10,6 +10,8 @@
 #include <QCoreApplication>
 
 #include "core/case_files/case_file.h"
+#include "core/results/csv_writer.h"
+#include "core/results/results_reader.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
 
