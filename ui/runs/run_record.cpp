@@ -11,6 +11,8 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "core/results/csv_writer.h"
+#include "core/results/results_reader.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/run.h"
