@@ -10,6 +10,7 @@
 #include "core/case/fields.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
