@@ -3,7 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace touchdown {
 
@@ -24,16 +23,15 @@ Eigenpairs eigenpairsOf(const Eigen::MatrixXd& a)
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-Eigen::VectorXcd solveComplex(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b)
+ComplexMatrix3 adjugate(const ComplexMatrix3& a)
 {
-    return a.partialPivLu().solve(b);
-}
-
-NullVectors nullVectorsOf(const Eigen::MatrixXcd& a)
-{
-    const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Index last = a.cols() - 1;
-    return {svd.matrixV().col(last), svd.matrixU().col(last).adjoint()};
+    ComplexMatrix3 result;
+    for (int k = 0; k < 3; ++k)
+        for (int m = 0; m < 3; ++m) {
+            const int r0 = (m + 1) % 3, r1 = (m + 2) % 3, c0 = (k + 1) % 3, c1 = (k + 2) % 3;
+            result(k, m) = a(r0, c0) * a(r1, c1) - a(r0, c1) * a(r1, c0);
+        }
+    return result;
 }
 
 } // namespace touchdown

@@ -27,12 +27,8 @@ struct Eigenpairs {
 };
 Eigenpairs eigenpairsOf(const Eigen::MatrixXd& a);
 
-Eigen::VectorXcd solveComplex(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
-/// x and y of A x = 0, y^T A = 0 where A is singular; of length one.
-struct NullVectors {
-    Eigen::VectorXcd right;
-    Eigen::RowVectorXcd left;
-};
-NullVectors nullVectorsOf(const Eigen::MatrixXcd& a);
+/// adj(A) with A adj(A) = det(A) I. Where A is singular of rank 2, its columns are x of A x = 0 and its rows y^T of
+/// y^T A = 0.
+ComplexMatrix3 adjugate(const ComplexMatrix3& a);
 
 } // namespace touchdown

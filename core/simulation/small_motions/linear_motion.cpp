@@ -63,17 +63,24 @@ std::vector<Wave> wavesOf(const Case& c, const FilmGaps& gaps)
     return waves;
 }
 
+/// D(s) in scales of q; a held roll is apart from the other two.
+ComplexMatrix3 scaledDynamic(const SmallMotions& motions, Complex s, const SmallMotions::Film& film)
+{
+    ComplexMatrix3 scaled = motions.scale().asDiagonal() * motions.dynamic(s, film) * motions.scale().asDiagonal();
+    if (motions.unknowns() == 2) scaled(2, 2) = scaled.cwiseAbs().maxCoeff();
+    return scaled;
+}
+
 MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
 {
     const Complex s(0.0, wave.omega);
     const ComplexVector3 force = motions.force(s, wave.real, wave.quarter);
     const bool solved = motions.converged();
-    const Vector3 scale = motions.scale();
-    const Eigen::Index n = motions.unknowns();
-    const ComplexMatrix3 dynamic = scale.asDiagonal() * motions.dynamic(s, motions.film(s)) * scale.asDiagonal();
-    const ComplexVector3 right = scale.asDiagonal() * force;
-    MotionTerm term{.rate = s, .amplitude = ComplexVector3::Zero()};
-    term.amplitude.head(n) = scale.head(n).asDiagonal() * solveComplex(dynamic.topLeftCorner(n, n), right.head(n));
+    const ComplexMatrix3 scaled = scaledDynamic(motions, s, motions.film(s)), inverse = adjugate(scaled);
+    const ComplexVector3 right = motions.scale().asDiagonal() * force;
+    MotionTerm term{.rate = s,
+                    .amplitude = inverse * right / scaled.row(0).cwiseProduct(inverse.col(0).transpose()).sum()};
+    term.amplitude = motions.scale().asDiagonal() * term.amplitude;
     if (!solved) term.amplitude.setConstant(std::numeric_limits<double>::quiet_NaN());
     return term;
 }
@@ -98,13 +105,13 @@ MotionTerm setGoing(SmallMotions& motions, const SmallMotions::Mode& mode, const
         }
         right += motions.force(s, real, imaginary, present);
     }
+    // D(s) is singular: the largest column and row of its adjugate are phi and psi.
+    const ComplexMatrix3 null = adjugate(scaledDynamic(motions, s, mode.film));
+    Eigen::Index row = 0, column = 0;
+    null.cwiseAbs().maxCoeff(&row, &column);
     const Vector3 scale = motions.scale();
-    const Eigen::Index n = motions.unknowns();
-    const ComplexMatrix3 dynamic = scale.asDiagonal() * motions.dynamic(s, mode.film) * scale.asDiagonal();
-    const NullVectors null = nullVectorsOf(dynamic.topLeftCorner(n, n));
-    ComplexVector3 shape = ComplexVector3::Zero(), left = ComplexVector3::Zero();
-    shape.head(n) = scale.head(n).asDiagonal() * null.right;
-    left.head(n) = scale.head(n).asDiagonal() * null.left;
+    const ComplexVector3 shape = scale.asDiagonal() * null.col(column);
+    const ComplexVector3 left = scale.asDiagonal() * null.row(row).transpose();
     const Complex share =
         left.cwiseProduct(right).sum() / left.cwiseProduct(motions.dynamicSlope(s, mode.film) * shape).sum();
     return {.rate = s, .amplitude = 2.0 * share * shape};
