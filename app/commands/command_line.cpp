@@ -77,13 +77,6 @@ std::vector<std::string> namesOf(const CLI::App& app)
     return names;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between)
-{
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
 // `touchdown help run` asks as `touchdown run --help` does.
 std::vector<std::string> argumentsOf(int argc, char** argv)
 {
