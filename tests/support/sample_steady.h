@@ -46,7 +46,7 @@ inline SteadyResult sampleSteady()
     f.massFlow = 1.5e-9;
     r.shearPitchTorque = -5e-8;
     r.shearRollTorque = 6e-9;
-    r.stiffness = {{{1e5, 2.0, 3.0}, {4.0, 5e-3, 6e-4}, {7.0, 8e-4, 9e-3}}};
+    r.stiffness = Matrix3{{1e5, 2.0, 3.0}, {4.0, 5e-3, 6e-4}, {7.0, 8e-4, 9e-3}};
     r.sensitivities = {{"abs.crown", "m", 0.1, 2e3, 3.0, 0.4}};
     r.discretisationError = {1e-11, 1e-8, 2e-8, 1e-5};
     r.interestSpacing = {11e-9, 180e-9};

@@ -106,7 +106,7 @@ inline SteadyResult sampleResult(const Case& c, int nx = 48, int ny = 40)
     result.forces.minimumPressure = p0 - 7.5e4;
     result.forces.maximumAt = {0.80e-3, 0.35e-3};
     result.forces.minimumAt = {0.50e-3, 0.35e-3};
-    result.stiffness = {{{2.5e6, 1200.0, 3.0}, {-300.0, 0.5, 1e-3}, {2.0, 1e-3, 0.08}}};
+    result.stiffness = Matrix3{{2.5e6, 1200.0, 3.0}, {-300.0, 0.5, 1e-3}, {2.0, 1e-3, 0.08}};
     result.discretisationError = {0.02e-9, 0.3e-6, 0.01e-6, 5e-5};
     result.interestSpacing = {10.0e-9, 12.5e-9, 12.4e-9};
     return result;
