@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/results/results_file.h"
+#include "core/results/results_writer.h"
 #include "ui/runs/run_controller.h"
 
 namespace touchdown {
