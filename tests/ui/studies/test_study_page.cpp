@@ -13,7 +13,6 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
-#include "core/results/results_reader.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"

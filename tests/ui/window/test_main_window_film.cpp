@@ -12,7 +12,6 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/cml_case.h"
-#include "core/results/results_reader.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
