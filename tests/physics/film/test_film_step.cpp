@@ -284,7 +284,8 @@ private slots:
         QVERIFY(std::abs(std::inner_product(back.begin(), back.end(), v.begin(), 0.0) / product - 1.0) < 1e-10);
 
         std::array<std::vector<double>, 3> columns;
-        gas.attitudeColumns(p, columns);
+        GasFilm::AttitudeWork attitudeWork(gas);
+        gas.attitudeColumns(p, columns, attitudeWork);
         const double pressureStep = 1.0; // [Pa]
         std::vector<double> nearby(p);
         for (std::size_t at = 0; at < p.size(); ++at) nearby[at] = p[at] + pressureStep * v[at];

@@ -262,7 +262,7 @@ private slots:
         const SteadyResult rest = filmAtAmbient(c);
         const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass), top = rest.attitude.height - 3e-9;
         Wall wall(stiffness, top);
-        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), {}, &wall);
+        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), Vector3::Zero(), &wall);
         const double first = c.suspension.preload * (slider.q()[0] - top);
         bool touched = false;
         for (int n = 0; n < 60; ++n) {
@@ -378,7 +378,7 @@ private slots:
     }
     void restStays()
     {
-        FlyingSlider slider(pico(), picoAtRest(), {}, {});
+        FlyingSlider slider(pico(), picoAtRest(), {}, Vector3::Zero());
         const Vector3 rest = slider.q();
         QVERIFY(slider.takeAll(4e-6, 40));
         QVERIFY2(slider.from(rest) < 1e-13, qPrintable(QString::number(slider.from(rest))));
