@@ -89,7 +89,7 @@ public:
     const Vector3& motion() const { return motion_[0]; }
 
 private:
-    Vector3 forces() const
+    Vector3 forces()
     {
         const std::array<double, 3> load = level_.loads.load(stepper_.pressure());
         const std::array<double, 2> shear = level_.loads.shear(stepper_.pressure());
