@@ -197,7 +197,7 @@ void TestRunCommand::filmCase()
     const Outcome o = folder_->touchdown(
         QStringList{"run", "film_pico", "--json", "--progress", "--out", "a.h5", "--csv", "a.csv"} + settings);
     QCOMPARE(o.code, 0);
-    QVERIFY2(o.err.contains("(100 %)") && o.err.contains("minimum spacing"), o.err);
+    QVERIFY2(o.err.contains("100 %") && o.err.contains("minimum spacing"), o.err);
     const QJsonObject json = o.json();
     QCOMPARE(json["status"].toString(), "completed");
     QCOMPARE(json["model"].toString(), "film");
