@@ -18,12 +18,18 @@ void addFindings(const ConvergenceStudy& study, StudyReport& report)
     for (std::size_t i = 0; i < study.observed.size(); ++i) {
         const Quantity& quantity = study.quantities[i];
         const ObservedOrder& observed = study.observed[i];
-        const double own = std::abs(study.levels[ownLevel(study)].values[i] - observed.limit);
-        report.findings.push_back(
-            quantity.longName + ": observed order " + (observed.order ? fewDigits(*observed.order, "", 3) : "none") +
-            ", limit " + fewDigits(observed.limit, quantity.displayUnit, 7) +
-            "; distance from the limit with the cells of the case about " + fewDigits(own, quantity.displayUnit) +
-            ", with the finest cells about " + fewDigits(observed.error, quantity.displayUnit) + ".");
+        const auto text = [&](double value, int digits) { return fewDigits(value, quantity.displayUnit, digits); };
+        std::string finding = quantity.longName;
+        if (observed.order) {
+            const double own = study.levels[ownLevel(study)].values[i];
+            finding += ": observed order " + fewDigits(*observed.order, "", 3) + ", limit " + text(observed.limit, 7) +
+                       "; error with the cells of the case about " + text(std::abs(own - observed.limit), 2) +
+                       ", with the finest cells about " + text(observed.error, 2);
+        } else {
+            finding += ": no observed order; " + text(observed.limit, 7) +
+                       " with the finest cells, uncertain by about " + text(observed.error, 2);
+        }
+        report.findings.push_back(finding + ".");
     }
 }
 

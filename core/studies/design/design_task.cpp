@@ -44,13 +44,17 @@ DesignTask defaultTask(const Case& c)
     const auto key = designKey(c, held ? "initial.nominal_trailing_edge_height" : "suspension.preload");
     if (!reasonNotToDesign(c).empty() || !std::holds_alternative<DesignKey>(key)) return task;
     const double middle = held ? height : load, wanted = held ? load : height;
+    const DesignKey& moved = std::get<DesignKey>(key);
     const std::vector<Quantity> all = wantedQuantities();
-    const int quantity = findQuantity(all, held ? "net_force" : "minimum_spacing");
-    task.parameters = {{.keys = {std::get<DesignKey>(key)},
+    const Quantity& aim = all[static_cast<std::size_t>(findQuantity(all, held ? "net_force" : "minimum_spacing"))];
+    const auto plain = [](double value, const std::string& displayUnit) { // two digits of what is shown
+        return roundedTo(value / unitFactor(displayUnit), 2) * unitFactor(displayUnit);
+    };
+    task.parameters = {{.keys = {moved},
                         .start = middle,
-                        .minimum = roundedTo(0.5 * middle, 2),
-                        .maximum = roundedTo(2.0 * middle, 2)}};
-    task.targets = {{all[static_cast<std::size_t>(quantity)], roundedTo(wanted, 2), roundedTo(0.01 * wanted, 2)}};
+                        .minimum = plain(0.5 * middle, moved.displayUnit),
+                        .maximum = plain(2.0 * middle, moved.displayUnit)}};
+    task.targets = {{aim, plain(wanted, aim.displayUnit), plain(0.01 * wanted, aim.displayUnit)}};
     return task;
 }
 

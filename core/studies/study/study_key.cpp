@@ -32,6 +32,13 @@ std::string comment(const std::string& text)
     return lines + line + "\n";
 }
 
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string list;
+    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
+    return list;
+}
+
 /// As a value of TOML.
 std::string tomlDefault(const StudyKey& key)
 {
@@ -55,7 +62,7 @@ std::string lineText(const StudyKey& key, std::size_t width)
     if (key.help.empty()) return setting + "\n";
     const std::string line = setting + std::string(setting.size() < width ? width - setting.size() : 0, ' ') + " # ";
     if (key.kind == StudyKeyKind::Choice)
-        if (const std::string all = line + key.help + ", " + choiceText(key.choices); all.size() <= widestLine)
+        if (const std::string all = line + key.help + ": " + listed(key.choices); all.size() <= widestLine)
             return all + "\n";
     return line.size() + key.help.size() <= widestLine ? line + key.help + "\n" : comment(key.help) + setting + "\n";
 }
@@ -141,9 +148,7 @@ std::string wholeRangeText(int minimum, int maximum)
 
 std::string choiceText(const std::vector<std::string>& choices)
 {
-    std::string list;
-    for (const std::string& each : choices) list += (list.empty() ? "" : ", ") + each;
-    return (choices.size() > 1 ? "one of " : "") + list;
+    return (choices.size() > 1 ? "one of " : "") + listed(choices);
 }
 
 std::string allowedText(const StudyKey& key)

@@ -44,7 +44,7 @@ private slots:
         QCOMPARE(report.findings.size(), std::size_t{3});
         QVERIFY2(report.findings.at(1).starts_with("Real contact force: observed order 2, limit 3 mN; "),
                  report.findings.at(1).c_str());
-        QVERIFY2(report.findings.at(2).starts_with("Area: observed order none, "), report.findings.at(2).c_str());
+        QVERIFY2(report.findings.at(2).starts_with("Area: no observed order; "), report.findings.at(2).c_str());
         const ChartSeries& force = report.charts.at(0).panels.at(0).series.at(0);
         QVERIFY(force.points.at(1).chosen && !force.points.at(2).chosen); // the cells of the case
         for (const ChartPoint& point : force.points) QVERIFY(point.x > 0.0 && point.y > 0.0);
