@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numerics/small_matrix.h"
 #include "core/numerics/newmark.h"
 #include "core/numerics/runge_kutta.h"
+#include "core/numerics/small_matrix.h"
 
 namespace touchdown {
 
