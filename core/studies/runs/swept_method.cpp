@@ -56,6 +56,21 @@ std::string labelOf(const Field& field, const Case& c)
     return elements.empty() || !alike ? value : std::string(elements.front());
 }
 
+/// values = [...], on as many lines as it takes.
+std::string listText(const std::vector<std::string>& values)
+{
+    constexpr std::size_t widest = 110; // [characters]
+    std::string text, line = "values = [";
+    for (const std::string& value : values) {
+        if (line.size() + value.size() > widest) {
+            text += line + "\n";
+            line = "         ";
+        }
+        line += (&value == &values.front() ? "" : " ") + tomlString(value) + (&value == &values.back() ? "" : ",");
+    }
+    return text + line + "]";
+}
+
 /// Settings that would make runs which cannot be compared.
 std::string problemOfKey(const std::string& key)
 {
@@ -123,20 +138,13 @@ std::vector<StudyKey> methodKeys(bool ensembles)
     return keys;
 }
 
-std::string tomlList(const std::vector<std::string>& values)
-{
-    std::string text;
-    for (const std::string& value : values) text += (text.empty() ? "[" : ", ") + tomlString(value);
-    return text + "]";
-}
-
 std::string methodText(const MethodSpec& spec)
 {
     std::string text = "\n[[method]]\nname = " + tomlString(spec.name) + "\nset = { ";
     for (const CaseSetting& setting : spec.set)
         text +=
             (&setting == &spec.set.front() ? "" : ", ") + tomlString(setting.key) + " = " + tomlString(setting.value);
-    return text + " }\nkey = " + tomlString(spec.key) + "\nvalues = " + tomlList(spec.values) + "\n";
+    return text + " }\nkey = " + tomlString(spec.key) + "\n" + listText(spec.values) + "\n";
 }
 
 std::string nameOf(const std::string& method, const std::string& setting)

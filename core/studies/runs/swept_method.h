@@ -38,7 +38,6 @@ std::vector<StudyKey> methodKeys(bool ensembles);
 std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table);
 /// As readMethods reads it.
 std::string methodText(const MethodSpec& spec);
-std::string tomlList(const std::vector<std::string>& values);
 
 /// One way to run the case.
 struct MethodSetting {

@@ -490,7 +490,7 @@ void TestAdvisor::theFullModelIsAdvisedAgainstWhatWasTried()
             "at most 1/1.2 of the full model's time."));
     QVERIFY(tried.found);
     QVERIFY(std::ranges::any_of(
-        tried.findings, [](const std::string& text) { return text.starts_with("1 model in time was given up "); }));
+        tried.findings, [](const std::string& text) { return text.starts_with("1 model in time was stopped "); }));
 }
 
 // Stopped after its parts began, or before: what is built from them is missing.

@@ -98,7 +98,7 @@ private slots:
               at(1.19e-3, 3e-9, Flutter, 1e4), at(1.2e-3, 3e-9, Stable, -1e4), at(3e-3, 3e-9, Stable, -1e4)}}};
         // Between a stable and an unstable point the nearer one counts: to the middle of the span.
         QVERIFY(says(hysteresisFindings(task(), result), "More than one equilibrium is stable from 0.5 mN to 1"));
-        QVERIFY(says(hysteresisFindings(task(), result), " mN to 1.5 mN: which one"));
+        QVERIFY(says(hysteresisFindings(task(), result), " mN to 1.5 mN: the way there decides"));
     }
 
     /// Bouncing at 2 and 3 mN about equilibria that diverge is not forced.

@@ -48,7 +48,7 @@ private slots:
                                          "models = [\"a\", \"b\"]\n"
                                          "\n[[method]]\nname = \"a\"\n"
                                          "\n# Made only where it is needed.\n# [ensemble]\n"
-                                         "# starts = 300        # number of runs\n");
+                                         "# starts = 300      # number of runs\n");
     }
     void defaults()
     {

@@ -226,7 +226,8 @@ private slots:
         a.reader.setKeys({integerKey("x", 1, 0, 1, ""), integerKey("search.y", 1, 0, 1, ""),
                           inList(integerKey("rail.z", 1, 0, 1, ""))});
         a.reader.finish();
-        QCOMPARE(text(a.said()), QString("a.toml:4: search.other: unknown key\na.toml:7: rail[1].w: unknown key\n"));
+        QCOMPARE(text(a.said()),
+                 QString("a.toml:4: search.other: unknown key\na.toml:7: rail[1].w: unknown key; did you mean z?\n"));
     }
     void givenBesideTheFile()
     {
