@@ -3,6 +3,8 @@
 // Runs the case of a window and writes what it shows, for scripts and for the README.
 #pragma once
 
+#include <QString>
+
 namespace touchdown {
 
 class MainWindow;

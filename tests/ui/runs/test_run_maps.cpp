@@ -191,7 +191,7 @@ void TestRunMaps::saysWhyThereAreNoMaps()
     runs_->add(std::make_unique<RunRecord>(2, sampleContactCase(), "", sampleContactQuantities(),
                                            std::vector{sampleContactFields()}));
     maps_->showRun(2);
-    QVERIFY(maps_->emptyText().contains(QStringLiteral("soon")));
+    QVERIFY(maps_->emptyText().contains(QStringLiteral("not ready")));
 }
 
 void TestRunMaps::thinsWhatMemoryCannotHold()
