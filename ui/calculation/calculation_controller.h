@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only owner of a thread in the window: one calculation at a time beside the window. Derived classes state what is
+// The owner of the thread of a calculation: one calculation at a time beside the window. Derived classes state what is
 // calculated and what its results are.
 //
 // Results cross the thread border by value, in a Mailbox: the worker changes the mail under a mutex, and one event asks
