@@ -66,7 +66,7 @@ TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, 
     }
 }
 
-/// What is left of b in a row, by itself or added to what is there.
+/// The residual of b in a row, by itself or added to what is there.
 template <bool add, typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void setResidual(std::size_t count, std::size_t up, const Real* west, const Real* east,
                                          const Real* south, const Real* north, const Number* centre, const Number* b,

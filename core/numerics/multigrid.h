@@ -52,7 +52,7 @@ public:
     /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D
     /// (D + X)^-1 b (Beam & Warming 1976). Good where D leads; a third of the work of a sweep. v has zero rings.
     void solveFactors(std::span<const T> b, std::span<T> v);
-    /// v = approximately A^-1 b by these factors, then the coarser levels: what is left is rough.
+    /// v = approximately A^-1 b by these factors, then the coarser levels: the residual is rough.
     void halfCycle(std::span<const T> b, std::span<T> v);
 
 private:

@@ -54,7 +54,7 @@ public:
                                   gamma * h * j.template rightCols<half>();
             const Vector change = newton.inverse() * residual;
             a1 -= change;
-            // What is left is quadratic in the change; stop when that cannot move the state by round-off.
+            // The residual is quadratic in the change; stop when that cannot move the state by round-off.
             const double moved = (gamma * h * change).cwiseQuotient(scale.template tail<half>()).cwiseAbs().maxCoeff();
             if (!std::isfinite(moved)) return false;
             if (moved <= 1e-13 || (moved <= 1e-10 && moved >= 0.5 * previous)) {

@@ -96,7 +96,7 @@ struct WelchEstimator::Plan {
             largest = std::max(largest, std::abs(deviation));
             signal[i] = window[i] * deviation;
         }
-        // What is left of a constant is the rounding of its mean; as a spectrum it would show false peaks.
+        // A constant leaves the rounding of its mean; as a spectrum it would show false peaks.
         const double rounding = static_cast<double>(n) * std::numeric_limits<double>::epsilon() * std::abs(mean);
         if (removeMean && largest <= rounding) std::fill_n(signal, n, 0.0);
     }

@@ -82,7 +82,7 @@ private:
     Shifted shifted_;              // scale 8 dgamma/(3 z0), electric eps0 V^2/2; scale 0 unless lennard-jones
     double attraction_ = 0.0;      // A/(6 pi) [J]
     double repulsion_ = 0.0;       // B/(45 pi) [J m^6]
-    double tangentGap_ = 0.0;      // below it van der Waals goes on along its tangent [m]
+    double tangentGap_ = 0.0;      // below it van der Waals continues along its tangent [m]
     double tangentPressure_ = 0.0; // [Pa]
     double tangentSlope_ = 0.0;    // [Pa/m]
     double tangentEnergy_ = 0.0;   // [J/m^2]

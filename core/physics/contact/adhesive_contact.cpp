@@ -230,7 +230,7 @@ double AdhesiveContact::presentEnergy() const
     return sum * space_->grid().cellArea();
 }
 
-// The fields that are returned lie on the law exactly; what is left is in the balance of gaps.
+// The fields that are returned lie on the law exactly; the residual is in the balance of gaps.
 void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& summary)
 {
     using enum AdhesiveCell::State;

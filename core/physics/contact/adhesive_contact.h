@@ -14,12 +14,12 @@
 // Yuille & Rangarajan 2003). That minimum is sought in q, whose energy is convex with bounds: Newton's method on the
 // cells between their bounds, the steps by conjugate gradients, one convolution each, preconditioned by the stiffness
 // of a periodic half-space about as large as the grid; a step past the least energy on its way is cut to it. While the
-// descent goes on without slowing, as when a crack runs, the tangents are taken ahead of the present gaps; where that
+// descent continues without slowing, as when a crack runs, the tangents are taken ahead of the present gaps; where that
 // raises the energy it is taken back.
 //
 // Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself
 // takes over (adhesive_contact_newton.cpp): a step that does not halve the error, or that has no positive curvature and
-// so leads to a saddle, is taken back, and the descent goes on.
+// so leads to a saddle, is taken back, and the descent continues.
 //
 // With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when nothing adheres, no gap is
 // below that of the largest attraction f_max and the deformation by f(s) could change no pressure by more than

@@ -5,7 +5,7 @@
 //   F(z) = k_0 z_0^2 / z^2 (z_0 - z)   for z > d_1,   0 for z < d_1
 //
 // and its potential, as in equation (5):  U(z) = k_0 z_0^2 [ z_0/z - ln(z_0/z) - 1 ].
-// Below d_1 the force is zero, so the potential is held at U(d_1). Equation (5) as printed goes on
+// Below d_1 the force is zero, so the potential is held at U(d_1). Equation (5) as printed continues
 // below d_1, and takes the logarithm of a negative number where z < 0: `AsPrinted` shows that, with
 // the real part of the logarithm, so that the energy can become negative.
 #pragma once

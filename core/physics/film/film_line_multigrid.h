@@ -7,7 +7,7 @@
 // film. The pressure starts on the coarsest level and is handed on from level to level, with one V cycle on each. A
 // cycle seeks the correction v of the pressure,
 //
-//   J v = -R(p):  relax; sum what is left of the outflow over the coarse cells; correct there; interpolate; relax.
+//   J v = -R(p):  relax; sum the residual outflow over the coarse cells; correct there; interpolate; relax.
 //
 // Relaxation is zebra lines along x, then along y, with the derivatives of the flow that the convection scheme passes;
 // a coarse level takes its own at the mean of the finer one's pressure. One linearisation serves a whole visit of a

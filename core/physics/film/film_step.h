@@ -61,7 +61,7 @@ public:
     /// Moves the solution of the last step along to a nearby attitude, where the film's own equations change it by
     /// `change` (padded) [Pa].
     void follow(const Attitude& attitude, std::span<const double> change);
-    /// Makes the last step's pressures the ones to go on from; false, and nothing done, if it did not converge.
+    /// Makes the last step's pressures the start of the next step; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
 
     /// Of the last step; padded [Pa].
@@ -81,7 +81,7 @@ private:
     void setHistory(double dt);
     void guess(double dt);
     void linearise(FilmStepResult& result);
-    /// change_ = -J^-1 residual_; what is left of it, estimated as `tolerance` measures it.
+    /// change_ = -J^-1 residual_; its residual, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
     /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make
     /// of the residual, which is about the change that is left; nothing where they contract too slowly.

@@ -54,7 +54,7 @@ TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, c
     return outside;
 }
 
-/// The same for the fit's three parts; outside is what is left to the free molecules' law.
+/// The same for the fit's three parts; outside is the part of the free molecules' law.
 TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluateFit(std::size_t n, const double* w, double perUnit, double perFlowRate,
                                                   double* mobility, double* derivative)
 {

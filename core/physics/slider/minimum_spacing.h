@@ -33,7 +33,7 @@ private:
     struct Candidate {
         double x, y, recess; // [m]
     };
-    /// So many neighbours in the list, or what is left of it: least and greatest x and y, least recess.
+    /// So many neighbours in the list, or the rest of it: least and greatest x and y, least recess.
     static constexpr std::size_t blockSize = 16;
     struct Block {
         double x0, x1, y0, y1, recess; // [m]

@@ -27,7 +27,7 @@ struct OutlineEdge {
 
 class RailOutline {
 public:
-    /// `strips` of equal width from y = 0 to y = `width` [m]; the first and the last go on to infinity.
+    /// `strips` of equal width from y = 0 to y = `width` [m]; the first and the last extend to infinity.
     RailOutline(const std::vector<RailPoint>& points, int strips, double width);
 
     bool contains(double x, double y) const { return contains(x, y, edges(strip(y))); }

@@ -171,7 +171,7 @@ void RailWall::keep(const Crossing& crossing, double along) const
     const double at = crossing.line.runs(x_, y_) + along;
     if (at <= crossing.line.from || at >= crossing.line.to) return;
     const Place p = crossing.place(along);
-    const double reach = std::abs(end(crossing.side)) + margin; // a slanting border goes on beyond the wall
+    const double reach = std::abs(end(crossing.side)) + margin; // a slanting border extends beyond the wall
     if (p.t >= -reach && p.t <= length_ + reach && covers(p, crossing.side, margin)) crossing.out.push_back(at);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The wall on one edge of a rail. In the coordinates of the edge, t along it from its first corner and n outwards, the
-// wall covers -start n <= t <= length + end n, where `start` and `end` are its spreads: how far it goes on beyond the
+// wall covers -start n <= t <= length + end n, where `start` and `end` are its spreads: how far it extends beyond the
 // corner per unit of n. The border of two walls runs from their corner to the meeting point of the two outer offset
 // lines; inside the polygon, to that of the two inner ones.
 //

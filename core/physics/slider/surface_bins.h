@@ -49,7 +49,7 @@ public:
 
     explicit SurfaceBins(const SurfaceParts& parts);
 
-    int column(double x) const; // the first and the last go on to infinity
+    int column(double x) const; // the first and the last extend to infinity
     int row(double y) const;
     SurfaceBox box(int column, int row) const;
     static std::size_t index(int column, int row) { return static_cast<std::size_t>(row * columns + column); }

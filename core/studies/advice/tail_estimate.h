@@ -2,7 +2,7 @@
 //
 // What the spacing does over the last tenth of a run: as it is, where the run went to its end, and as the first part of
 // a run predicts it. Where the second half of what is there rings as the slider's modes do and as the waves of the
-// disk make it (ringing_fit.h), that goes on. Else three overlapping blocks of that half, each weighted by Hann's
+// disk make it (ringing_fit.h), that continues. Else three overlapping blocks of that half, each weighted by Hann's
 // window so that the phase in which it begins and ends does not count, have means m_i and variances v_i. Where the
 // variance still changes, by a constant factor r from block to block, it tends to
 //

@@ -56,7 +56,7 @@ void carryOver(Case& next, const HeldEnd& before);
 HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings,
                    const GoOn& goOn);
 
-/// All of them in turn, there and back; `done` is told each. False when stopped.
+/// All of them in turn, there and back; `done` receives each. False when stopped.
 bool holdAll(const HeldSteps& steps, const GoOn& goOn, const std::function<void(std::size_t, HeldStep&&)>& done,
              std::vector<std::string>& warnings);
 

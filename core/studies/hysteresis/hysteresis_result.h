@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a hysteresis study has seen, and how it is told.
+// What a hysteresis study has seen, and how it is reported.
 #pragma once
 
 #include <complex>

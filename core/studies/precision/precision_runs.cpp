@@ -14,7 +14,7 @@ namespace touchdown {
 namespace {
 
 constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
-constexpr double budgetOfFirstRuns = 0.7;                         // what is left is for repeats
+constexpr double budgetOfFirstRuns = 0.7;                         // the rest is for repeats
 constexpr double budgetOfReferences = 0.6;
 constexpr double shortRun = 5e-3; // [s]
 constexpr double sameState = 0.5; // a film's spacings in one state differ by no more than this share, whatever the grid

@@ -6,7 +6,7 @@
 // Reference runs get a share of the budget; those that have not ended by then prove nothing.
 //
 // Timed runs run alone, coarse settings first. The first run of a setting warms up and gives its errors; then, as long
-// as the budget lasts, the others are repeated in turns, so that a disturbance does not meet all repeats of one.
+// as the budget lasts, the others are repeated alternately, so that a disturbance does not meet all repeats of one.
 #pragma once
 
 #include <functional>

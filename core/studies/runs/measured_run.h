@@ -13,7 +13,7 @@
 
 namespace touchdown {
 
-/// The last part of a run, by which its end is told [-].
+/// The last part of a run, by which its end is judged [-].
 inline constexpr double tailShare = 0.1;
 
 /// What acts between pad and disk at one sample. Ono & Yamane's menisci hold the pad where its asperities do not touch

@@ -28,7 +28,7 @@ struct ReferenceCase {
 std::vector<ReferenceCase> springReferences(const Case& c, double step);
 /// Film, where grids are compared: adapted and graded ones of `nodes` lines each way; `stepError` [m] of runs in time.
 std::vector<ReferenceCase> gridReferences(const Case& c, int nodes, std::optional<double> stepError);
-/// Film on the case's own grid: film and slider at once with a hundredth of its step error, and in turns, where the
+/// Film on the case's own grid: film and slider at once with a hundredth of its step error, and staggered, where the
 /// slider goes by a rule of lower order, with a thousandth.
 std::vector<ReferenceCase> couplingReferences(const Case& c);
 /// Of an ensemble, one run a start: springs dopri5 at 1e-12, film a tenth of the case's step error.

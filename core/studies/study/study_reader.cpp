@@ -271,7 +271,7 @@ void StudyReader::finish()
     }
 }
 
-/// A value; where a table stands instead, that is told once.
+/// A value; where a table stands instead, that is reported once.
 const TomlEntry* StudyReader::find(const std::string& key)
 {
     asked_.insert(key);
