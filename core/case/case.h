@@ -212,6 +212,14 @@ struct Case {
     RunCase run;
     SpectrumCase spectrum;
     std::filesystem::path folder; // of the case file, in which the files lie that it names; empty: the working one
+
+    // Compiled once: a case is large, and is copied in many places.
+    Case();
+    Case(const Case&);
+    Case(Case&&) noexcept;
+    Case& operator=(const Case&);
+    Case& operator=(Case&&) noexcept;
+    ~Case();
 };
 
 } // namespace touchdown

@@ -10,16 +10,16 @@ Vector3 solvePartialPivoting(const Matrix3& a, const Vector3& b) { return a.part
 
 Vector3 solveFullPivoting(const Matrix3& a, const Vector3& b) { return a.fullPivLu().solve(b); }
 
-double spectralRadius(const Matrix3& a) { return a.eigenvalues().cwiseAbs().maxCoeff(); }
+double spectralRadius(const SmallMatrix& a) { return eigenvaluesOf(a).cwiseAbs().maxCoeff(); }
 
-Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& a)
+SmallComplexVector eigenvaluesOf(const SmallMatrix& a)
 {
-    return Eigen::EigenSolver<Eigen::MatrixXd>(a, false).eigenvalues();
+    return Eigen::EigenSolver<SmallMatrix>(a, false).eigenvalues();
 }
 
-Eigenpairs eigenpairsOf(const Eigen::MatrixXd& a)
+Eigenpairs eigenpairsOf(const SmallMatrix& a)
 {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(a);
+    const Eigen::EigenSolver<SmallMatrix> solver(a);
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -17,15 +17,19 @@ using ComplexMatrix3 = Eigen::Matrix3cd;
 Vector3 solvePartialPivoting(const Matrix3& a, const Vector3& b);
 /// The same with complete pivoting, also for a nearly singular matrix.
 Vector3 solveFullPivoting(const Matrix3& a, const Vector3& b);
-/// The largest magnitude of an eigenvalue; without allocation.
-double spectralRadius(const Matrix3& a);
+/// Square, of at most 8 rows; without allocation.
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
+using SmallComplexMatrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
+using SmallComplexVector = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, 8, 1>;
 
-Eigen::VectorXcd eigenvaluesOf(const Eigen::MatrixXd& a);
+/// The largest magnitude of an eigenvalue; without allocation.
+double spectralRadius(const SmallMatrix& a);
+SmallComplexVector eigenvaluesOf(const SmallMatrix& a);
 struct Eigenpairs {
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd vectors; // columns
+    SmallComplexVector values;
+    SmallComplexMatrix vectors; // columns
 };
-Eigenpairs eigenpairsOf(const Eigen::MatrixXd& a);
+Eigenpairs eigenpairsOf(const SmallMatrix& a);
 
 /// adj(A) with A adj(A) = det(A) I. Where A is singular of rank 2, its columns are x of A x = 0 and its rows y^T of
 /// y^T A = 0.

@@ -53,7 +53,7 @@ struct Oscillator {
 };
 
 /// The spectral radius.
-double largestRoot(const Eigen::MatrixXd& matrix)
+double largestRoot(const SmallMatrix& matrix)
 {
     double square = 0.0;
     for (const Complex root : eigenvaluesOf(matrix)) square = std::max(square, std::norm(root));
@@ -222,7 +222,7 @@ double newmarkGrowth(double beta, double gamma, Complex z)
     const double w = std::abs(z);
     const Oscillator system{w, w > 0.0 ? -z.real() / w : 0.0};
     NewmarkStepper<Oscillator> stepper(system, {.beta = beta, .gamma = gamma});
-    Eigen::MatrixXd matrix(2, 2);
+    SmallMatrix matrix(2, 2);
     for (int k = 0; k < 2; ++k) {
         Eigen::Vector2d end;
         if (!stepper.step(Eigen::Vector2d::Unit(k), {}, 1.0, end)) return std::numeric_limits<double>::infinity();
@@ -238,7 +238,7 @@ double backwardGrowth(BackwardRule rule, Complex z)
     const Complex weight = d.perTime - z;
     if (weight == 0.0) return std::numeric_limits<double>::infinity();
     // The complex matrix A + i B as the real one (A, -B; B, A): its eigenvalues and their conjugates.
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, 6);
+    SmallMatrix matrix = SmallMatrix::Zero(6, 6);
     for (int k = 0; k < 3; ++k) {
         const Complex share = d.share[static_cast<std::size_t>(k)] / weight;
         matrix(0, k) = matrix(3, k + 3) = share.real();
@@ -254,7 +254,7 @@ double coupledGrowth(const CoupledRule& rule, double w, double dampingRatio, dou
     const CoupledStep step(rule, w, dampingRatio, leak);
     if (rule.coupling == CouplingKind::Iterated && !(step.contraction() < 1.0))
         return std::numeric_limits<double>::infinity();
-    Eigen::MatrixXd matrix(6, 6);
+    SmallMatrix matrix(6, 6);
     for (int k = 0; k < 6; ++k) matrix.col(k) = step(CoupledStep::State::Unit(k));
     return largestRoot(matrix);
 }

@@ -164,7 +164,7 @@ std::vector<std::complex<double>> eigenvaluesAt(const SpringModel& model, const 
     a.bottomRows<2>() = model.jacobian({q[0], q[1], 0.0, 0.0}, mode);
     // In the model's scales all entries are of the order of one.
     const Eigen::Matrix4d scaled = s.cwiseInverse().asDiagonal() * a * s.asDiagonal() / rate;
-    const Eigen::VectorXcd values = eigenvaluesOf(scaled) * rate;
+    const SmallComplexVector values = eigenvaluesOf(scaled) * rate;
     std::vector<std::complex<double>> sorted(values.begin(), values.end());
     std::ranges::stable_sort(
         sorted, [](auto x, auto y) { return x.real() > y.real() || (x.real() == y.real() && x.imag() > y.imag()); });

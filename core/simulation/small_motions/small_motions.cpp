@@ -81,7 +81,7 @@ std::vector<SmallMotions::Mode> SmallMotions::trials(const Film& film, const std
     K = (scale.cwiseInverse().cwiseProduct(toMass)).asDiagonal() * K * scale.asDiagonal();
     C = (scale.cwiseInverse().cwiseProduct(toMass)).asDiagonal() * C * scale.asDiagonal();
     const Eigen::Index n = unknowns();
-    Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    SmallMatrix companion = SmallMatrix::Zero(2 * n, 2 * n);
     companion.topRightCorner(n, n).setIdentity();
     companion.bottomLeftCorner(n, n) = -K.topLeftCorner(n, n) * (perRate * perRate);
     companion.bottomRightCorner(n, n) = -C.topLeftCorner(n, n) * perRate;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/advice/spring_fit.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/Jacobi>
+#include <Eigen/LU>
 
 #include "core/case/fields.h"
 #include "core/simulation/small_motions/small_motions.h"
@@ -26,9 +27,18 @@ struct UndampedModes {
 
 UndampedModes undampedModes(const Eigen::Matrix2d& stiffness, const Case& c)
 {
-    const Eigen::Matrix2d mass = Eigen::Vector2d(c.slider.mass, c.slider.pitchInertia).asDiagonal();
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(stiffness, mass);
-    return {solver.eigenvalues().cwiseMax(0.0).cwiseSqrt(), solver.eigenvectors()};
+    const Eigen::Vector2d perRootMass(1.0 / std::sqrt(c.slider.mass), 1.0 / std::sqrt(c.slider.pitchInertia));
+    const Eigen::Matrix2d scaled = perRootMass.asDiagonal() * stiffness * perRootMass.asDiagonal();
+    Eigen::JacobiRotation<double> rotation;
+    rotation.makeJacobi(scaled, 0, 1);
+    Eigen::Matrix2d vectors; // of the scaled matrix
+    vectors << rotation.c(), rotation.s(), -rotation.s(), rotation.c();
+    Eigen::Vector2d squares = (vectors.transpose() * scaled * vectors).diagonal();
+    if (squares[0] > squares[1]) {
+        squares.reverseInPlace();
+        vectors.col(0).swap(vectors.col(1));
+    }
+    return {squares.cwiseMax(0.0).cwiseSqrt(), perRootMass.asDiagonal() * vectors};
 }
 
 /// Dashpots at both arms that give modes these damping ratios: 2 zeta omega = sum c (b phi)^2, b = (1, arm).
@@ -42,8 +52,8 @@ Eigen::Vector2d dashpots(const UndampedModes& modes, const std::array<double, 2>
         for (Eigen::Index i = 0; i < 2; ++i)
             shares(k, i) = std::pow(modes.shapes(0, k) + arms[static_cast<std::size_t>(i)] * modes.shapes(1, k), 2);
     }
-    const Eigen::Vector2d both = shares.fullPivLu().solve(wanted);
-    if (both.minCoeff() >= 0.0) return both;
+    const Eigen::Vector2d both = shares.inverse() * wanted;
+    if (shares.determinant() != 0.0 && both.minCoeff() >= 0.0) return both;
     // The one that is left, by least squares.
     const Eigen::Index left = both[0] < 0.0 ? 1 : 0;
     Eigen::Vector2d one = Eigen::Vector2d::Zero();

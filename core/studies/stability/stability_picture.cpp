@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-
+#include "core/numerics/small_matrix.h"
 #include "core/numerics/stability_region.h"
 #include "core/simulation/springs/spring_model.h"
 #include "core/studies/runs/measured_run.h"
@@ -29,7 +28,7 @@ std::vector<Complex> ratesOf(const SpringModel& model, const SpringModel::State&
     matrix.topRightCorner<2, 2>().setIdentity();
     matrix.bottomRows<2>() = model.jacobian(y, mode);
     std::vector<Complex> rates;
-    for (const Complex rate : matrix.eigenvalues())
+    for (const Complex rate : eigenvaluesOf(matrix))
         if (rate.imag() >= 0.0) rates.push_back(rate);
     std::ranges::sort(rates, {}, [](Complex rate) { return std::abs(rate); });
     return rates;
