@@ -37,6 +37,12 @@ enum class StepControl : std::uint8_t { Adaptive, Fixed };
 enum class InitialState : std::uint8_t { Given, Static };
 enum class IntegratorKind : std::uint8_t { Rk4, Rk4Events, Newmark, Dopri5, Cvode };
 
+/// The others choose their steps by the error.
+constexpr bool hasFixedStep(IntegratorKind kind)
+{
+    return kind != IntegratorKind::Dopri5 && kind != IntegratorKind::Cvode;
+}
+
 /// What a sample case says about itself.
 struct About {
     std::string paper;   // what the paper saw

@@ -18,8 +18,6 @@ constexpr double mostSamples = 1e8;
 constexpr double mostSteps = 1e11;
 constexpr std::size_t mostStates = 10000; // of a series
 
-std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
-
 struct Spring {
     std::string name; // "front"
     std::string distanceKey;

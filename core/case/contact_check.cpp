@@ -15,11 +15,10 @@ namespace {
 
 using Problems = std::vector<CaseProblem>;
 
-std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
 std::string inMicrometres(double length) { return roundedQuantity(length, "um", 4); }
 
 constexpr double mostSnapshotBytes = 4e9;
-constexpr double filmFields = 2.0; // gap and pressure
+constexpr double mapsOfFilm = 2.0; // gap and pressure
 
 std::string inMillions(double cells) { return decimalText(cells, -6, 3) + " million cells"; }
 std::string inGigabytes(double bytes) { return decimalText(bytes, -9, 3) + " GB"; }
@@ -212,7 +211,7 @@ void checkFilmContact(const Case& c, Problems& problems)
                             {"model"}});
         break;
     }
-    const double values = filmFields * filmCells + patchFields(c) * patchCells;
+    const double values = mapsOfFilm * filmCells + patchFields(c) * patchCells;
     const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";
     checkMemory(c, values, "the film's " + inMillions(filmCells) + patch, problems);
 }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double longestTrack = 1.0; // [m]
 constexpr const char* ours = "ours";
-constexpr const char* none = "ours: none";
 
 bool withKind(const Case& c, DiskSurfaceKind kind) { return withDiskSurface(c) && c.diskSurface.kind == kind; }
 bool combined(const Case& c) { return withKind(c, DiskSurfaceKind::Combined); }

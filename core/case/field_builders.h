@@ -33,6 +33,11 @@ std::vector<Field> runFields();
 
 namespace field_builders {
 
+/// Where a default comes from.
+inline constexpr const char* none = "ours: none";
+inline constexpr const char* lostTable =
+    "assumed: Table II of the paper is lost; this default meets the steady states that its text states";
+
 inline bool always(const Case&) { return true; }
 inline bool withContactModel(const Case& c) { return c.model == ModelKind::Contact; }
 inline bool withOnoYamane(const Case& c) { return c.contact == ContactKind::OnoYamane; }
@@ -54,11 +59,7 @@ inline bool withBearing(const Case& c) { return withSprings(c) || withFilm(c); }
 inline bool withRoll(const Case& c) { return withFilm(c) && c.degreesOfFreedom == 3; }
 inline bool withSliderSurface(const Case& c) { return withFilm(c) || withSliderPad(c); }
 /// The springs have a choice of integrators, the film one of its own.
-inline bool withFixedSpringStep(const Case& c)
-{
-    using enum IntegratorKind;
-    return withSprings(c) && (c.run.integrator == Rk4 || c.run.integrator == Rk4Events || c.run.integrator == Newmark);
-}
+inline bool withFixedSpringStep(const Case& c) { return withSprings(c) && hasFixedStep(c.run.integrator); }
 inline bool withAdaptiveSpringStep(const Case& c) { return withSprings(c) && !withFixedSpringStep(c); }
 inline bool withNewmark(const Case& c) { return withSprings(c) && c.run.integrator == IntegratorKind::Newmark; }
 inline bool withFixedStep(const Case& c)

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double longestRun = 100.0; // [s]
 constexpr int mostSnapshots = 10000;
-constexpr const char* none = "ours: none";
 
 bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
 bool withOffsets(const Case& c) { return withFilm(c) && c.initial.state == InitialState::Static; }

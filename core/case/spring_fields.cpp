@@ -7,13 +7,6 @@ namespace touchdown {
 
 using namespace field_builders;
 
-namespace {
-
-constexpr const char* lostTable =
-    "assumed: Table II of the paper is lost; this default meets the steady states that its text states";
-
-} // namespace
-
 std::vector<Field> springFields()
 {
     return {

@@ -9,8 +9,6 @@ using namespace field_builders;
 
 namespace {
 
-constexpr const char* lostTable =
-    "assumed: Table II of the paper is lost; this default meets the steady states that its text states";
 constexpr const char* typical = "a typical suspension of a small slider";
 constexpr const char* centred = "ours: over the slider's centre";
 

@@ -300,6 +300,8 @@ std::string roundedQuantity(double value, std::string_view displayUnit, int digi
     return displayUnit.empty() ? number : number + ' ' + std::string(displayUnit);
 }
 
+std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
+
 std::string formatNumber(double value, std::string_view displayUnit)
 {
     if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";

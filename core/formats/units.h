@@ -26,6 +26,7 @@ std::string formatQuantity(double value, std::string_view displayUnit);
 
 /// A number rounded to `digits` significant digits, for a message: "7.25 nm".
 std::string roundedQuantity(double value, std::string_view displayUnit, int digits);
+std::string inNanometres(double length); // with four digits
 
 /// The same without the unit.
 std::string formatNumber(double value, std::string_view displayUnit = {});

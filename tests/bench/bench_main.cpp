@@ -135,7 +135,7 @@ void benchmark(const std::string& name, const Case& c, int repeats)
     }
     std::sort(seconds.begin(), seconds.end());
     const Summary& summary = trajectory.summary;
-    const bool adaptive = c.run.integrator == IntegratorKind::Dopri5 || c.run.integrator == IntegratorKind::Cvode;
+    const bool adaptive = !hasFixedStep(c.run.integrator);
     const std::string setting = adaptive ? toText(c, *findField("run.tolerance")) : toText(c, *findField("run.step"));
     double end = NAN;
     for (const auto& [quantity, value] : summary.final)
@@ -214,7 +214,7 @@ int main(int argc, char** argv)
             Case c = document.value;
             c.run.integrator = kind;
             if (kind == IntegratorKind::Cvode && !haveCvode) continue;
-            const bool adaptive = kind == IntegratorKind::Dopri5 || kind == IntegratorKind::Cvode;
+            const bool adaptive = !hasFixedStep(kind);
             for (const double value : adaptive ? tolerances : steps) {
                 (adaptive ? c.run.tolerance : c.run.step) = value;
                 benchmark(sample.name, c, repeats);

@@ -71,7 +71,7 @@ void readInitial(CmlPart& part)
     fields.set("initial.roll_velocity", n[5]);
 }
 
-void readSolution(CmlPart& part)
+void readDynamicsSolution(CmlPart& part)
 {
     const Numbers n = part.sequence(4);
     CmlFields& fields = part.fields();
@@ -91,7 +91,7 @@ void readSolution(CmlPart& part)
                                   : "central differences; complete-flux is taken");
 }
 
-void readGrid(CmlPart& part)
+void readDynamicsGrid(CmlPart& part)
 {
     const Numbers n = part.sequence(7);
     part.fields().choose("film.grid", n[0].value != 0.0 ? "adapted" : "uniform", n[0].line);
@@ -101,7 +101,7 @@ void readGrid(CmlPart& part)
     if (n[5].value > 1.0 || n[6].value > 1.0) part.leaveOut("grid sections (nsx, nsy)");
 }
 
-void readAir(CmlPart& part)
+void readDynamicsAir(CmlPart& part)
 {
     for (const CmlNamedNumber& each : part.namedNumbers()) {
         if (each.name.starts_with("p0"))
@@ -125,18 +125,18 @@ void readSwitches(CmlPart& part)
         part.leaveOut("the whole section, which is switched on");
 }
 
-constexpr std::array<CmlSectionReader, 12> readers{{
+constexpr std::array<CmlSectionReader, 12> dynamicsSections{{
     {"problem", "Problem Definition", true, readProblem},
     {"suspension", "Suspension", true, readSuspension},
     {"initial", "Initial Condition", true, readInitial},
-    {"solution", "Solution Control", true, readSolution},
-    {"grid", "Grid Control", true, readGrid},
+    {"solution", "Solution Control", true, readDynamicsSolution},
+    {"grid", "Grid Control", true, readDynamicsGrid},
     {"track profile", "Disk Track Profile", false, readCmlTrackProfile},
     {"disk surface", "Disk Surface", false, readCmlDiskSurface},
     {"intermolecular", "Intermolecular Force", false, readCmlIntermolecular},
     {"asperity contact", "Asperity Contact", false, readCmlAsperityContact},
-    {"air", "Air Parameters", false, readAir},
-    {"additional", "Additional Parameters", false, readAir},
+    {"air", "Air Parameters", false, readDynamicsAir},
+    {"additional", "Additional Parameters", false, readDynamicsAir},
     {"", "", false, readSwitches},
 }};
 
@@ -145,7 +145,7 @@ constexpr std::array<CmlSectionReader, 12> readers{{
 void readCmlDynamics(std::string_view text, CmlFields& fields)
 {
     fields.setNumber("steady.shear_arm", 1.0, 0);
-    readCmlSections(text, readers, fields);
+    readCmlSections(text, dynamicsSections, fields);
     settleCmlDisk(fields);
 }
 

@@ -20,7 +20,7 @@ std::string shown(std::string_view name, const CmlNumber& number)
     return std::string(name) + " = " + std::string(number.text);
 }
 
-void readSolution(CmlPart& part)
+void readRunSolution(CmlPart& part)
 {
     const int stiffness = part.whole(0, 0, "istiff", 0, anyFlag);
     const int solution = part.whole(0, 1, "isolv", 0, anyFlag);
@@ -67,7 +67,7 @@ void readRuns(CmlPart& part)
         part.fields().set("air.altitude", numbers.front());
 }
 
-void readAir(CmlPart& part)
+void readRunAir(CmlPart& part)
 {
     part.set("air.pressure", 0, 0, "p0");
     part.set("air.mean_free_path", 0, 1, "the mean free path");
@@ -91,7 +91,7 @@ void readLoad(CmlPart& part)
     part.set("suspension.roll_stiffness", 1, 4, "skr");
 }
 
-void readGrid(CmlPart& part)
+void readRunGrid(CmlPart& part)
 {
     setCmlNodes(part, part.number(0, 0, "nx"), part.number(0, 1, "ny"), 0);
     if (part.whole(1, 0, "nsx", 0, mostRegions) > 1 || part.whole(1, 1, "nsy", 0, mostRegions) > 1)
@@ -166,16 +166,16 @@ void readAdditional(CmlPart& part)
     }
 }
 
-constexpr std::array<CmlSectionReader, 13> readers{{
-    {"solution", "Solution Control", true, readSolution},
+constexpr std::array<CmlSectionReader, 13> runSections{{
+    {"solution", "Solution Control", true, readRunSolution},
     {"attitude", "Initial Attitude", true, readAttitude},
     {"runs", "Runs", true, readRuns},
-    {"air", "Air Parameters", true, readAir},
+    {"air", "Air Parameters", true, readRunAir},
     {"load", "Load Parameters", true, readLoad},
     {"adaptive", "Adaptive Grid", false, readAdaptiveGrid},
     {"refinement in x", "Mesh Refinement in X Direction", false, readRefinement},
     {"refinement in y", "Mesh Refinement in Y Direction", false, readRefinement},
-    {"grid", "Grid Control", true, readGrid},
+    {"grid", "Grid Control", true, readRunGrid},
     {"reynolds", "Reynolds Equation", true, readReynolds},
     {"contact", "Partial Contact", false, readContact},
     {"sensitivit", "Sensitivities", false, readSensitivities},
@@ -207,7 +207,7 @@ void settleAir(CmlFields& fields)
 void readCmlRun(std::string_view text, CmlFields& fields)
 {
     fields.setNumber("steady.shear_arm", 1.0, 0);
-    readCmlSections(text, readers, fields);
+    readCmlSections(text, runSections, fields);
     settleAir(fields);
 }
 

@@ -47,11 +47,6 @@ std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "u
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
 std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
 
-bool hasFixedStep(IntegratorKind integrator)
-{
-    return integrator != IntegratorKind::Dopri5 && integrator != IntegratorKind::Cvode;
-}
-
 /// Why the integrator ended, for a person.
 RunEnd explain(const IntegrationResult& result)
 {

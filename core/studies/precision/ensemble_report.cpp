@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t mostPanels = 3;
 constexpr std::size_t mostEndsTold = 4;
 
-std::string nameOf(const Ensemble& ensemble) { return touchdown::nameOf(ensemble.method, ensemble.setting); }
+std::string labelOf(const Ensemble& ensemble) { return nameOf(ensemble.method, ensemble.setting); }
 
 double meanWork(const Ensemble& ensemble)
 {
@@ -92,7 +92,7 @@ private:
     void tellOne(std::size_t e, StudyReport& report) const
     {
         const std::size_t changed = otherwise(ends_.of[e], ends_.of[0]);
-        std::string text = nameOf(all_[e]) + " leads " + std::to_string(changed) + " of " + std::to_string(starts()) +
+        std::string text = labelOf(all_[e]) + " leads " + std::to_string(changed) + " of " + std::to_string(starts()) +
                            " starts to another end than the reference";
         std::string differences;
         for (std::size_t k = 0; k < ends_.classes.size(); ++k) {

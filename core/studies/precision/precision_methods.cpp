@@ -92,7 +92,7 @@ double referenceStep(const Case& c, const std::vector<SweptMethod>& methods)
 {
     const double finest = leastOf(methods, 2.0 * c.run.duration / fewestReferenceSteps, [](const Case& each) {
         const IntegratorKind kind = each.run.integrator;
-        return kind == IntegratorKind::Dopri5 || kind == IntegratorKind::Cvode ? each.run.duration : each.run.step;
+        return hasFixedStep(kind) ? each.run.step : each.run.duration;
     });
     return std::max(0.5 * finest, c.run.duration / mostReferenceSteps);
 }

@@ -25,9 +25,7 @@ struct Job {
 
 double expectedCost(const Case& c)
 {
-    const bool fixed = c.model == ModelKind::Film
-                           ? c.run.steps == StepControl::Fixed
-                           : c.run.integrator != IntegratorKind::Dopri5 && c.run.integrator != IntegratorKind::Cvode;
+    const bool fixed = c.model == ModelKind::Film ? c.run.steps == StepControl::Fixed : hasFixedStep(c.run.integrator);
     if (fixed) return 4.0 * c.run.duration / c.run.step;
     // Of fifth order, an oscillation of a microsecond at a time.
     if (c.model == ModelKind::Springs)

@@ -43,7 +43,7 @@ struct SpringWay {
 bool followSprings(const Case& given, SpringWay& way, const std::function<bool()>& goOn)
 {
     Case c = given;
-    if (c.run.integrator == IntegratorKind::Dopri5 || c.run.integrator == IntegratorKind::Cvode) {
+    if (!hasFixedStep(c.run.integrator)) {
         const MeasuredRun own = measureRun(c, {}, goOn);
         if (own.summary.status == RunStatus::Cancelled) return false;
         if (own.summary.steps > 0) way.meanStep = own.summary.endTime / static_cast<double>(own.summary.steps);
