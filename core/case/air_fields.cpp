@@ -27,6 +27,13 @@ bool withAltitude(const Case& c) { return withFilm(c) && c.air.source == AirSour
 bool withAccommodation(const Case& c) { return withFilm(c) && c.air.slip.model != SlipModel::Continuum; }
 bool withCombination(const Case& c) { return withFilm(c) && c.air.slip.model == SlipModel::Combination; }
 
+std::vector<std::string> slipNames()
+{
+    std::vector<std::string> names;
+    for (const SlipLaw& law : slipLaws()) names.emplace_back(law.name);
+    return names;
+}
+
 } // namespace
 
 std::vector<Field> airFields()
@@ -55,10 +62,7 @@ std::vector<Field> airFields()
                "Temperature of the air, which sets its viscosity and, with the pressure, its mean free path.",
                "25 C; viscosity by Sutherland, mean free path of hard spheres"),
         choice(
-            "air.slip", "slip model",
-            {"continuum", "first-order", "second-order", "1.5-order", "fukui-kaneko", "fukui-kaneko-fit",
-             "new-first-order", "new-second-order", "combination"},
-            at(&Case::air, &AirCase::slip, &Slip::model), withFilm,
+            "air.slip", "slip model", slipNames(), at(&Case::air, &AirCase::slip, &Slip::model), withFilm,
             "How the rarefied air slips at the walls: continuum = no slip; first-order = Burgdorfer 1959; second-order "
             "= Hsia & Domoto 1983; 1.5-order = Mitsuya 1993; fukui-kaneko = the kinetic values of Fukui & Kaneko 1988, "
             "1990; fukui-kaneko-fit = their published fit; new-first-order and new-second-order = Wu & Bogy 2003; "

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Places that the recipes of core/README.md name, and that someone who follows one can forget.
+#include <QtTest>
+
+#include "core/case/fields.h"
+#include "core/case_files/case_file.h"
+#include "core/physics/film/slip.h"
+#include "core/simulation/run.h"
+#include "core/studies/precision/precision_methods.h"
+#include "core/studies/study/sample_study.h"
+#include "core/studies/study_plan.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace {
+
+QString textOf(const char* file)
+{
+    QFile source(QString(TOUCHDOWN_SOURCE_DIR) + "/" + file);
+    return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
+}
+
+/// From a heading to the next one of the same level.
+QString sectionOf(const QString& text, const QString& heading)
+{
+    const qsizetype start = text.indexOf("\n## " + heading);
+    return start < 0 ? QString() : text.mid(start, text.indexOf("\n## ", start + 1) - start);
+}
+
+} // namespace
+
+class TestRecipes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void slipModelsAreExplained()
+    {
+        const std::string& help = findField("air.slip")->help;
+        for (const SlipLaw& law : slipLaws())
+            QVERIFY2(help.find(std::string(law.name)) != std::string::npos, std::string(law.name).c_str());
+    }
+
+    void integratorsAreExplainedAndCompared()
+    {
+        const QString table = sectionOf(textOf("core/README.md"), "Equations and methods"),
+                      help = textOf("resources/help/equations.html");
+        std::set<std::string> compared;
+        for (const MethodSpec& method : defaultMethods(Case{}, true)) compared.insert(method.name);
+        for (const std::string& name : findField("run.integrator")->choices) {
+            const QString text = QString::fromStdString(name);
+            QVERIFY2(table.contains("`" + text + "`"), name.c_str());
+            QVERIFY2(help.contains("<b>" + text + "</b>"), name.c_str());
+            Case c;
+            QVERIFY(!setFromText(c, *findField("run.integrator"), name));
+            QVERIFY2(compared.contains(name) || !reasonNotToRun(c).empty(), name.c_str());
+        }
+    }
+
+    /// Every pair of model and contact law either runs or is refused at the key "contact".
+    void contactLawsRunOrAreRefused()
+    {
+        for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact})
+            for (const std::string& name : findField("contact")->choices) {
+                Case c = defaultsOf(model);
+                QVERIFY(!setFromText(c, *findField("contact"), name));
+                const std::vector<CaseProblem> problems = checkCombinations(c);
+                const bool refused =
+                    std::ranges::any_of(problems, [](const CaseProblem& problem) { return problem.key == "contact"; });
+                if (!refused && reasonNotToRun(c).empty()) QVERIFY2(!recordedQuantities(c).empty(), name.c_str());
+            }
+    }
+
+    void recordedQuantitiesAreListed()
+    {
+        const QString table = sectionOf(textOf("core/README.md"), "The results file");
+        QStringList missing;
+        for (const SampleCase& sample : sampleCases())
+            for (const Quantity& quantity : recordedQuantities(openCase(sample.name).value))
+                if (const QString name = QString::fromStdString(quantity.name); !table.contains("`" + name + "`"))
+                    missing.append(name);
+        missing.removeDuplicates();
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(", ")));
+    }
+
+    void studiesHaveASampleAndARow()
+    {
+        const QString readme = textOf("README.md");
+        for (const StudyKind& kind : studyKinds()) {
+            const auto hasKind = [&](const SampleStudyText& sample) {
+                return sample.text.find("kind = \"" + kind.name + "\"") != std::string::npos;
+            };
+            QVERIFY2(std::ranges::any_of(sampleStudyTexts(), hasKind), kind.name.c_str());
+            QVERIFY2(readme.contains(QString::fromStdString(kind.name)), kind.name.c_str());
+        }
+    }
+};
+
+TOUCHDOWN_TEST(TestRecipes)
+#include "test_recipes.moc"
