@@ -2,19 +2,16 @@
 #include "app/commands/run_command.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "app/commands/case_commands.h"
 #include "app/commands/run_report.h"
+#include "app/terminal/console.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
-#include "app/terminal/stop_signal.h"
+#include "app/terminal/report_text.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
-#include "core/formats/output_file.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_spectra.h"
@@ -23,48 +20,10 @@
 namespace touchdown {
 namespace {
 
-namespace fs = std::filesystem;
-
-// Unlike HDF5, CSV may go into a device or a pipe.
-std::string checkCsvTarget(const std::string& file)
-{
-    std::error_code none;
-    const fs::file_status status = fs::status(file, none);
-    const bool stream = fs::is_character_file(status) || fs::is_fifo(status);
-    return stream && ::access(file.c_str(), W_OK) == 0 ? std::string() : checkOutputFile(file);
-}
-
-// Everything that can be known to go wrong with the output before anything is written.
-bool targetsAreGood(const RunArguments& arguments)
-{
-    const std::string& name = arguments.caseArguments.name;
-    bool good = targetIsGood("--out", arguments.out, checkOutputFile(arguments.out), name);
-    good = targetIsGood("--csv", arguments.csv, checkCsvTarget(arguments.csv), name) && good;
-    if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
-        complain("--out and --csv: both name " + arguments.out);
-        good = false;
-    }
-    return good;
-}
-
-// The minimum spacing of all samples so far [m].
-struct LeastSpacing {
-    explicit LeastSpacing(const std::vector<Quantity>& quantities) : column(findQuantity(quantities, "minimum_spacing"))
-    {}
-    void add(const SampleBatch& batch)
-    {
-        if (column < 0) return;
-        for (const double each : batch.columns[static_cast<std::size_t>(column)])
-            least = least ? std::min(*least, each) : each;
-    }
-    int column;
-    std::optional<double> least{};
-};
-
 // The files that a run fills. The first problem is kept, and ends the run.
 class RunOutput {
 public:
-    RunOutput(const RunArguments& arguments, const CaseDocument& document)
+    RunOutput(const CommandArguments& arguments, const CaseDocument& document)
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
         if (!arguments.out.empty()) {
@@ -110,29 +69,31 @@ private:
 
 } // namespace
 
-int runCommand(const RunArguments& arguments)
+int runCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
-    const bool good = targetsAreGood(arguments);
+    const CaseDocument document = openCaseOrComplain(arguments);
+    const bool good =
+        targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
         complain(document.name + ": " + reason);
         return exitWrongInput;
     }
 
-    const StopSignal stop;
+    ProgressLine line(arguments.progress);
     RunOutput output(arguments, document);
     if (!output.problem().empty()) {
         complain(output.problem());
         return exitWrongInput;
     }
-    ProgressLine line(arguments.progress);
-    LeastSpacing spacing(output.quantities());
+    const int spacing = findQuantity(output.quantities(), "minimum_spacing");
+    std::optional<double> least; // of all samples so far [m]
     Summary summary = run(document.value, [&](const RunUpdate& update) {
         output.add(update.samples, update.fields);
-        spacing.add(update.samples);
-        line.show(runProgress(update.time, update.duration, spacing.least));
-        return !stop.requested() && output.problem().empty();
+        if (spacing >= 0)
+            for (const double each : update.samples.columns[static_cast<std::size_t>(spacing)])
+                least = std::min(least.value_or(each), each);
+        return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
     });
     line.end();
 
@@ -144,7 +105,7 @@ int runCommand(const RunArguments& arguments)
     print(arguments.json ? runJson(summary, output.quantities())
                          : runText(document.value, summary, output.quantities()));
     if (summary.status == RunStatus::Completed) return exitDone;
-    complain(std::string(name(summary.status)) + (summary.message.empty() ? "" : ": " + summary.message));
+    complain(statusText(name(summary.status), summary.message));
     return exitNoAnswer;
 }
 

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "app/terminal/json_text.h"
-#include "app/terminal/number_text.h"
-#include "app/terminal/report_row.h"
-#include "core/formats/units.h"
+#include "app/terminal/report_text.h"
+#include "core/formats/words.h"
 #include "core/simulation/contact/contact_run.h"
 
 namespace touchdown {
@@ -94,16 +92,14 @@ Json fitJson(const std::optional<CharacteristicFit>& fit)
 // Every null has its reason in the message.
 std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& quantities)
 {
-    std::string missing; // in the model
-    std::string unknown; // at the end of this run
-    for (const char* key : finalKeys) {
-        if (find(summary.final, key) != summary.final.end()) continue;
-        std::string& list = findQuantity(quantities, key) < 0 ? missing : unknown;
-        list += (list.empty() ? "" : ", ") + std::string(key);
-    }
+    std::vector<std::string> missing; // in the model
+    std::vector<std::string> unknown; // at the end of this run
+    for (const char* key : finalKeys)
+        if (find(summary.final, key) == summary.final.end())
+            (findQuantity(quantities, key) < 0 ? missing : unknown).emplace_back(key);
     std::string message = summary.message;
-    const auto add = [&](const char* reason, const std::string& keys) {
-        if (!keys.empty()) message += (message.empty() ? "" : "; ") + std::string(reason) + keys;
+    const auto add = [&](const char* reason, const std::vector<std::string>& keys) {
+        if (!keys.empty()) message += (message.empty() ? "" : "; ") + std::string(reason) + joined(keys);
     };
     add("null because this case does not have it: ", missing);
     add("null because the run gave no valid value: ", unknown);
@@ -120,15 +116,11 @@ std::string fitText(const CharacteristicFit& fit)
     return text + reportRow("fit", fit.message);
 }
 
-// With its trailing zeros, which say how far the value was looked at.
 std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
 {
     const int i = findQuantity(quantities, key);
-    if (i < 0) return displayed(value, "");
-    const std::string& unit = quantities[static_cast<std::size_t>(i)].displayUnit;
-    char text[64];
-    std::snprintf(text, sizeof text, "%#.5g ", value / unitFactor(unit));
-    return text + unit;
+    return i < 0 ? displayed(value, "")
+                 : displayedInFull(value, quantities[static_cast<std::size_t>(i)].displayUnit);
 }
 
 /// The switches and jumps of a pad, by separation.

@@ -7,11 +7,12 @@
 
 #include "app/commands/case_commands.h"
 #include "app/commands/steady_report.h"
+#include "app/terminal/console.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
-#include "app/terminal/stop_signal.h"
+#include "app/terminal/report_text.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
-#include "core/formats/output_file.h"
 #include "core/results/steady_writer.h"
 #include "core/simulation/static_state/steady_progress.h"
 
@@ -29,16 +30,15 @@ SteadyResult withoutFields(SteadyResult result)
 
 } // namespace
 
-int steadyCommand(SteadyArguments arguments)
+int steadyCommand(CommandArguments arguments)
 {
-    if (arguments.fixedAttitude) arguments.caseArguments.settings.emplace_back("steady.fixed_attitude=true");
-    const CaseDocument document = openFilmCaseOrComplain(arguments.caseArguments);
-    const bool good =
-        targetIsGood("--out", arguments.out, checkOutputFile(arguments.out), arguments.caseArguments.name);
+    if (arguments.fixedAttitude) arguments.settings.emplace_back("steady.fixed_attitude=true");
+    const CaseDocument document = openFilmCaseOrComplain(arguments);
+    const bool good = targetsAreGood({{"--out", arguments.out}}, arguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     const Case& c = document.value;
 
-    const StopSignal stop;
+    ProgressLine line(arguments.progress);
     std::optional<SteadyWriter> file;
     std::string problem;
     if (!arguments.out.empty()) problem = file.emplace().open(arguments.out, c, updateCaseText(document.text, c));
@@ -48,7 +48,6 @@ int steadyCommand(SteadyArguments arguments)
     }
 
     const std::vector<SteadySeriesPoint> series = seriesOf(c);
-    ProgressLine line(arguments.progress);
     std::vector<SteadyState> states;
     for (const SteadySeriesPoint& point : series) {
         SteadyResult result = steady(caseAt(c, point), [&](const SteadyProgress& update) {
@@ -56,12 +55,11 @@ int steadyCommand(SteadyArguments arguments)
             if (series.size() > 1)
                 progress.activity = "state " + std::to_string(states.size() + 1) + " of " +
                                     std::to_string(series.size()) + ", " + progress.activity;
-            line.show(std::move(progress));
-            return !stop.requested();
+            return line.show(std::move(progress));
         });
         if (file) problem = file->add(point, result);
         states.push_back({point, withoutFields(std::move(result))});
-        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stop.requested()) break;
+        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || line.stopRequested()) break;
     }
     line.end();
 
@@ -78,7 +76,7 @@ int steadyCommand(SteadyArguments arguments)
         return exitNoAnswer;
     }
     if (status == SteadyStatus::Converged) return exitDone;
-    complain(statusText(status, message));
+    complain(statusText(name(status), message));
     return exitNoAnswer;
 }
 

@@ -3,20 +3,10 @@
 // `touchdown steady`: the static state of a film case, or of each of its series.
 #pragma once
 
-#include <string>
-
-#include "app/terminal/console.h"
-
 namespace touchdown {
 
-struct SteadyArguments {
-    CaseArguments caseArguments;
-    std::string out; // HDF5; "" for none
-    bool fixedAttitude = false;
-    bool json = false;
-    bool progress = false;
-};
+struct CommandArguments;
 
-int steadyCommand(SteadyArguments arguments);
+int steadyCommand(CommandArguments arguments);
 
 } // namespace touchdown

@@ -2,10 +2,10 @@
 #include "app/commands/steady_report.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
-#include "app/terminal/number_text.h"
-#include "app/terminal/report_row.h"
+#include "app/terminal/report_text.h"
+#include "app/terminal/text_table.h"
 #include "core/case/fields.h"
 #include "core/formats/units.h"
 #include "core/simulation/static_state/steady_quantities.h"
@@ -18,13 +18,6 @@ bool isKnown(const SteadyResult& r) { return r.grid.x.size() > 1; }
 Json place(const SurfacePoint& point, bool known)
 {
     return known ? Json{jsonNumber(point.x), jsonNumber(point.y)} : Json(nullptr);
-}
-
-Json matrix(const Matrix3& m)
-{
-    Json result = Json::array();
-    for (int k = 0; k < 3; ++k) result.push_back({jsonNumber(m(k, 0)), jsonNumber(m(k, 1)), jsonNumber(m(k, 2))});
-    return result;
 }
 
 Json attitudeJson(const Attitude& a)
@@ -72,24 +65,9 @@ std::string jsonMessage(const Case& c, const SteadyResult& r)
     return message;
 }
 
-// To five figures, with trailing zeros, which say how far the value was looked at.
-std::string shown(double value, const std::string& displayUnit, int digits = 5)
-{
-    if (!std::isfinite(value)) return "-";
-    char text[64];
-    std::snprintf(text, sizeof text, "%#.*g", digits, displayUnit.empty() ? value : value / unitFactor(displayUnit));
-    std::string result = text;
-    if (result.ends_with('.')) result.pop_back();
-    return displayUnit.empty() ? result : result + ' ' + displayUnit;
-}
-
 std::string matrixText(const std::string& title, const Matrix3& matrix)
 {
-    const auto number = [](double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%14.5g", value);
-        return std::string(text);
-    };
+    const auto number = [&](int row, int column) { return numberColumn(matrix(row, column), 5); };
     std::string text = reportRow(title, "        height         pitch          roll   (SI)");
     const std::array<const char*, 3> rows{"  force", "  pitch torque", "  roll torque"};
     for (std::size_t i = 0; i < 3; ++i)
@@ -104,7 +82,7 @@ std::string placeText(const SurfacePoint& point)
 
 std::string withError(double value, double error, const std::string& unit)
 {
-    return shown(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
+    return displayedInFull(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
 }
 
 // What is round-off beside the other is zero.
@@ -112,21 +90,21 @@ std::string pairText(const std::string& first, double a, const std::string& seco
 {
     const double noise = 1e-9 * std::max(std::abs(a), std::abs(b));
     const auto clean = [&](double value) { return std::abs(value) < noise ? 0.0 : value; };
-    return first + ' ' + shown(clean(a), unit) + ", " + second + ' ' + shown(clean(b), unit);
+    return first + ' ' + displayedInFull(clean(a), unit) + ", " + second + ' ' + displayedInFull(clean(b), unit);
 }
 
 std::string forcesText(const SteadyResult& r)
 {
     const FilmForces& f = r.forces;
     std::string text = reportRow("net force", withError(f.net, r.discretisationError.load, "gf"));
-    text += reportRow("  above ambient", shown(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
+    text += reportRow("  above ambient", displayedInFull(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
     if (f.negative < 0.0)
-        text += reportRow("  below ambient", shown(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
+        text += reportRow("  below ambient", displayedInFull(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
     text += reportRow("pressure torques", pairText("pitch", f.pitchTorque, "roll", f.rollTorque, "uN m"));
     text += reportRow("shear force", pairText("x", f.shearX, "y", f.shearY, "mN"));
     text += reportRow("shear torques", pairText("pitch", r.shearPitchTorque, "roll", r.shearRollTorque, "uN m"));
-    text += reportRow("highest pressure", shown(f.maximumPressure, "kPa") + " at " + placeText(f.maximumAt));
-    text += reportRow("lowest pressure", shown(f.minimumPressure, "kPa") + " at " + placeText(f.minimumAt));
+    text += reportRow("highest pressure", displayedInFull(f.maximumPressure, "kPa") + " at " + placeText(f.maximumAt));
+    text += reportRow("lowest pressure", displayedInFull(f.minimumPressure, "kPa") + " at " + placeText(f.minimumAt));
     return text;
 }
 
@@ -134,11 +112,6 @@ std::string forcesText(const SteadyResult& r)
 std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
 {
     if (sensitivities.empty()) return {};
-    const auto number = [](double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%14.4g", value);
-        return std::string(text);
-    };
     std::string text = reportRow("sensitivity to", "   height [nm]  pitch [urad]   roll [urad]  spacing [nm]   per");
     for (const Sensitivity& s : sensitivities) {
         const Field* field = findField(s.parameter);
@@ -147,21 +120,22 @@ std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
         const double nm = unitFactor("nm"), urad = unitFactor("urad");
         std::string name = "  " + s.parameter;
         if (name.size() > 21) name = "  " + s.parameter.substr(s.parameter.find('.') + 1); // without its table
-        text += reportRow(name, number(s.height * one / nm) + number(s.pitch * one / urad) +
-                                    number(s.roll * one / urad) + number(s.minimumSpacing * one / nm) + "   1 " + unit);
+        text += reportRow(name, numberColumn(s.height * one / nm, 4) + numberColumn(s.pitch * one / urad, 4) +
+                                    numberColumn(s.roll * one / urad, 4) +
+                                    numberColumn(s.minimumSpacing * one / nm, 4) + "   1 " + unit);
     }
     return text;
 }
 
 std::string oneText(const Case& c, const SteadyResult& r)
 {
-    std::string text = reportRow("status", statusText(r.status, r.message));
+    std::string text = reportRow("status", statusText(name(r.status), r.message));
     if (!isKnown(r)) return text;
     if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
     text += reportRow("solution", std::to_string(r.iterations) + " iterations on " + std::to_string(r.grid.x.size()) +
                                       " x " + std::to_string(r.grid.y.size()) + " nodes, " +
                                       displayed(r.wallSeconds, "s", 3));
-    text += reportRow("trailing edge height", shown(r.attitude.height, "nm"));
+    text += reportRow("trailing edge height", displayedInFull(r.attitude.height, "nm"));
     text += reportRow("pitch", withError(r.attitude.pitch, r.discretisationError.pitch, "urad"));
     text += reportRow("roll", withError(r.attitude.roll, r.discretisationError.roll, "urad"));
     text += reportRow("minimum spacing", withError(r.minimumSpacing, r.discretisationError.minimumSpacing, "nm"));
@@ -170,12 +144,12 @@ std::string oneText(const Case& c, const SteadyResult& r)
     const auto& points = c.surface.pointsOfInterest;
     for (std::size_t i = 0; i < std::min(points.size(), r.interestSpacing.size()); ++i)
         text += reportRow("spacing of point " + std::to_string(i + 1),
-                          shown(r.interestSpacing[i], "nm") + " at " + placeText(points[i]));
+                          displayedInFull(r.interestSpacing[i], "nm") + " at " + placeText(points[i]));
     if (r.stiffness) text += matrixText("stiffness", *r.stiffness);
     for (std::size_t i = 0; i < r.otherEquilibria.size(); ++i) {
         const Attitude& a = r.otherEquilibria[i];
         text += reportRow(i == 0 ? "other equilibria" : "",
-                          shown(a.height, "nm") + ", " + shown(a.pitch, "urad") + ", " + shown(a.roll, "urad"));
+                          displayedInFull(a.height, "nm") + ", " + displayedInFull(a.pitch, "urad") + ", " + displayedInFull(a.roll, "urad"));
     }
     text += sensitivitiesText(r.sensitivities);
     return text;
@@ -188,9 +162,7 @@ std::string seriesText(const std::vector<SteadyState>& states)
         std::vector<std::string> head, row;
         const auto add = [&](const Quantity& quantity, double value, bool known) {
             head.push_back(quantity.name + " [" + quantity.displayUnit + "]");
-            char text[64];
-            std::snprintf(text, sizeof text, "%.6g", value / unitFactor(quantity.displayUnit));
-            row.push_back(known ? text : "-");
+            row.push_back(known ? displayed(value / unitFactor(quantity.displayUnit), "", 6) : "-");
         };
         for (const auto& [quantity, value] : seriesQuantities(state.point)) add(quantity, value, true);
         const bool known = isKnown(state.result);
@@ -202,15 +174,9 @@ std::string seriesText(const std::vector<SteadyState>& states)
         if (rows.empty()) rows.push_back(head);
         rows.push_back(row);
     }
-    std::string text;
-    for (const auto& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::size_t width = rows.front()[i].size();
-            text += (i + 1 < row.size() ? std::string(width - std::min(width, row[i].size()), ' ') : "") + row[i];
-            text += i + 1 < row.size() ? "  " : "\n";
-        }
-    }
-    return text;
+    std::vector<bool> left(rows.front().size());
+    left.back() = true;
+    return alignedTable(rows, left);
 }
 
 } // namespace
@@ -230,9 +196,11 @@ std::string worstMessage(const std::vector<SteadyState>& states)
     return {};
 }
 
-std::string statusText(SteadyStatus status, const std::string& message)
+Json matrixJson(const Matrix3& m)
 {
-    return std::string(name(status)) + (message.empty() ? "" : ": " + message);
+    Json result = Json::array();
+    for (int k = 0; k < 3; ++k) result.push_back({jsonNumber(m(k, 0)), jsonNumber(m(k, 1)), jsonNumber(m(k, 2))});
+    return result;
 }
 
 std::string leftOut(const Case& c)
@@ -264,7 +232,7 @@ Json steadyObject(const Case& c, const SteadyResult& r)
     json["maximum_pressure_at"] = place(f.maximumAt, known);
     json["minimum_pressure_at"] = place(f.minimumAt, known);
     json["points_of_interest"] = interestJson(c, r);
-    json["stiffness"] = r.stiffness ? matrix(*r.stiffness) : Json(nullptr);
+    json["stiffness"] = r.stiffness ? matrixJson(*r.stiffness) : Json(nullptr);
     const auto error = [&](double value) { return known ? jsonNumber(value) : Json(nullptr); };
     json["discretisation_error"] = {{"minimum_spacing", error(r.discretisationError.minimumSpacing)},
                                     {"pitch", error(r.discretisationError.pitch)},

@@ -21,11 +21,11 @@ struct SteadyState {
 SteadyStatus worstStatus(const std::vector<SteadyState>& states);
 std::string worstMessage(const std::vector<SteadyState>& states);
 
-/// "not converged: why".
-std::string statusText(SteadyStatus status, const std::string& message);
-
 /// The parts of the case that a static state and its modes leave out, in a sentence; empty where there are none.
 std::string leftOut(const Case& c);
+
+/// Its rows.
+Json matrixJson(const Matrix3& m);
 
 /// The keys of one state; numbers in SI, unknown values as null with the reason in the message.
 Json steadyObject(const Case& c, const SteadyResult& result);

@@ -7,6 +7,7 @@
 #include "core/case_files/case_file.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -113,9 +114,9 @@ std::string notTaken(const std::string& command, const Words& left, const Words&
         const std::string name = each.substr(0, each.find('='));
         return command + ": " + name + " is no option" + didYouMean(nearestName(name, options));
     }
-    std::string list;
-    for (const std::string& each : left) list += (list.empty() ? "" : ", ") + inQuotes(each);
-    return command + ": " + list + (left.size() > 1 ? " were" : " was") + " not expected";
+    Words quoted;
+    for (const std::string& each : left) quoted.push_back(inQuotes(each));
+    return command + ": " + joined(quoted) + (left.size() > 1 ? " were" : " was") + " not expected";
 }
 
 } // namespace touchdown
