@@ -53,7 +53,8 @@ std::optional<InputProblem> kindProblem(const std::string& name, const StudySour
     if (std::ranges::find(kinds, study.kind) != kinds.end()) return {};
     const std::string said = study.kind.empty() ? "is missing: it is one of "
                                                 : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
-    return InputProblem{name, study.kindLine, "kind", said + joined(kinds) + didYouMean(nearestName(study.kind, kinds))};
+    return InputProblem{name, study.kindLine, "kind",
+                        said + joined(kinds) + didYouMean(nearestName(study.kind, kinds))};
 }
 
 int validateStudy(const CommandArguments& arguments, const StudySource& study)

@@ -211,8 +211,7 @@ int commandLine(int argc, char** argv)
         app.parse(std::move(words));
         if (app.get_subcommands().empty()) checkWords(app, {});
         for (const CLI::App* command : {&run, &steady, &modes, &validate})
-            if (command->parsed())
-                findCase(*command, arguments, "CASE, a file or a sample case of `touchdown list`,");
+            if (command->parsed()) findCase(*command, arguments, "CASE, a file or a sample case of `touchdown list`,");
         if (study.parsed() && study.get_subcommands().empty()) checkWords(app, {"study"});
         for (const CLI::App* kind : kinds) {
             if (!kind->parsed()) continue;

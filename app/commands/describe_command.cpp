@@ -249,7 +249,8 @@ std::optional<int> describeStudy(const std::string& key, bool json)
     }
     if (!key.starts_with(prefix)) return {};
     const std::vector<std::string> kinds = studyKindNames();
-    complain(key + ": unknown kind of study: allowed is one of " + joined(kinds) + didYouMean(nearestName(name, kinds)));
+    complain(key + ": unknown kind of study: allowed is one of " + joined(kinds) +
+             didYouMean(nearestName(name, kinds)));
     return exitWrongInput;
 }
 

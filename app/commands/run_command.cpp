@@ -72,8 +72,7 @@ private:
 int runCommand(const CommandArguments& arguments)
 {
     const CaseDocument document = openCaseOrComplain(arguments);
-    const bool good =
-        targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
+    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
         complain(document.name + ": " + reason);

@@ -119,8 +119,7 @@ std::string fitText(const CharacteristicFit& fit)
 std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
 {
     const int i = findQuantity(quantities, key);
-    return i < 0 ? displayed(value, "")
-                 : displayedInFull(value, quantities[static_cast<std::size_t>(i)].displayUnit);
+    return i < 0 ? displayed(value, "") : displayedInFull(value, quantities[static_cast<std::size_t>(i)].displayUnit);
 }
 
 /// The switches and jumps of a pad, by separation.

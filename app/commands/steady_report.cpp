@@ -67,11 +67,11 @@ std::string jsonMessage(const Case& c, const SteadyResult& r)
 
 std::string matrixText(const std::string& title, const Matrix3& matrix)
 {
-    const auto number = [&](int row, int column) { return numberColumn(matrix(row, column), 5); };
     std::string text = reportRow(title, "        height         pitch          roll   (SI)");
     const std::array<const char*, 3> rows{"  force", "  pitch torque", "  roll torque"};
-    for (std::size_t i = 0; i < 3; ++i)
-        text += reportRow(rows[i], number(matrix(i, 0)) + number(matrix(i, 1)) + number(matrix(i, 2)));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        text += reportRow(rows[i], numberColumn(matrix(i, 0), 5) + numberColumn(matrix(i, 1), 5) +
+                                       numberColumn(matrix(i, 2), 5));
     return text;
 }
 
@@ -99,7 +99,8 @@ std::string forcesText(const SteadyResult& r)
     std::string text = reportRow("net force", withError(f.net, r.discretisationError.load, "gf"));
     text += reportRow("  above ambient", displayedInFull(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
     if (f.negative < 0.0)
-        text += reportRow("  below ambient", displayedInFull(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
+        text +=
+            reportRow("  below ambient", displayedInFull(f.negative, "gf") + " at " + placeText(f.centreOfNegative));
     text += reportRow("pressure torques", pairText("pitch", f.pitchTorque, "roll", f.rollTorque, "uN m"));
     text += reportRow("shear force", pairText("x", f.shearX, "y", f.shearY, "mN"));
     text += reportRow("shear torques", pairText("pitch", r.shearPitchTorque, "roll", r.shearRollTorque, "uN m"));
@@ -148,8 +149,9 @@ std::string oneText(const Case& c, const SteadyResult& r)
     if (r.stiffness) text += matrixText("stiffness", *r.stiffness);
     for (std::size_t i = 0; i < r.otherEquilibria.size(); ++i) {
         const Attitude& a = r.otherEquilibria[i];
-        text += reportRow(i == 0 ? "other equilibria" : "",
-                          displayedInFull(a.height, "nm") + ", " + displayedInFull(a.pitch, "urad") + ", " + displayedInFull(a.roll, "urad"));
+        text += reportRow(i == 0 ? "other equilibria" : "", displayedInFull(a.height, "nm") + ", " +
+                                                                displayedInFull(a.pitch, "urad") + ", " +
+                                                                displayedInFull(a.roll, "urad"));
     }
     text += sensitivitiesText(r.sensitivities);
     return text;

@@ -215,9 +215,9 @@ int printTemplate(const CommandArguments& arguments)
     const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings);
     complainOf(plan);
     const bool isStudy = !plan.text.empty();
-    const char* ignored = !arguments.options.empty()                     ? "--option"
+    const char* ignored = !arguments.options.empty()               ? "--option"
                           : isStudy && !arguments.settings.empty() ? "--set"
-                                                                         : "";
+                                                                   : "";
     const std::string shortcut = arguments.kind == "advise" ? "--tolerance" : "--levels";
     if (*ignored != 0)
         complain(std::string(ignored) + ": has no effect" +
@@ -264,9 +264,9 @@ int studyCommand(const CommandArguments& arguments)
 
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    StudyReport report = plan.perform(
-        arguments.jobs > 0 ? arguments.jobs : cores,
-        [&](const StudyProgress& progress) { return line.show({progress.share, progress.doing}); });
+    StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
+        return line.show({progress.share, progress.doing});
+    });
     line.end();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report);
     if (!problems.empty()) {

@@ -38,7 +38,8 @@ private:
     Clock::time_point next_; // no line before
     Progress progress_;
     TimeLeft timeLeft_;
-    struct sigaction interrupt_ {}, terminate_ {}; // as they were before
+    struct sigaction interrupt_ {
+    }, terminate_{}; // as they were before
 };
 
 } // namespace touchdown

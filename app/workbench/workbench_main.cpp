@@ -51,7 +51,8 @@ Arguments parse(int argc, char** argv)
           "folder"},
          {"screenshot", "Runs the case, writes a picture of the whole window to <file> and ends.", "file"},
          {"study",
-          "Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no display, writes "
+          "Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no display, "
+          "writes "
           "its charts as PNG and SVG to the folder of --pictures, prints their paths and ends.",
           "kind"},
          {"pictures", "Folder for the charts of --study.", "folder"},
@@ -171,6 +172,6 @@ int main(int argc, char** argv)
     window.show();
     if (isRun) window.openResults(arguments.file);
     if (arguments.run)
-        QTimer::singleShot(0, &window, staticState ? &MainWindow::solveStaticState : &MainWindow::startRun);
+        QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });
     return QApplication::exec();
 }

@@ -75,7 +75,7 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
     if (staticState) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
     bool good = report(savePicture(*window.page(), page), page);
-    for (const LivePlots::Entry& entry : window.plots().plots()) {
+    for (const LivePlots::Entry& entry : window.runView().plots()->plots()) {
         if (entry.plot->isHidden()) continue;
         const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
         good = report(savePicture(*entry.plot, file), file) && good;
@@ -90,9 +90,9 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
         good = report(savePicture(*window.page(), file), file) && good;
     }
     window.runView().setPage(RunView::Page::Plots);
-    if (window.spectrum().isHidden()) return good;
+    if (window.runView().spectrum()->isHidden()) return good;
     const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
-    return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
+    return report(savePicture(*window.runView().spectrum()->view()->plot(), spectrum), spectrum) && good;
 }
 
 Picture pictureOf(const StudyChart& chart)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Pictures of the window and of the charts of a study, for scripts and for the README. The names of the files go to
-// standard output. The functions return the exit code: 0; 1 when there is no valid answer; 2 when something could not be
-// read or written.
+// standard output. The functions return the exit code: 0; 1 when there is no valid answer; 2 when something could not
+// be read or written.
 #pragma once
 
 #include <QString>

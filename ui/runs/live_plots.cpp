@@ -158,7 +158,10 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     }
     setCase({});
 
-    connect(&runs_, &RunsModel::added, this, &LivePlots::addRun);
+    connect(&runs_, &RunsModel::added, this, [this] {
+        rebuild();
+        group_->forgetHistory();
+    });
     connect(&runs_, &RunsModel::aboutToRemove, this, &LivePlots::removeRun);
     connect(&runs_, &RunsModel::shownChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
@@ -174,16 +177,11 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     });
 }
 
-PlotWidget* LivePlots::plot(const QString& name) const
+const LivePlots::Entry& LivePlots::entry(const QString& name) const
 {
     const auto found = std::ranges::find(entries_, name, &Entry::name);
-    return found == entries_.end() ? nullptr : found->plot;
-}
-
-QAction* LivePlots::wanted(const QString& name) const
-{
-    const auto found = std::ranges::find(entries_, name, &Entry::name);
-    return found == entries_.end() ? nullptr : found->wanted;
+    Q_ASSERT(found != entries_.end());
+    return *found;
 }
 
 void LivePlots::setCase(const Case& c)
@@ -216,12 +214,6 @@ void LivePlots::runFinished(int number)
     group_->dataChanged();
 }
 
-void LivePlots::addRun(int)
-{
-    rebuild();
-    group_->forgetHistory();
-}
-
 void LivePlots::removeRun(int number)
 {
     const QString prefix = QStringLiteral("run %1/").arg(number);
@@ -240,10 +232,11 @@ void LivePlots::removeRun(int number)
 void LivePlots::rebuild()
 {
     noteHiddenCurves();
-    for (int row = 0; row < runs_.count(); ++row) addCurves(runs_.record(row));
     drawn_.clear();
-    for (int row = 0; row < runs_.count(); ++row)
+    for (int row = 0; row < runs_.count(); ++row) {
+        addCurves(runs_.record(row));
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
+    }
     updateMarks();
     updateVisibility();
     emit curvesChanged();

@@ -9,10 +9,11 @@
 
 #include <QSizeF>
 
-#include "core/studies/study/study.h"
 #include "ui/plot/plot_axis.h"
 
 namespace touchdown {
+
+struct ChartPanel;
 
 struct PanelRange {
     PlotRange x, y; // [SI]

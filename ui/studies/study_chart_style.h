@@ -4,6 +4,7 @@
 // full, hollow or crossed, a class of a map by colour, pattern and letter. No information depends on colour alone.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,10 +13,14 @@
 #include <QPainter>
 #include <QPen>
 
-#include "core/studies/study/study.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
+
+enum class PointKind : std::uint8_t;
+struct ChartClass;
+struct ChartSeries;
+struct StudyChart;
 
 enum class MarkerShape { Circle, Square, Triangle, Diamond, TriangleDown, Pentagon };
 

@@ -36,6 +36,17 @@ QString kindIn(const QString& text)
 
 } // namespace
 
+StudyCatalogue coreStudies()
+{
+    const std::span<const StudyKind> kinds = studyKinds();
+    return {{kinds.begin(), kinds.end()},
+            sampleStudies(),
+            studyTemplate,
+            [](const std::string& kind, const std::string& text, const std::string& name,
+               const std::filesystem::path& folder,
+               const Case& c) { return parseStudy(kind, text, name, folder, &c); }};
+}
+
 StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     : QWidget(parent),
       catalogue_(std::move(catalogue)),
@@ -191,7 +202,7 @@ void StudyEditor::replan()
     if (kinds_->count() == 0) return;
     Draft& draft = drafts_[kind()];
     if (draft.text == draft.defaults && draft.file.isEmpty()) {
-        const QString defaults = QString::fromStdString(catalogue_.textOf(kind().toStdString(), case_));
+        const QString defaults = QString::fromStdString(catalogue_.defaultText(kind().toStdString(), case_));
         draft.text = draft.defaults = defaults;
         if (toText() != defaults) text_->setPlainText(defaults);
         soon_.stop();
@@ -237,7 +248,6 @@ void StudyEditor::showProblems()
 
 void StudyEditor::setRunning(bool running)
 {
-    running_ = running;
     run_->setText(running ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
 }

@@ -9,6 +9,7 @@
 #include <QFont>
 #include <QPainter>
 
+#include "core/studies/study/study.h"
 #include "ui/studies/study_chart_style.h"
 
 namespace touchdown {

@@ -10,11 +10,14 @@
 #include <QFont>
 #include <QPainter>
 
-#include "core/studies/study/study.h"
 #include "ui/studies/study_axes.h"
 #include "ui/studies/study_chart_style.h"
 
 namespace touchdown {
+
+struct ChartPanel;
+struct ChartBand;
+struct ChartSeries;
 
 /// The object under a pixel: a point of a series, a cell of the map, or a band; the others are -1.
 struct PanelHit {
@@ -38,10 +41,14 @@ public:
     QPointF toPixel(double x, double y) const;
     PanelRange rangeOf(const QRectF& box) const;
     std::optional<PanelHit> at(const QPointF& pixel) const;
+    /// The object in words, in HTML: series and setting, x and y with their errors and how the point came out; the
+    /// class and the sentence of a cell; the label of a band.
+    QString reading(const PanelHit& hit) const;
     /// Half of a marker's width [px].
     double radius() const { return radius_; }
 
 private:
+    QString bandText(const ChartBand& band) const;
     double across(double x) const;
     double up(double y) const;
     QRectF bandBox(const ChartBand& band) const;

@@ -10,6 +10,7 @@
 #include <QFontMetricsF>
 #include <QPainterPath>
 
+#include "core/studies/study/study.h"
 #include "ui/studies/study_labels.h"
 
 namespace touchdown {

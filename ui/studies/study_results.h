@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -39,13 +38,6 @@ public:
     const std::optional<StudyReport>& report() const { return report_; }
 
     bool isEmpty() const { return pages_->currentIndex() == 0; }
-    QTabBar* chartTabs() const { return chartTabs_; }
-    QTabBar* factTabs() const { return factTabs_; }
-    const std::vector<StudyChartView*>& charts() const { return charts_; }
-    const std::vector<StudyTableView*>& tables() const { return tables_; }
-    QString findings() const { return findings_->toPlainText(); }
-    QPushButton* apply() const { return apply_; }
-    QMenu* saveMenu() const { return save_->menu(); }
 
 signals:
     /// The case that was found is wanted.
@@ -58,8 +50,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void buildEmpty();
-    void buildContent();
+    void build();
     void showCharts();
     void showTables();
     void writeFindings();
@@ -69,7 +60,7 @@ private:
     StudyTableView* shownTable() const;
 
     std::optional<StudyReport> report_;
-    bool underWay_ = false, stale_ = false;
+    bool underWay_ = false;
     std::vector<StudyChartView*> charts_;
     std::vector<StudyTableView*> tables_;
     QStackedWidget* pages_;

@@ -30,8 +30,6 @@ public:
     ProgressStrip* progress() const { return progress_; }
     StudyController& controller() { return controller_; }
 
-    /// The case as it is edited.
-    void setCase(const Case& c);
     /// Performs what the editor says; false where there is something wrong with it.
     bool perform();
 

@@ -11,6 +11,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QSettings>
 
 #include "core/simulation/static_state/steady.h"
 #include "ui/calculation/progress_strip.h"
@@ -19,14 +20,13 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/about_case_pane.h"
-#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/runs/runs_panel.h"
 #include "ui/slider/attitude_sections.h"
-#include "ui/studies/study_catalogue.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -35,9 +35,14 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/window/window_actions.h"
-#include "ui/window/window_session.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr int stateVersion = 2; // of the arrangement of the panes in the settings
+
+} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
@@ -58,8 +63,6 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
-    session_ = std::make_unique<WindowSession>(
-        WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
     connectFiles();
     connectRuns();
     connectFilm();
@@ -92,15 +95,7 @@ RunsModel& MainWindow::runs() { return runs_->runs(); }
 
 RunController& MainWindow::controller() { return runs_->controller(); }
 
-RunsPanel& MainWindow::runsPanel() { return *runs_->panel(); }
-
 RunView& MainWindow::runView() { return *runs_->view(); }
-
-LivePlots& MainWindow::plots() { return *runs_->view()->plots(); }
-
-LiveSpectrum& MainWindow::spectrum() { return *runs_->view()->spectrum(); }
-
-ProgressStrip& MainWindow::progress() { return *runs_->progress(); }
 
 bool MainWindow::readyToRun()
 {
@@ -114,16 +109,12 @@ bool MainWindow::readyToRun()
     return false;
 }
 
-void MainWindow::solveStaticState() { solve(false); }
-
-void MainWindow::solveAtGivenAttitude() { solve(true); }
-
-void MainWindow::solve(bool given)
+void MainWindow::solveStaticState(bool atGivenAttitude)
 {
     if (!readyToRun()) return;
     messages_->clear();
     setPage(Page::StaticState);
-    film_->solve(edits_.value(), given);
+    film_->solve(edits_.value(), atGivenAttitude);
 }
 
 void MainWindow::startRun()
@@ -149,7 +140,7 @@ void MainWindow::onCaseOpened()
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_.value());
-    runs_->open(edits_.value());
+    runs_->view()->spectrum()->setOptionsOf(edits_.value());
     messages_->clear();
     updateTitle();
 }
@@ -158,8 +149,8 @@ void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_.value());
     film_->edit(edits_.value());
-    runs_->edit(edits_.value());
-    studies_->setCase(edits_.value());
+    runs_->view()->setCase(edits_.value());
+    studies_->editor()->setCase(edits_.value());
     pages_->showModel(edits_.value().model);
     updateRunActions();
     updateTitle();
@@ -297,19 +288,40 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::saveSession()
 {
     setPage(Page::Run); // the next session begins with its panes
-    session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
+    settings.setValue(QStringLiteral("window/splitter"), runs_->view()->splitter()->saveState());
+    if (const QAction* theme = actions_->theme->checkedAction())
+        settings.setValue(QStringLiteral("window/theme"), theme->data());
+    if (const QAction* size = actions_->fontSize->checkedAction())
+        settings.setValue(QStringLiteral("window/font"), size->data());
+    settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
+    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
+    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
 void MainWindow::restoreSession()
 {
-    session_->restore();
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
+    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
+    const auto check = [](QActionGroup* group, const QVariant& value) {
+        for (QAction* action : group->actions())
+            if (action->data().toString() == value.toString()) action->setChecked(true);
+    };
+    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
+    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
+    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
     pages_->showPanesOfPage();
     look();
 }
 
 void MainWindow::openLastCase()
 {
-    const QString last = WindowSession::lastCase();
+    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
     const bool sample =
         std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
     // A file that is gone or spoiled since is no reason to begin with an error.

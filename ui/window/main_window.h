@@ -8,8 +8,6 @@
 #include "ui/window/help_window.h"
 #include "ui/window/window_pages.h"
 
-#include <memory>
-
 #include <QMainWindow>
 
 #include "ui/case/case_edits.h"
@@ -20,19 +18,14 @@ class AboutCasePane;
 class CaseFiles;
 class CasePanel;
 class FilmWindow;
-class LivePlots;
-class LiveSpectrum;
 class MessageStrip;
-class ProgressStrip;
 class RunController;
 class RunFiles;
 class RunView;
 class RunWindow;
 class RunsModel;
-class RunsPanel;
 class StudyWindow;
 class WindowActions;
-class WindowSession;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -53,16 +46,13 @@ public:
     void openLastCase();
     /// Runs the case in time.
     void startRun();
-    /// Solves a film case for its static state.
-    void solveStaticState();
-    /// Solves a film case for the pressure at the attitude of its start.
-    void solveAtGivenAttitude();
+    /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
+    void solveStaticState(bool atGivenAttitude = false);
     /// Performs the study that is written on the page of studies.
     void performStudy();
     void openResults(const QString& file);
     using Page = WindowPages::Page;
     void setPage(Page page) { pages_->setPage(page); }
-    QTabBar* pageTabs() const { return pages_->tabs(); }
     /// The page that is shown, as it is exported.
     QWidget* page() const { return pages_->pages(); }
 
@@ -72,12 +62,9 @@ public:
     RunController& controller();
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
-    RunsPanel& runsPanel();
+    RunWindow& runWindow() { return *runs_; }
     RunView& runView();
-    LivePlots& plots();
-    LiveSpectrum& spectrum();
     MessageStrip& messages() { return *messages_; }
-    ProgressStrip& progress();
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }
@@ -108,7 +95,6 @@ private:
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
     void onStudied(const StudyReport& report);
-    void solve(bool given);
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
@@ -130,7 +116,6 @@ private:
     MessageStrip* messages_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
-    std::unique_ptr<WindowSession> session_;
     QString recordTo_;
     bool closing_ = false; // the question about changes was answered
 };

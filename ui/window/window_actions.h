@@ -44,7 +44,6 @@ public:
     std::vector<const QAction*> withShortcuts() const;
     /// Offers what the model can do, and what belongs to the page of runs in time, if that is shown.
     void setPage(ModelKind model, bool inTime);
-    void choosePace(double simulatedPerWallSecond);
 
 signals:
     void sampleChosen(const QString& name);

@@ -52,6 +52,7 @@ void WindowPages::buildCentre()
     tabs_->setTabVisible(static_cast<int>(Page::StaticState), false);
     tabs_->setCurrentIndex(static_cast<int>(Page::Run));
     pages_->setCurrentIndex(static_cast<int>(Page::Run));
+    tabs_->setObjectName(QStringLiteral("pages"));
     tabs_->setAccessibleName(tr("Pages of the case"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);

@@ -53,7 +53,6 @@ public:
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
 
-    QTabBar* tabs() const { return tabs_; }
     QStackedWidget* pages() const { return pages_; }
 
 signals:
