@@ -46,7 +46,7 @@ Json validation(const char* what, const CaseDocument& document, const std::strin
             {"unused", jsonList(document.unused)}};
 }
 
-/// What is wrong with the kind that a study names.
+/// The problem of the kind that a study names, if there is one.
 std::optional<InputProblem> kindProblem(const std::string& name, const StudySource& study)
 {
     const std::vector<std::string> kinds = studyKindNames();
@@ -168,7 +168,7 @@ int validateCommand(const CommandArguments& arguments)
 
 int convertCommand(const std::string& from, const std::string& to)
 {
-    // What has no effect now is kept, so that nothing is lost on the way back.
+    // Values without effect are kept, so that converting back loses nothing.
     const CaseDocument document = openCaseToKeep(from);
     if (!document.valid()) return exitWrongInput;
     const bool toml = fs::path(to).extension() == ".toml";

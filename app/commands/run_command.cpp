@@ -20,14 +20,14 @@
 namespace touchdown {
 namespace {
 
-// The files that a run fills. The first problem is kept, and ends the run.
+/// The output files of a run. The first problem is kept and ends the run.
 class RunOutput {
 public:
     RunOutput(const CommandArguments& arguments, const CaseDocument& document)
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
         if (!arguments.out.empty()) {
-            // Without the files that the text may name, so that the results stand alone.
+            // The text holds the contents of the files that the case names: the results need no other file.
             const std::string text = updateCaseText(document.text, document.value);
             problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
                                                recordedFields(document.value));

@@ -12,7 +12,7 @@
 namespace touchdown {
 namespace {
 
-// Present in every object, whatever the model: scripts rely on them.
+// Present in the object of every model: scripts rely on them.
 constexpr std::array finalKeys{
     "flying_height",  "minimum_spacing",   "pitch", "roll", "height", "contact_force", "adhesion_force",
     "friction_force", "air_bearing_force", "energy"};
@@ -89,7 +89,7 @@ Json fitJson(const std::optional<CharacteristicFit>& fit)
             {"message", fit->message}};
 }
 
-// Every null has its reason in the message.
+/// The message gives the reason of every null.
 std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& quantities)
 {
     std::vector<std::string> missing; // in the model
@@ -149,7 +149,7 @@ std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
 
 std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
 
-/// What one reads off an approach and retraction curve.
+/// Report of a contact run: approach and retraction of a pad.
 std::string contactText(const Case& c, const Summary& summary)
 {
     std::string text = c.title + "\n";
@@ -206,7 +206,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
          {std::pair{"flying_height", "final flying height"}, std::pair{"pitch", "final pitch"},
           std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},
           std::pair{"net_contact_force", "final net contact"}})
-        // That of the springs counts from their static state.
+        // The bearing force of the springs is relative to their static state.
         if (const auto found = find(summary.final, key);
             found != summary.final.end() &&
             (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))

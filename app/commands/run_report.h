@@ -10,7 +10,7 @@
 
 namespace touchdown {
 
-/// One object; numbers in SI, what the model does not have as null.
+/// One object; numbers in SI, quantities that the model does not have as null.
 std::string runJson(const Summary& summary, const std::vector<Quantity>& quantities);
 std::string runText(const Case& c, const Summary& summary, const std::vector<Quantity>& quantities);
 

@@ -19,7 +19,7 @@
 namespace touchdown {
 namespace {
 
-// The fields of many states would take much memory, and only the file needs them.
+/// The pressure and the gap of many states need much memory, and only the file needs them.
 SteadyResult withoutFields(SteadyResult result)
 {
     result.pressure = {};

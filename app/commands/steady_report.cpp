@@ -52,7 +52,7 @@ Json interestJson(const Case& c, const SteadyResult& r)
     return result;
 }
 
-// Every null has its reason in the message.
+/// The message gives the reason of every null.
 std::string jsonMessage(const Case& c, const SteadyResult& r)
 {
     std::string message = r.message;
@@ -85,7 +85,7 @@ std::string withError(double value, double error, const std::string& unit)
     return displayedInFull(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
 }
 
-// What is round-off beside the other is zero.
+/// A value within the round-off of the other one is written as zero.
 std::string pairText(const std::string& first, double a, const std::string& second, double b, const std::string& unit)
 {
     const double noise = 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -109,7 +109,7 @@ std::string forcesText(const SteadyResult& r)
     return text;
 }
 
-// In the units in which people change the parameters.
+/// Changes per display unit of each parameter.
 std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
 {
     if (sensitivities.empty()) return {};
@@ -120,7 +120,7 @@ std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
         const double one = unit.empty() ? 1.0 : unitFactor(unit);
         const double nm = unitFactor("nm"), urad = unitFactor("urad");
         std::string name = "  " + s.parameter;
-        if (name.size() > 21) name = "  " + s.parameter.substr(s.parameter.find('.') + 1); // without its table
+        if (name.size() > 21) name = "  " + s.parameter.substr(s.parameter.find('.') + 1); // without its group
         text += reportRow(name, numberColumn(s.height * one / nm, 4) + numberColumn(s.pitch * one / urad, 4) +
                                     numberColumn(s.roll * one / urad, 4) +
                                     numberColumn(s.minimumSpacing * one / nm, 4) + "   1 " + unit);

@@ -21,10 +21,10 @@ struct SteadyState {
 SteadyStatus worstStatus(const std::vector<SteadyState>& states);
 std::string worstMessage(const std::vector<SteadyState>& states);
 
-/// The parts of the case that a static state and its modes leave out, in a sentence; empty where there are none.
+/// A sentence about the parts of the case that a static state and its modes leave out; "" if there are none.
 std::string leftOut(const Case& c);
 
-/// Its rows.
+/// The rows of the matrix.
 Json matrixJson(const Matrix3& m);
 
 /// The keys of one state; numbers in SI, unknown values as null with the reason in the message.

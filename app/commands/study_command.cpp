@@ -23,7 +23,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostRows = 40; // of a table for people
+constexpr std::size_t mostRows = 40; // of a printed table
 
 Json valueJson(const StudyValue& value)
 {
@@ -116,10 +116,10 @@ std::string cellText(const StudyColumn& column, const StudyValue& value)
     if (column.displayUnit.empty() && std::trunc(*number) == *number && std::abs(*number) < largestCount)
         return std::to_string(static_cast<long long>(*number));
     const std::string shown = displayed(*number, column.displayUnit);
-    return shown.substr(0, shown.find(' ')); // the unit stands in the heading
+    return shown.substr(0, shown.find(' ')); // the heading has the unit
 }
 
-/// `whole` says which option gives all of it.
+/// `whole`: the option that gives the complete table.
 std::string tableText(const StudyTable& table, std::size_t width, const std::string& whole)
 {
     std::vector<FittedColumn> columns;
@@ -143,7 +143,7 @@ std::string tableText(const StudyTable& table, std::size_t width, const std::str
     return text;
 }
 
-/// It holds the charts, too; numbers in SI, null where one is not known.
+/// One object, with the charts; numbers in SI, unknown numbers as null.
 std::string studyJson(const StudyReport& report)
 {
     Json tables = Json::array(), charts = Json::array();
@@ -176,14 +176,14 @@ std::string studyText(const StudyReport& report, std::size_t width)
     return text;
 }
 
-/// The case that a study found, as the text of the case it began with. Returns the problem, or "".
+/// Writes the case that a study found, with the comments of its first case. Returns the problem, or "".
 std::string writeFound(const std::string& file, const StudyPlan& plan, const Case& found)
 {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     return writeCaseFile(file, updateCaseText(plan.start.text, found, folder.empty() ? "." : folder));
 }
 
-/// Writes all files that were asked for, also of a study that ended early. Returns the problems.
+/// Writes all requested files, also of a study that ended early. Returns the problems.
 std::vector<std::string> writeFiles(const CommandArguments& arguments, const StudyPlan& plan, const StudyReport& report)
 {
     std::vector<std::string> problems;
@@ -191,7 +191,7 @@ std::vector<std::string> writeFiles(const CommandArguments& arguments, const Stu
         if (!problem.empty()) problems.push_back(std::move(problem));
     };
     const Case& c = plan.start.value;
-    // Without the files that the text may name, so that the results stand alone.
+    // The text holds the contents of the files that the case names: the report needs no other file.
     if (!arguments.out.empty())
         keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
     if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
@@ -199,7 +199,7 @@ std::vector<std::string> writeFiles(const CommandArguments& arguments, const Stu
     return problems;
 }
 
-/// Where --out names a case file, the user may expect the case that was found there.
+/// A user who names a case file with --out may expect the found case in it.
 bool outIsGood(const CommandArguments& arguments)
 {
     const auto kind = std::ranges::find(studyKinds(), arguments.kind, &StudyKind::name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown study KIND` and `touchdown advise`: what many solutions of one case show.
+// `touchdown study KIND` and `touchdown advise`: many solutions of one case and their evaluation.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ std::string take(Words& arguments, const Words& names)
     return word;
 }
 
-/// The same of a word that is nearly one of them.
+/// The same for a word that is similar to one of them.
 std::string takeNear(Words& arguments, const Words& names)
 {
     for (auto each = arguments.begin(); each != arguments.end(); ++each) {
@@ -62,7 +62,7 @@ std::string kindNamed(const Words& arguments, const Words& kinds)
     return {};
 }
 
-/// The arguments as they were likely meant; none if nothing is likely.
+/// The arguments that were probably meant; none if there is no suggestion.
 Words likelyMeant(Words rest, const CommandWords& known)
 {
     Words meant;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether two names lead to one file, which need not exist.
+/// Whether two names mean the same file, which need not exist.
 bool sameFile(const std::string& a, const std::string& b)
 {
     std::error_code none;

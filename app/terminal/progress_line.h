@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A calculation in the terminal: its progress in one line on standard error, redrawn on a terminal, elsewhere one line
-// a second if asked for; and its end on request: SIGINT or SIGTERM stops it in good order, the second signal ends the
-// program at once. One at a time.
+// Progress of a calculation on standard error: one line that is redrawn on a terminal; elsewhere, if asked for, one
+// line a second. SIGINT or SIGTERM asks the calculation to stop; a second signal ends the program at once. One at a
+// time.
 #pragma once
 
 #include <chrono>
@@ -38,8 +38,8 @@ private:
     Clock::time_point next_; // no line before
     Progress progress_;
     TimeLeft timeLeft_;
-    struct sigaction interrupt_ {
-    }, terminate_{}; // as they were before
+    struct sigaction interrupt_ {}; // the actions before
+    struct sigaction terminate_ {};
 };
 
 } // namespace touchdown

@@ -18,7 +18,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t gap = 2;          // between columns
-constexpr std::size_t shortestCut = 24; // of a text; below it nothing is understood
+constexpr std::size_t shortestCut = 24; // of a text; shorter ones are not understood
 
 bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; } // of UTF-8
 
@@ -28,7 +28,7 @@ std::size_t textWidth(const std::string& text)
     return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continuesCharacter));
 }
 
-/// The heading's parts, in lines no longer than `most` or than the longest part.
+/// The heading in lines no longer than `most` or than its longest part.
 Lines brokenHeading(const std::string& heading, std::size_t most)
 {
     Lines lines;
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    /// For the values of a column whose texts have at most so many characters.
+    /// Width of the values of a column when texts have at most `longest` characters.
     std::size_t room(std::size_t i, std::size_t longest) const
     {
         return columns_[i].text ? std::min(values_[i], longest) : values_[i];

@@ -9,13 +9,12 @@
 
 namespace touchdown {
 
-/// Columns as wide as their widest entry; those named in `left` begin where their heading begins, the others end with
-/// it.
+/// Columns as wide as their widest entry, aligned at the left where `left` is true, else at the right.
 std::string alignedTable(const std::vector<std::vector<std::string>>& rows, const std::vector<bool>& left = {});
 
 struct FittedColumn {
     std::string heading;    // may break behind '_' and at spaces
-    bool text = false;      // begins where its heading begins and may be cut; numbers end with it
+    bool text = false;      // aligned at the left, may be cut; numbers are aligned at the right
     bool secondary = false; // left out first
 };
 

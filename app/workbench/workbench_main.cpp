@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// touchdown-workbench: the window, and the same window without a screen for pictures.
+// touchdown-workbench: the window; with --export, --screenshot or --study, pictures of it.
 #include <cstdlib>
 #include <iostream>
 
@@ -14,7 +14,6 @@
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
 #include "core/results/results_reader.h"
-#include "ui/case/case_files.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 
@@ -32,7 +31,7 @@ struct Arguments {
     QString theme;
 };
 
-/// Ends the program for --help, --version and mistakes: none of them needs a display.
+/// Ends the program for --help, --version and wrong arguments; needs no display.
 Arguments parse(int argc, char** argv)
 {
     QStringList list;
@@ -126,7 +125,7 @@ void checkRun(const QString& file, bool pictures)
 int main(int argc, char** argv)
 {
     using namespace touchdown;
-    // Help and mistakes come before anything that needs a display.
+    // Before anything that needs a display.
     const Arguments arguments = [&] {
         int count = 1;
         const QCoreApplication forTheParser(count, argv);
@@ -141,7 +140,7 @@ int main(int argc, char** argv)
         return takeStudyPictures(arguments.study, arguments.file.isEmpty() ? defaultCase : arguments.file,
                                  arguments.pictures);
     }
-    const bool isRun = CaseFiles::isResultsFile(arguments.file);
+    const bool isRun = MainWindow::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
     if (isRun) checkRun(arguments.file, pictures);
     CaseDocument document;
@@ -162,7 +161,7 @@ int main(int argc, char** argv)
 
     const QFileInfo info(arguments.file);
     if (!document.name.empty())
-        window.files().take(document, info.exists() ? info.absoluteFilePath() : QString());
+        window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
     else
         window.openLastCase();
 

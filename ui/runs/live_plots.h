@@ -48,13 +48,13 @@ public:
     /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
 
-    /// Samples of this run have come.
+    /// Samples of this run have arrived.
     void dataArrived(int number);
     /// The run has ended: its last events, and its difference to the baseline.
     void runFinished(int number);
 
 signals:
-    /// Curves came or went.
+    /// Curves were added or removed.
     void curvesChanged();
 
 private:

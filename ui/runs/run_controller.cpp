@@ -130,7 +130,7 @@ bool RunWorker::handOut(const RunUpdate& update)
         fields += slice.fields.size();
         post(update, slice);
     }
-    if (update.time < update.duration) pace_.waitWhilePaused(stop_); // at the end no samples are left to hold back
+    if (update.time < update.duration) pace_.waitWhilePaused(stop_); // at the end all samples are handed out
     return !stop_.stop_requested();
 }
 

@@ -30,7 +30,7 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    /// Emits how it ended; nothing is left for the dialog to show.
+    /// Emits `succeeded` or `failed`. Returns no problem: the dialog has nothing to show.
     QString reported(const QString& problem, const QString& file);
     QString baseName(const RunRecord& run) const;
 

@@ -51,8 +51,8 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
 {
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
-    // Making room takes a pyramid some milliseconds: they do it at different times. The first is the smallest, see
-    // complete().
+    // A full pyramid needs some milliseconds to make room. With different capacities they are full at different times.
+    // The first is the smallest, see complete().
     for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
 }
 

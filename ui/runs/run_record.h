@@ -2,9 +2,9 @@
 //
 // One run as the window holds it: its case, its samples, its events, how it ended.
 //
-// Samples live in pyramids, of which each holds a bounded number; beyond that the extremes stay and
-// the rest goes (see `complete`). Pyramids do not move, so that curves may point to them. Snapshots of
-// fields are bounded too (see FieldHistory).
+// A pyramid holds the samples of a quantity, at most a fixed number; beyond that only the extremes are kept (see
+// `complete`). Pyramids do not move, so that curves may point to them. Snapshots of fields are bounded too (see
+// FieldHistory).
 #pragma once
 
 #include <cstddef>

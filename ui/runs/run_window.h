@@ -35,7 +35,7 @@ public:
 
 signals:
     void started(int number);
-    /// Everything shows it by now.
+    /// After the page shows the end.
     void ended(int number, const touchdown::Summary& summary);
 
 private:

@@ -25,7 +25,7 @@ namespace {
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
 
-/// As the study's file says it; empty where it does not.
+/// The kind that the study's text names; empty if it names none.
 QString kindIn(const QString& text)
 {
     const TomlDocument toml = readToml(text.toStdString());
@@ -260,7 +260,7 @@ QString StudyEditor::open(const QString& path)
     if (file.size() > static_cast<qint64>(maximumStudyFileSize))
         return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
     const QString text = QString::fromUtf8(file.readAll());
-    setKind(kindIn(text)); // where it says none, it is of the kind that is chosen
+    setKind(kindIn(text)); // a text without a kind is of the chosen kind
     drafts_[kind()].file = path;
     setText(text);
     replan();

@@ -36,7 +36,7 @@ private:
     void addSeries(const StudyChart& chart, const ChartStyles& styles);
     void addClasses(const StudyChart& chart);
     void addKey(const StudyChart& chart);
-    double entryWidth(const Entry& entry) const;
+    double sampleWidth(const Entry& entry) const;
     void paintSample(QPainter& painter, const Entry& entry, const QRectF& box) const;
     std::vector<QRectF> places(double width) const;
 

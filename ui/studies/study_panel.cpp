@@ -18,8 +18,8 @@ namespace {
 
 constexpr double gap = 6.0;        // between things that belong together [px]
 constexpr double tickLength = 4.0; // [px]
-constexpr double reach = 20.0;     // of what is drawn beyond the area, in its widths: more is too much for a painter
-constexpr double near = 9.0;       // of a pointer to a point [px]
+constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
+constexpr double near = 9.0;   // of a pointer to a point [px]
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::StudyPanel", text); }
 
@@ -131,7 +131,7 @@ QRectF StudyPanel::cellBox(int cell) const
     return QRectF(toPixel(xEdges_[i], yEdges_[j + 1]), toPixel(xEdges_[i + 1], yEdges_[j])).normalized();
 }
 
-std::vector<QPolygonF> StudyPanel::paths(const ChartSeries& series) const
+std::vector<QPolygonF> StudyPanel::polylines(const ChartSeries& series) const
 {
     std::vector<QPolygonF> result(1);
     for (const ChartPoint& point : series.points) {

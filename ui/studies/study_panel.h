@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One panel of a study's chart, laid out in a box: axes, bands, map, series, labels; and what is under a pixel. The
-// same on the screen and on paper. Own painting: the axes of Qt Charts lose a whole curve to one number that has no
-// logarithm, and know neither hollow points nor maps.
+// One panel of a study's chart in a box: axes, bands, map, series, labels; and the object under a pixel. The same on
+// the screen and on paper. Not drawn with Qt Charts: its logarithmic axes drop a whole curve for one number <= 0, and
+// it has neither hollow points nor maps.
 #pragma once
 
 #include <optional>
@@ -53,7 +53,7 @@ private:
     double up(double y) const;
     QRectF bandBox(const ChartBand& band) const;
     QRectF cellBox(int cell) const;
-    std::vector<QPolygonF> paths(const ChartSeries& series) const;
+    std::vector<QPolygonF> polylines(const ChartSeries& series) const;
     bool inside(const QPointF& pixel) const { return area_.adjusted(-1.0, -1.0, 1.0, 1.0).contains(pixel); }
 
     void layOut(const QRectF& box);

@@ -31,7 +31,7 @@ public:
 
     /// A report, complete or of a study in progress.
     void setReport(const StudyReport& report, bool underWay);
-    /// Nothing is known.
+    /// Shows the introduction, or that the study is in progress.
     void clear(bool underWay);
     /// The case or the text of the study has changed since.
     void setStale(bool stale);
@@ -40,9 +40,9 @@ public:
     bool isEmpty() const { return pages_->currentIndex() == 0; }
 
 signals:
-    /// The case that was found is wanted.
+    /// The user wants to edit the case that the study found.
     void applyRequested();
-    /// All of the report is to be written to a file.
+    /// The user wants to save the whole report.
     void saveRequested();
     void succeeded(const QString& message);
 

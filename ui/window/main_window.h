@@ -5,16 +5,15 @@
 // right; what happened at the foot.
 #pragma once
 
-#include "ui/window/help_window.h"
-#include "ui/window/window_pages.h"
-
 #include <QMainWindow>
 
-#include "ui/case/case_edits.h"
+#include "ui/window/help_window.h"
+#include "ui/window/window_pages.h"
 
 namespace touchdown {
 
 class AboutCasePane;
+class CaseEdits;
 class CaseFiles;
 class CasePanel;
 class FilmWindow;
@@ -26,6 +25,7 @@ class RunWindow;
 class RunsModel;
 class StudyWindow;
 class WindowActions;
+struct CaseDocument;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -48,15 +48,18 @@ public:
     void startRun();
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
     void solveStaticState(bool atGivenAttitude = false);
-    /// Performs the study that is written on the page of studies.
+    /// Performs the study in the editor of studies.
     void performStudy();
+    /// A case that was read elsewhere; `file` is empty for a sample case.
+    void openCase(const CaseDocument& document, const QString& file);
     void openResults(const QString& file);
+    static bool isResultsFile(const QString& file);
     using Page = WindowPages::Page;
     void setPage(Page page) { pages_->setPage(page); }
     /// The page that is shown, as it is exported.
     QWidget* page() const { return pages_->pages(); }
 
-    CaseEdits& edits() { return edits_; }
+    CaseEdits& edits() { return *edits_; }
     CaseFiles& files() { return *files_; }
     RunsModel& runs();
     RunController& controller();
@@ -70,7 +73,7 @@ public:
     StudyWindow& studies() { return *studies_; }
 
 signals:
-    /// A run, a solution or a study has come to its end, and everything shows it; `valid` when it has an answer.
+    /// A run, a solution or a study has ended, after the window shows it; `valid` when it has an answer.
     void calculationEnded(bool valid, const QString& message);
 
 protected:
@@ -104,7 +107,7 @@ private:
     void look();
     void saveSession();
 
-    CaseEdits edits_;
+    CaseEdits* edits_;
     WindowActions* actions_;
     CaseFiles* files_;
     RunFiles* runFiles_ = nullptr;

@@ -10,6 +10,7 @@
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
@@ -45,7 +46,7 @@ void MainWindow::connectFiles()
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
     connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
     connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
-    connect(actions_->resetAll, &QAction::triggered, &edits_, &CaseEdits::resetAll);
+    connect(actions_->resetAll, &QAction::triggered, edits_, &CaseEdits::resetAll);
     connect(actions_->findParameter, &QAction::triggered, this, [this] {
         casePanel_->search()->setFocus();
         casePanel_->search()->selectAll();
@@ -71,9 +72,9 @@ void MainWindow::connectFiles()
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
     connect(runFiles_, &RunFiles::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
-    connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
-    connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
-    connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(&edits_->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
+    connect(&edits_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
 }
 
 void MainWindow::connectRuns()
@@ -129,7 +130,7 @@ void MainWindow::connectStudies()
     connect(studies_, &StudyWindow::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        edits_.setAll(found, tr("apply the study: %1").arg(title));
+        edits_->setAll(found, tr("apply the study: %1").arg(title));
         messages_->show(
             MessageStrip::Kind::Success,
             tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));

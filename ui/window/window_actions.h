@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything that can be done in the window: actions, their menus, the tool bar. What they do is
-// connected by the window.
+// The actions of the window, their menus and the tool bar. The window connects them.
 #pragma once
 
 #include "core/case/case.h"

@@ -19,6 +19,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/plot/plot_export.h"

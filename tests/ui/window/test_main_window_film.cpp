@@ -15,6 +15,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/disk/disk_surface_view.h"
