@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/commands/case_commands.h"
-#include "app/commands/steady_report.h"
+#include "app/commands/steady_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_text.h"

@@ -218,10 +218,11 @@ int printTemplate(const CommandArguments& arguments)
     const char* ignored = !arguments.options.empty()               ? "--option"
                           : isStudy && !arguments.settings.empty() ? "--set"
                                                                    : "";
-    const std::string shortcut = arguments.kind == "advise" ? "--tolerance" : "--levels";
+    const std::string shortcut = arguments.kind == "advise"        ? "--tolerance"
+                                 : arguments.kind == "convergence" ? "--levels"
+                                                                   : "";
     if (*ignored != 0)
-        complain(std::string(ignored) + ": has no effect" +
-                 (arguments.kind == "advise" || arguments.kind == "convergence" ? ", nor has " + shortcut + "," : "") +
+        complain(std::string(ignored) + ": has no effect" + (shortcut.empty() ? "" : ", nor has " + shortcut + ",") +
                  " on what --template prints; write it into the file");
     if (!plan.valid() || *ignored != 0) return exitWrongInput;
     if (isStudy) {
