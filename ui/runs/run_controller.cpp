@@ -63,10 +63,8 @@ private:
         std::span<const FieldSnapshot> fields;
     };
 
-    void open();
     bool handOut(const RunUpdate& update);
     void post(const RunUpdate& update, const Slice& slice);
-    void record(const SampleBatch& samples, std::span<const FieldSnapshot> fields);
     void report(const std::string& recordingProblem);
     Summary shownSummary(Summary summary) const;
 
@@ -88,7 +86,9 @@ RunWorker::RunWorker(const RunController::Solver& solver, RunRequest request, Ru
 
 void RunWorker::work()
 {
-    if (!request_.recordTo.empty()) open();
+    if (!request_.recordTo.empty())
+        report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
+                                        recordedQuantities(request_.value), recordedFields(request_.value)));
     Summary summary;
     try {
         summary = solver_(request_.value, [this](const RunUpdate& update) { return handOut(update); });
@@ -100,13 +100,6 @@ void RunWorker::work()
     summary = shownSummary(std::move(summary));
     if (recorder_) report(recorder_->finish(summary));
     mailbox_.post([&](RunMail& mail) { mail.summary = std::move(summary); });
-}
-
-void RunWorker::open()
-{
-    recorder_.emplace();
-    report(recorder_->open(request_.recordTo, request_.value, request_.caseText, recordedQuantities(request_.value),
-                           recordedFields(request_.value)));
 }
 
 bool RunWorker::handOut(const RunUpdate& update)
@@ -145,7 +138,8 @@ void RunWorker::post(const RunUpdate& update, const Slice& slice)
         lastSample_.clear();
         for (const std::vector<double>& column : batch.columns) lastSample_.push_back(column[end - 1]);
     }
-    if (recorder_ && (samples > 0 || !fields.empty())) record(samples > 0 ? part : SampleBatch{}, fields);
+    if (recorder_ && (samples > 0 || !fields.empty()))
+        report(recorder_->append(samples > 0 ? part : SampleBatch{}, {fields.begin(), fields.end()}));
 
     // A solver that is faster than the window waits, so that neither memory nor a delivery grows without bound.
     const std::size_t fieldValues = valuesOf(fields);
@@ -165,11 +159,6 @@ void RunWorker::post(const RunUpdate& update, const Slice& slice)
         delivery.time = end == batch.size() ? update.time : batch.time[end - 1];
         delivery.duration = update.duration;
     });
-}
-
-void RunWorker::record(const SampleBatch& samples, std::span<const FieldSnapshot> fields)
-{
-    report(recorder_->append(samples, {fields.begin(), fields.end()}));
 }
 
 /// After a problem the run continues without its file.
