@@ -1,20 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/case_commands.h"
 
-#include "app/terminal/aligned_table.h"
+#include <algorithm>
+#include <filesystem>
+
+#include "app/commands/study_command.h"
+#include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
+#include "app/terminal/text_table.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
+#include "core/case_files/case_text.h"
+#include "core/case_files/cml_case.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/formats/words.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
 
-void complainOf(const CaseDocument& document)
+namespace {
+
+namespace fs = std::filesystem;
+
+Json jsonList(const std::vector<InputProblem>& problems)
 {
-    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
-    for (const InputProblem& problem : document.problems) complain(problem.text());
+    Json list = Json::array();
+    for (const InputProblem& problem : problems)
+        list.push_back({{"file", problem.file},
+                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
+                        {"key", problem.key},
+                        {"message", problem.message}});
+    return list;
 }
+
+Json validation(const char* what, const CaseDocument& document, const std::string& title,
+                const std::vector<InputProblem>& problems)
+{
+    return {{what, document.name},
+            {"title", title},
+            {"valid", problems.empty()},
+            {"problems", jsonList(problems)},
+            {"warnings", jsonList(document.warnings)},
+            {"unused", jsonList(document.unused)}};
+}
+
+/// The problem of the kind that a study names, if there is one.
+std::optional<InputProblem> kindProblem(const std::string& name, const StudySource& study)
+{
+    const std::vector<std::string> kinds = studyKindNames();
+    if (std::ranges::find(kinds, study.kind) != kinds.end()) return {};
+    const std::string said = study.kind.empty() ? "is missing: it is one of "
+                                                : inQuotes(study.kind) + " is no kind of study: allowed is one of ";
+    return InputProblem{name, study.kindLine, "kind",
+                        said + joined(kinds) + didYouMean(nearestName(study.kind, kinds))};
+}
+
+int validateStudy(const CommandArguments& arguments, const StudySource& study)
+{
+    StudyPlan plan;
+    if (const auto problem = kindProblem(arguments.name, study))
+        plan.problems.push_back(*problem);
+    else
+        plan = openStudy(study.kind, arguments.name, arguments.settings);
+    CaseDocument& start = plan.start;
+    start.name = arguments.name;
+    complainOf(plan);
+    if (arguments.json) {
+        Json object = validation("study", start, plan.title, plan.problems);
+        object["kind"] = study.kind;
+        print(jsonText(object));
+    } else if (plan.valid()) {
+        print(arguments.name + ": valid, a study of kind " + study.kind + "\n");
+    }
+    return plan.valid() ? exitDone : exitWrongInput;
+}
+
+/// Writes a case file whose file names fit the folder of `to`. Returns the problem, or "".
+std::string writeToml(const CaseDocument& document, const fs::path& to)
+{
+    const fs::path folder = to.parent_path().empty() ? fs::path(".") : to.parent_path();
+    const std::string text = updateCaseText(document.text, document.value, folder);
+    const CaseDocument written = parseCase(text, to.string(), folder);
+    if (!written.valid()) return "does not fit into a case file: " + written.problems.front().text();
+    return writeCaseFile(to, text);
+}
+
+std::string writeCml(const CaseDocument& document, const fs::path& to)
+{
+    const CmlOutput output = formatCmlCase(document.value);
+    if (!output.problem.empty()) return document.name + ": " + output.problem;
+    std::string problem = writeCmlCase(to, output.members);
+    if (!problem.empty() || output.keptKeys.empty()) return problem;
+    complain("warning: " + to.string() +
+             ": kept in the comments of run.dat, where the established program does not see them: " +
+             joined(output.keptKeys));
+    return {};
+}
+
+} // namespace
 
 CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings)
 {
@@ -26,18 +111,19 @@ CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::stri
     } else if (!settings.empty()) {
         applySettings(document, settings);
     }
-    complainOf(document);
+    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
+    for (const InputProblem& problem : document.problems) complain(problem.text());
     return document;
 }
 
-CaseDocument openCaseOrComplain(const CaseArguments& arguments)
+CaseDocument openCaseOrComplain(const CommandArguments& arguments)
 {
     CaseDocument document = openCaseToKeep(arguments.name, arguments.settings);
     for (const InputProblem& unused : document.unused) complain("warning: " + unused.text());
     return document;
 }
 
-CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments)
+CaseDocument openFilmCaseOrComplain(const CommandArguments& arguments)
 {
     CaseDocument document = openCaseOrComplain(arguments);
     if (!document.valid() || document.value.model == ModelKind::Film) return document;
@@ -67,6 +153,29 @@ int listCommand(bool json)
     print(json ? jsonText({{"cases", cases}, {"studies", studies}})
                : alignedTable(rows, left) + "\nStudies: touchdown study KIND NAME\n" + alignedTable(studyRows, left));
     return exitDone;
+}
+
+int validateCommand(const CommandArguments& arguments)
+{
+    if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study);
+    const CaseDocument document = openCaseOrComplain(arguments);
+    if (arguments.json)
+        print(jsonText(validation("case", document, document.value.title, document.problems)));
+    else if (document.valid())
+        print(document.name + ": valid\n");
+    return document.valid() ? exitDone : exitWrongInput;
+}
+
+int convertCommand(const std::string& from, const std::string& to)
+{
+    // Values without effect are kept, so that converting back loses nothing.
+    const CaseDocument document = openCaseToKeep(from);
+    if (!document.valid()) return exitWrongInput;
+    const bool toml = fs::path(to).extension() == ".toml";
+    const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);
+    if (problem.empty()) return exitDone;
+    complain(problem);
+    return exitWrongInput;
 }
 
 } // namespace touchdown

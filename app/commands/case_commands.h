@@ -1,25 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `touchdown list`; how all commands open a case.
+// `touchdown list`, `touchdown validate` and `touchdown convert`; the arguments of the commands, and how they open a
+// case. Warnings and problems of a case go to standard error.
 #pragma once
 
-#include "app/terminal/console.h"
-#include "core/case_files/case_file.h"
+#include <string>
+#include <vector>
 
 namespace touchdown {
 
-/// Writes the warnings and problems of a case to standard error.
-void complainOf(const CaseDocument& document);
+struct CaseDocument;
 
-/// The case of a name, with settings; warnings and problems have been written to standard error.
+/// Each command has some of them.
+struct CommandArguments {
+    std::string name;                  // a case file or a sample case; for studies also a study
+    std::vector<std::string> settings; // KEY=VALUE, of the case
+    std::string kind;                  // of study, one of studyKinds()
+    std::vector<std::string> options;  // KEY=VALUE, of the study
+    std::string out;                   // HDF5; "" for none
+    std::string csv;                   // "" for none
+    std::string apply;                 // the case that the study found; "" for none
+    int jobs = 0;                      // 0: as many as there are cores
+    bool fixedAttitude = false;
+    bool asTemplate = false; // print a study of the case instead
+    bool progress = false;
+    bool json = false;
+};
+
+/// The case with its settings. Keys without effect are not reported.
 CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings = {});
-
-/// The same, and keys without effect have been reported, too.
-CaseDocument openCaseOrComplain(const CaseArguments& arguments);
-
+/// The same; keys without effect are reported.
+CaseDocument openCaseOrComplain(const CommandArguments& arguments);
 /// The same for a case that must have an air film.
-CaseDocument openFilmCaseOrComplain(const CaseArguments& arguments);
+CaseDocument openFilmCaseOrComplain(const CommandArguments& arguments);
 
 int listCommand(bool json);
+/// Every problem of a case, or of a study and its case.
+int validateCommand(const CommandArguments& arguments);
+/// Between case files and the files of the established slider program (CML), both ways: `from` is any case; `to` is a
+/// case file if it ends with .toml, an archive if it ends with .cml, else a folder.
+int convertCommand(const std::string& from, const std::string& to);
 
 } // namespace touchdown

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/command_line.h"
-
+//
+// The program `touchdown`: parses the arguments and calls the command.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -12,49 +13,53 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/case_commands.h"
-#include "app/commands/convert_command.h"
 #include "app/commands/describe_command.h"
 #include "app/commands/modes_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/steady_command.h"
 #include "app/commands/study_command.h"
-#include "app/commands/validate_command.h"
+#include "app/terminal/console.h"
 #include "app/terminal/mistaken_words.h"
 #include "core/formats/words.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
+
 namespace {
 
-void addCase(CLI::App& command, CaseArguments& arguments)
+void addCase(CLI::App& command, CommandArguments& arguments)
 {
     command.add_option("CASE", arguments.name, "A case file, or the name of a sample case (see `touchdown list`)");
     command.add_option("--set", arguments.settings, "Changes a value of the case, such as springs.cutoff=\"0.3 nm\"")
         ->type_name("KEY=VALUE");
 }
 
-// `--set a=1 fig10a`: the option takes all that follows, so the last one may be the case.
-void findCase(const CLI::App& command, std::string& name, const std::vector<std::vector<std::string>*>& lists,
-              const char* wanted = "CASE, a file or a sample case of `touchdown list`,")
+/// `--set a=1 fig10a`: the option takes all words that follow, so its last one may be the case.
+void findCase(const CLI::App& command, CommandArguments& arguments, const char* wanted)
 {
-    for (std::vector<std::string>* list : lists) {
-        if (!name.empty() || list->empty() || list->back().find('=') != std::string::npos) continue;
-        name = list->back();
+    for (std::vector<std::string>* list : {&arguments.settings, &arguments.options}) {
+        if (!arguments.name.empty() || list->empty() || list->back().find('=') != std::string::npos) continue;
+        arguments.name = list->back();
         list->pop_back();
     }
-    if (name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
+    if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
 }
 
-void findCase(const CLI::App& command, CaseArguments& arguments)
+void addProgress(CLI::App& command, CommandArguments& arguments)
 {
-    findCase(command, arguments.name, {&arguments.settings});
+    command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
 }
 
-// Arguments of all studies.
-void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& name, const StudyKind& kind)
+void addJson(CLI::App& command, CommandArguments& arguments)
 {
-    command.add_option(name, arguments.study.name, "A study, a case, or the name of a sample (see `touchdown list`)");
-    command.add_option("--set", arguments.study.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
+    command.add_flag("--json", arguments.json, "One JSON object on standard output, numbers in SI");
+}
+
+/// Arguments of all studies.
+void addStudy(CLI::App& command, CommandArguments& arguments, const std::string& name, const StudyKind& kind)
+{
+    command.add_option(name, arguments.name, "A study, a case, or the name of a sample (see `touchdown list`)");
+    command.add_option("--set", arguments.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
         ->type_name("KEY=VALUE");
     command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")
         ->type_name("KEY=VALUE");
@@ -64,7 +69,7 @@ void addStudy(CLI::App& command, StudyArguments& arguments, const std::string& n
         command.add_option("--apply", arguments.apply, "Writes the case that the study found")->type_name("FILE.toml");
     command.add_option("--jobs", arguments.jobs, "Number of solutions in parallel; default: the number of cores")
         ->check(CLI::Range(1, 64));
-    command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
+    addProgress(command, arguments);
     command.add_flag("--template", arguments.asTemplate,
                      "Prints the study, or a study of the case with every key, as the start of a file");
 }
@@ -77,7 +82,7 @@ std::vector<std::string> namesOf(const CLI::App& app)
     return names;
 }
 
-// `touchdown help run` asks as `touchdown run --help` does.
+/// `touchdown help run` means `touchdown run --help`.
 std::vector<std::string> argumentsOf(int argc, char** argv)
 {
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -88,7 +93,7 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
     return arguments;
 }
 
-// An option of the command line that is short for a key of the study: --tolerance, --levels.
+/// An option of the command line that stands for a key of the study: --tolerance, --levels.
 void addShortcut(const std::string& kind, const std::string& key, const std::string& value,
                  std::vector<std::string>& options)
 {
@@ -101,7 +106,7 @@ void addShortcut(const std::string& kind, const std::string& key, const std::str
     options.push_back(key + '=' + value);
 }
 
-// The first word must be a command, the word behind "study" a kind of study.
+/// The first word must be a command, the word after "study" a kind of study.
 void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
 {
     const CommandWords known{namesOf(app), namesOf(*app.get_subcommand("study"))};
@@ -112,7 +117,7 @@ void checkWords(const CLI::App& app, const std::vector<std::string>& arguments)
         throw CLI::ParseError(problem, CLI::ExitCodes::ExtrasError);
 }
 
-// Names the arguments that the command did not take.
+/// Names the arguments that the command did not take.
 std::string notTakenBy(const CLI::App& app)
 {
     const CLI::App* command = &app;
@@ -123,7 +128,7 @@ std::string notTakenBy(const CLI::App& app)
     return notTaken(command->get_name(), app.remaining(true), options);
 }
 
-// A full disk or a closed pipe behind standard output shows only when the last text is written.
+/// A full disk or a closed pipe behind standard output is noticed only when the last text is written.
 int finishOutput(int code)
 {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -131,119 +136,115 @@ int finishOutput(int code)
     return exitNoAnswer;
 }
 
-} // namespace
-
+/// Parses the arguments, runs the command and returns an ExitCode.
 int commandLine(int argc, char** argv)
 {
     CLI::App app("Touchdown: dynamics of hard-disk sliders at the edge of contact", "touchdown");
     app.set_version_flag("--version", "touchdown " TOUCHDOWN_VERSION);
-    app.require_subcommand(0, 1); // none is refused below, after what is misspelt
+    app.require_subcommand(0, 1); // a missing one is refused below, after misspelt words
     app.footer("Exit codes: 0 done; 1 the calculation ended without a valid answer; 2 wrong input or arguments.");
-    bool json = false;
-    const auto addJson = [&json](CLI::App& command) {
-        command.add_flag("--json", json, "One JSON object on standard output, numbers in SI");
-    };
+    CommandArguments arguments;
 
-    RunArguments runArguments;
     CLI::App& run = *app.add_subcommand("run", "Simulates a case");
-    addCase(run, runArguments.caseArguments);
-    run.add_option("--out", runArguments.out, "Writes all results as HDF5")->type_name("FILE.h5");
-    run.add_option("--csv", runArguments.csv, "Writes the time series as CSV")->type_name("FILE.csv");
-    run.add_flag("--progress", runArguments.progress, "Shows progress even when standard error is no terminal");
-    addJson(run);
+    addCase(run, arguments);
+    run.add_option("--out", arguments.out, "Writes all results as HDF5")->type_name("FILE.h5");
+    run.add_option("--csv", arguments.csv, "Writes the time series as CSV")->type_name("FILE.csv");
+    addProgress(run, arguments);
+    addJson(run, arguments);
 
-    SteadyArguments steadyArguments;
     CLI::App& steady = *app.add_subcommand("steady", "Finds the static flying attitude of a film case");
-    addCase(steady, steadyArguments.caseArguments);
-    steady.add_option("--out", steadyArguments.out, "Writes forces and fields as HDF5")->type_name("FILE.h5");
-    steady.add_flag("--fixed-attitude", steadyArguments.fixedAttitude, "Solves the film at the initial attitude only");
-    steady.add_flag("--progress", steadyArguments.progress, "Shows progress even when standard error is no terminal");
-    addJson(steady);
+    addCase(steady, arguments);
+    steady.add_option("--out", arguments.out, "Writes forces and fields as HDF5")->type_name("FILE.h5");
+    steady.add_flag("--fixed-attitude", arguments.fixedAttitude, "Solves the film at the initial attitude only");
+    addProgress(steady, arguments);
+    addJson(steady, arguments);
 
-    ModesArguments modesArguments;
     CLI::App& modes = *app.add_subcommand("modes", "Finds the air bearing modes about the static attitude");
-    addCase(modes, modesArguments.caseArguments);
-    modes.add_flag("--progress", modesArguments.progress, "Shows progress even when standard error is no terminal");
-    addJson(modes);
+    addCase(modes, arguments);
+    addProgress(modes, arguments);
+    addJson(modes, arguments);
 
-    StudyArguments studyArguments;
     std::string tolerance, levels;
     CLI::App& study = *app.add_subcommand("study", "Solves a case many times and reports what that shows");
     study.require_subcommand(0, 1); // as above
     std::vector<CLI::App*> kinds;
-    const auto addKind = [&](CLI::App& parent, const std::string& name, const StudyKind& kind,
-                             const std::string& help) {
-        CLI::App& command = *parent.add_subcommand(name, help);
-        addStudy(command, studyArguments, &parent == &app ? "CASE" : "FILE", kind);
+    const auto addKind = [&](CLI::App& parent, const StudyKind& kind, const std::string& help) {
+        CLI::App& command = *parent.add_subcommand(kind.name, help);
+        addStudy(command, arguments, &parent == &app ? "CASE" : "FILE", kind);
         if (kind.name == "advise" && &parent == &app)
             command.add_option("--tolerance", tolerance, "Largest error of the advised model, such as 1%");
         if (kind.name == "convergence")
             command.add_option("--levels", levels, "Levels of cells, the finest half of elastic.cell");
-        addJson(command);
+        addJson(command, arguments);
         kinds.push_back(&command);
     };
-    for (const StudyKind& kind : studyKinds()) addKind(study, kind.name, kind, kind.help);
+    for (const StudyKind& kind : studyKinds()) addKind(study, kind, kind.help);
     for (const StudyKind& kind : studyKinds())
         if (kind.name == "advise")
-            addKind(app, kind.name, kind, "Finds the cheapest model of a film case whose error is within a tolerance");
+            addKind(app, kind, "Finds the cheapest model of a film case whose error is within a tolerance");
 
-    std::string from;
-    std::string to;
+    std::string from, to;
     CLI::App& convert = *app.add_subcommand(
         "convert", "Converts between case files and files of the established program (rail.dat, run.dat, .cml)");
     convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
         ->required();
     convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")->required();
 
-    CaseArguments validated;
     CLI::App& validate = *app.add_subcommand("validate", "Checks a case or a study and lists every problem");
-    addCase(validate, validated);
-    addJson(validate);
+    addCase(validate, arguments);
+    addJson(validate, arguments);
 
     CLI::App& list = *app.add_subcommand("list", "Lists the sample cases and sample studies");
-    addJson(list);
+    addJson(list, arguments);
 
     std::vector<std::string> key;
     CLI::App& describe =
         *app.add_subcommand("describe", "Explains the keys of a case and of studies: unit, range, default, source");
     describe.add_option("KEY", key, "A key such as springs.cutoff, a group such as springs, or study.KIND")
         ->expected(0, 3);
-    addJson(describe);
+    addJson(describe, arguments);
 
     try {
-        std::vector<std::string> arguments = argumentsOf(argc, argv);
-        checkWords(app, arguments);
-        std::ranges::reverse(arguments); // as CLI11 wants them
-        app.parse(std::move(arguments));
+        std::vector<std::string> words = argumentsOf(argc, argv);
+        checkWords(app, words);
+        std::ranges::reverse(words); // as CLI11 wants them
+        app.parse(std::move(words));
         if (app.get_subcommands().empty()) checkWords(app, {});
-        if (run.parsed()) findCase(run, runArguments.caseArguments);
-        if (steady.parsed()) findCase(steady, steadyArguments.caseArguments);
-        if (modes.parsed()) findCase(modes, modesArguments.caseArguments);
+        for (const CLI::App* command : {&run, &steady, &modes, &validate})
+            if (command->parsed()) findCase(*command, arguments, "CASE, a file or a sample case of `touchdown list`,");
         if (study.parsed() && study.get_subcommands().empty()) checkWords(app, {"study"});
         for (const CLI::App* kind : kinds) {
             if (!kind->parsed()) continue;
-            studyArguments.kind = kind->get_name();
-            findCase(*kind, studyArguments.study.name, {&studyArguments.study.settings, &studyArguments.options},
-                     "FILE, a study or a case, or a sample of `touchdown list`,");
+            arguments.kind = kind->get_name();
+            findCase(*kind, arguments, "FILE, a study or a case, or a sample of `touchdown list`,");
         }
-        addShortcut(studyArguments.kind, "tolerance", tolerance, studyArguments.options);
-        addShortcut(studyArguments.kind, "levels", levels, studyArguments.options);
-        if (validate.parsed()) findCase(validate, validated);
+        addShortcut(arguments.kind, "tolerance", tolerance, arguments.options);
+        addShortcut(arguments.kind, "levels", levels, arguments.options);
     } catch (const CLI::ExtrasError& error) {
         app.exit(CLI::ParseError(notTakenBy(app), error.get_exit_code()));
         return exitWrongInput;
     } catch (const CLI::ParseError& error) {
         return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
     }
-    runArguments.json = steadyArguments.json = modesArguments.json = studyArguments.json = json;
-    if (run.parsed()) return finishOutput(runCommand(runArguments));
-    if (steady.parsed()) return finishOutput(steadyCommand(steadyArguments));
-    if (modes.parsed()) return finishOutput(modesCommand(modesArguments));
-    if (!studyArguments.kind.empty()) return finishOutput(studyCommand(studyArguments));
+    if (run.parsed()) return finishOutput(runCommand(arguments));
+    if (steady.parsed()) return finishOutput(steadyCommand(arguments));
+    if (modes.parsed()) return finishOutput(modesCommand(arguments));
+    if (!arguments.kind.empty()) return finishOutput(studyCommand(arguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
-    if (validate.parsed()) return finishOutput(validateCommand(validated, json));
-    if (list.parsed()) return finishOutput(listCommand(json));
-    return finishOutput(describeCommand(joined(key, "."), json));
+    if (validate.parsed()) return finishOutput(validateCommand(arguments));
+    if (list.parsed()) return finishOutput(listCommand(arguments.json));
+    return finishOutput(describeCommand(joined(key, "."), arguments.json));
 }
 
+} // namespace
 } // namespace touchdown
+
+int main(int argc, char** argv)
+{
+    try {
+        return touchdown::commandLine(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "touchdown: %s\n", error.what());
+        return touchdown::exitNoAnswer;
+    }
+}

@@ -3,16 +3,10 @@
 // `touchdown modes`: air bearing frequencies, damping ratios and mode shapes of a film case.
 #pragma once
 
-#include "app/terminal/console.h"
-
 namespace touchdown {
 
-struct ModesArguments {
-    CaseArguments caseArguments;
-    bool json = false;
-    bool progress = false;
-};
+struct CommandArguments;
 
-int modesCommand(const ModesArguments& arguments);
+int modesCommand(const CommandArguments& arguments);
 
 } // namespace touchdown

@@ -2,73 +2,255 @@
 #include "app/commands/run_command.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <array>
 #include <optional>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "app/commands/case_commands.h"
-#include "app/commands/run_report.h"
+#include "app/terminal/console.h"
+#include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
-#include "app/terminal/stop_signal.h"
+#include "app/terminal/report_text.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
-#include "core/formats/output_file.h"
+#include "core/formats/words.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_writer.h"
+#include "core/simulation/contact/contact_run.h"
 #include "core/simulation/recording/run_spectra.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
+
 namespace {
 
-namespace fs = std::filesystem;
+// Present in the object of every model: scripts rely on them.
+constexpr std::array finalKeys{
+    "flying_height",  "minimum_spacing",   "pitch", "roll", "height", "contact_force", "adhesion_force",
+    "friction_force", "air_bearing_force", "energy"};
+constexpr std::array tailKeys{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
 
-// Unlike HDF5, CSV may go into a device or a pipe.
-std::string checkCsvTarget(const std::string& file)
+template <typename Values>
+auto find(const Values& values, const std::string& key)
 {
-    std::error_code none;
-    const fs::file_status status = fs::status(file, none);
-    const bool stream = fs::is_character_file(status) || fs::is_fifo(status);
-    return stream && ::access(file.c_str(), W_OK) == 0 ? std::string() : checkOutputFile(file);
+    return std::find_if(values.begin(), values.end(), [&](const auto& entry) { return entry.first == key; });
 }
 
-// Everything that can be known to go wrong with the output before anything is written.
-bool targetsAreGood(const RunArguments& arguments)
+Json statisticsJson(const Statistics& s)
 {
-    const std::string& name = arguments.caseArguments.name;
-    bool good = targetIsGood("--out", arguments.out, checkOutputFile(arguments.out), name);
-    good = targetIsGood("--csv", arguments.csv, checkCsvTarget(arguments.csv), name) && good;
-    if (!arguments.out.empty() && !arguments.csv.empty() && sameFile(arguments.out, arguments.csv)) {
-        complain("--out and --csv: both name " + arguments.out);
-        good = false;
-    }
-    return good;
+    return {{"mean", jsonNumber(s.mean)},
+            {"std", jsonNumber(s.std)},
+            {"min", jsonNumber(s.min)},
+            {"max", jsonNumber(s.max)}};
 }
 
-// The minimum spacing of all samples so far [m].
-struct LeastSpacing {
-    explicit LeastSpacing(const std::vector<Quantity>& quantities) : column(findQuantity(quantities, "minimum_spacing"))
-    {}
-    void add(const SampleBatch& batch)
-    {
-        if (column < 0) return;
-        for (const double each : batch.columns[static_cast<std::size_t>(column)])
-            least = least ? std::min(*least, each) : each;
+Json finalJson(const Summary& summary)
+{
+    Json result = Json::object();
+    for (const char* key : finalKeys) {
+        const auto found = find(summary.final, key);
+        result[key] = found == summary.final.end() ? Json(nullptr) : jsonNumber(found->second);
     }
-    int column;
-    std::optional<double> least{};
-};
+    for (const auto& [key, value] : summary.final) result[key] = jsonNumber(value);
+    return result;
+}
 
-// The files that a run fills. The first problem is kept, and ends the run.
+Json tailJson(const Summary& summary)
+{
+    Json result = Json::object();
+    for (const char* key : tailKeys) {
+        const auto found = find(summary.tail, key);
+        result[key] = found == summary.tail.end() ? Json(nullptr) : statisticsJson(found->second);
+    }
+    return result;
+}
+
+Json stepCheckJson(const std::optional<StepCheck>& check)
+{
+    if (!check) return nullptr;
+    return {{"step", jsonNumber(check->step)},
+            {"flying_height", jsonNumber(check->flyingHeight)},
+            {"pitch", jsonNumber(check->pitch)},
+            {"same_end_state", check->sameEndState},
+            {"message", check->message}};
+}
+
+Json figuresJson(const std::vector<RunFigure>& figures)
+{
+    Json result = Json::object();
+    for (const auto& [quantity, value] : figures) result[quantity.name] = jsonNumber(value);
+    return result;
+}
+
+Json fitJson(const std::optional<CharacteristicFit>& fit)
+{
+    if (!fit) return nullptr;
+    const auto errorJson = [](const CharacteristicError& error) -> Json {
+        return {{"worst", jsonNumber(error.worst)}, {"rms", jsonNumber(error.rms)}, {"at", jsonNumber(error.at)}};
+    };
+    const OnoYamane& p = fit->parameters;
+    return {{"meniscus_force", jsonNumber(p.meniscusForce)},
+            {"contact_stiffness", jsonNumber(p.contactStiffness)},
+            {"initial_contact_force", jsonNumber(p.initialContactForce)},
+            {"touch_down", jsonNumber(p.touchDown)},
+            {"take_off", jsonNumber(p.takeOff)},
+            {"take_off_shape", p.takeOffShape == TakeOffShape::Constant ? "constant" : "linear"},
+            {"contact_error", errorJson(fit->contact)},
+            {"adhesion_error", errorJson(fit->adhesion)},
+            {"describes", fit->describes},
+            {"message", fit->message}};
+}
+
+/// The message gives the reason of every null.
+std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    std::vector<std::string> missing; // in the model
+    std::vector<std::string> unknown; // at the end of this run
+    for (const char* key : finalKeys)
+        if (find(summary.final, key) == summary.final.end())
+            (findQuantity(quantities, key) < 0 ? missing : unknown).emplace_back(key);
+    std::string message = summary.message;
+    const auto add = [&](const char* reason, const std::vector<std::string>& keys) {
+        if (!keys.empty()) message += (message.empty() ? "" : "; ") + std::string(reason) + joined(keys);
+    };
+    add("null because this case does not have it: ", missing);
+    add("null because the run gave no valid value: ", unknown);
+    return message;
+}
+
+std::string fitText(const CharacteristicFit& fit)
+{
+    const OnoYamane& p = fit.parameters;
+    std::string text = reportRow("fitted f_m, f_c0", displayed(p.meniscusForce, "mN", 4) + ", " +
+                                                         displayed(p.initialContactForce, "mN", 4));
+    text += reportRow("fitted k_c", displayed(p.contactStiffness, "N/m", 4));
+    text += reportRow("fitted d_s, d_e", displayed(p.touchDown, "nm", 4) + ", " + displayed(p.takeOff, "nm", 4));
+    return text + reportRow("fit", fit.message);
+}
+
+std::string shown(const std::vector<Quantity>& quantities, const std::string& key, double value)
+{
+    const int i = findQuantity(quantities, key);
+    return i < 0 ? displayed(value, "") : displayedInFull(value, quantities[static_cast<std::size_t>(i)].displayUnit);
+}
+
+/// The switches and jumps of a pad, by separation.
+std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
+{
+    constexpr std::size_t most = 8;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(events.size(), most); ++i)
+        text += reportRow(events[i].name,
+                          "at " + displayed(padSeparation(c, events[i].time), "nm", 5) +
+                              (events[i].time > 0.5 * c.run.duration ? ", on the way out" : ", on the way in"));
+    if (events.size() > most) text += reportRow("more events", std::to_string(events.size() - most));
+    return text;
+}
+
+std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
+{
+    std::string text;
+    for (const auto& [quantity, value] : figures) {
+        if (c.contact == ContactKind::None && quantity.name.starts_with("contact_")) continue;
+        std::string label = quantity.name;
+        std::ranges::replace(label, '_', ' ');
+        text += reportRow(label, displayed(value, quantity.displayUnit == "1" ? "" : quantity.displayUnit, 5));
+    }
+    return text;
+}
+
+std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
+
+/// Report of a contact run: approach and retraction of a pad.
+std::string contactText(const Case& c, const Summary& summary)
+{
+    std::string text = c.title + "\n";
+    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += figureRows(c, summary.figures);
+    text += eventRows(c, summary.events);
+    if (summary.fit) text += fitText(*summary.fit);
+    text +=
+        reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
+    text += reportRow("solver time", solverTime(summary.solverSeconds));
+    if (!c.about.assumed.empty()) text += reportRow("assumed", c.about.assumed);
+    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
+    return text;
+}
+
+/// One object; numbers in SI, quantities that the model does not have as null.
+std::string runJson(const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    Json events = Json::array();
+    for (const RunEvent& event : summary.events)
+        events.push_back({{"time", jsonNumber(event.time)}, {"name", event.name}});
+    Json peaks = Json::array();
+    for (const SpectrumPeak& peak : summary.peaks)
+        peaks.push_back({{"frequency", jsonNumber(peak.frequency)}, {"amplitude", jsonNumber(peak.amplitude)}});
+    return jsonText({{"status", name(summary.status)},
+                     {"message", jsonMessage(summary, quantities)},
+                     {"end_time", jsonNumber(summary.endTime)},
+                     {"steps", summary.steps},
+                     {"rejected_steps", summary.rejectedSteps},
+                     {"evaluations", summary.evaluations},
+                     {"wall_seconds", jsonNumber(summary.wallSeconds)},
+                     {"solver_seconds", jsonNumber(summary.solverSeconds)},
+                     {"model", summary.model},
+                     {"integrator", summary.integrator},
+                     {"final", finalJson(summary)},
+                     {"tail", tailJson(summary)},
+                     {"bouncing", summary.bouncing},
+                     {"bouncing_rule", summary.bouncingRule},
+                     {"spectrum", {{"peaks", peaks}}},
+                     {"step_check", stepCheckJson(summary.stepCheck)},
+                     {"figures", figuresJson(summary.figures)},
+                     {"fit", fitJson(summary.fit)},
+                     {"warnings", summary.warnings},
+                     {"events", events}});
+}
+
+std::string runText(const Case& c, const Summary& summary, const std::vector<Quantity>& quantities)
+{
+    if (c.model == ModelKind::Contact) return contactText(c, summary);
+    std::string text = c.title + "\n";
+    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    for (const auto& [key, label] :
+         {std::pair{"flying_height", "final flying height"}, std::pair{"pitch", "final pitch"},
+          std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},
+          std::pair{"net_contact_force", "final net contact"}})
+        // The bearing force of the springs is relative to their static state.
+        if (const auto found = find(summary.final, key);
+            found != summary.final.end() &&
+            (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
+            text += reportRow(label, shown(quantities, key, found->second));
+    if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
+        text += reportRow("minimum spacing",
+                          shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
+    if (!summary.bouncingRule.empty())
+        text += reportRow("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
+    for (std::size_t i = 0; i < summary.peaks.size(); ++i)
+        text +=
+            reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +
+                                                          displayed(summary.peaks[i].amplitude, "nm"));
+    text += figureRows(c, summary.figures);
+    text += reportRow("events", std::to_string(summary.events.size()));
+    text += reportRow("steps", std::to_string(summary.steps) + " (" + std::to_string(summary.rejectedSteps) +
+                                   " rejected), " + std::to_string(summary.evaluations) +
+                                   (c.model == ModelKind::Film ? " film iterations, " : " evaluations, ") +
+                                   summary.integrator);
+    text += reportRow("solver time", solverTime(summary.solverSeconds));
+    if (summary.stepCheck) text += reportRow("step check", summary.stepCheck->message);
+    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
+    return text;
+}
+
+/// The output files of a run. The first problem is kept and ends the run.
 class RunOutput {
 public:
-    RunOutput(const RunArguments& arguments, const CaseDocument& document)
+    RunOutput(const CommandArguments& arguments, const CaseDocument& document)
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
         if (!arguments.out.empty()) {
-            // Without the files that the text may name, so that the results stand alone.
+            // The text holds the contents of the files that the case names: the results need no other file.
             const std::string text = updateCaseText(document.text, document.value);
             problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
                                                recordedFields(document.value));
@@ -110,29 +292,30 @@ private:
 
 } // namespace
 
-int runCommand(const RunArguments& arguments)
+int runCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments.caseArguments);
-    const bool good = targetsAreGood(arguments);
+    const CaseDocument document = openCaseOrComplain(arguments);
+    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
     if (!document.valid() || !good) return exitWrongInput;
     if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
         complain(document.name + ": " + reason);
         return exitWrongInput;
     }
 
-    const StopSignal stop;
+    ProgressLine line(arguments.progress);
     RunOutput output(arguments, document);
     if (!output.problem().empty()) {
         complain(output.problem());
         return exitWrongInput;
     }
-    ProgressLine line(arguments.progress);
-    LeastSpacing spacing(output.quantities());
+    const int spacing = findQuantity(output.quantities(), "minimum_spacing");
+    std::optional<double> least; // of all samples so far [m]
     Summary summary = run(document.value, [&](const RunUpdate& update) {
         output.add(update.samples, update.fields);
-        spacing.add(update.samples);
-        line.show(runProgress(update.time, update.duration, spacing.least));
-        return !stop.requested() && output.problem().empty();
+        if (spacing >= 0)
+            for (const double each : update.samples.columns[static_cast<std::size_t>(spacing)])
+                least = std::min(least.value_or(each), each);
+        return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
     });
     line.end();
 
@@ -144,7 +327,7 @@ int runCommand(const RunArguments& arguments)
     print(arguments.json ? runJson(summary, output.quantities())
                          : runText(document.value, summary, output.quantities()));
     if (summary.status == RunStatus::Completed) return exitDone;
-    complain(std::string(name(summary.status)) + (summary.message.empty() ? "" : ": " + summary.message));
+    complain(statusText(name(summary.status), summary.message));
     return exitNoAnswer;
 }
 

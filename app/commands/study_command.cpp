@@ -2,17 +2,20 @@
 #include "app/commands/study_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
 #include "app/commands/case_commands.h"
-#include "app/commands/study_report.h"
-#include "app/terminal/fitted_table.h"
+#include "app/terminal/console.h"
+#include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
-#include "app/terminal/stop_signal.h"
+#include "app/terminal/report_text.h"
+#include "app/terminal/text_table.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/toml_document.h"
+#include "core/formats/words.h"
 #include "core/studies/study/study_file.h"
 #include "core/studies/study_plan.h"
 
@@ -20,22 +23,175 @@ namespace touchdown {
 
 namespace {
 
-/// The case that a study found, as the text of the case it began with. Returns the problem, or "".
+constexpr std::size_t mostRows = 40; // of a printed table
+
+Json valueJson(const StudyValue& value)
+{
+    if (const double* number = std::get_if<double>(&value)) return jsonNumber(*number);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    return nullptr;
+}
+
+Json tableJson(const StudyTable& table)
+{
+    Json columns = Json::array(), rows = Json::array();
+    for (const StudyColumn& column : table.columns)
+        columns.push_back({{"name", column.name},
+                           {"unit", column.unit},
+                           {"display_unit", column.displayUnit},
+                           {"long_name", column.longName}});
+    for (const auto& row : table.rows) {
+        Json one = Json::object();
+        for (std::size_t i = 0; i < row.size(); ++i) one[table.columns[i].name] = valueJson(row[i]);
+        rows.push_back(std::move(one));
+    }
+    return {{"name", table.name}, {"columns", columns}, {"rows", rows}};
+}
+
+Json axisJson(const ChartAxis& axis)
+{
+    return {{"label", axis.label},
+            {"unit", axis.unit},
+            {"display_unit", axis.displayUnit},
+            {"logarithmic", axis.logarithmic}};
+}
+
+Json seriesJson(const ChartSeries& series)
+{
+    Json points = Json::array();
+    for (const ChartPoint& point : series.points)
+        points.push_back({{"x", jsonNumber(point.x)},
+                          {"y", jsonNumber(point.y)},
+                          {"x_error", jsonNumber(point.xError)},
+                          {"y_error", jsonNumber(point.yError)},
+                          {"label", point.label},
+                          {"kind", name(point.kind)},
+                          {"chosen", point.chosen}});
+    return {{"name", series.name},
+            {"line", name(series.line)},
+            {"markers", series.markers},
+            {"quiet", series.quiet},
+            {"points", points}};
+}
+
+Json mapJson(const ChartMap& map)
+{
+    Json classes = Json::array();
+    for (const ChartClass& each : map.classes) classes.push_back({{"name", each.name}, {"severity", each.severity}});
+    return {{"x", map.x}, {"y", map.y}, {"classes", classes}, {"cells", map.cells}, {"details", map.details}};
+}
+
+Json panelJson(const ChartPanel& panel)
+{
+    Json series = Json::array(), bands = Json::array();
+    for (const ChartSeries& each : panel.series) series.push_back(seriesJson(each));
+    for (const ChartBand& band : panel.bands)
+        bands.push_back({{"along", band.alongX ? "x" : "y"},
+                         {"lower", jsonNumber(band.lower)},
+                         {"upper", jsonNumber(band.upper)},
+                         {"label", band.label}});
+    return {
+        {"x", axisJson(panel.x)}, {"y", axisJson(panel.y)}, {"equal_scales", panel.equalScales},
+        {"series", series},       {"bands", bands},         {"map", panel.map ? mapJson(*panel.map) : Json(nullptr)}};
+}
+
+Json chartJson(const StudyChart& chart)
+{
+    Json panels = Json::array();
+    for (const ChartPanel& panel : chart.panels) panels.push_back(panelJson(panel));
+    return {{"title", chart.title}, {"caption", chart.caption}, {"panels", panels}};
+}
+
+std::string headingOf(const StudyColumn& column)
+{
+    return column.name + (column.displayUnit.empty() ? "" : " [" + column.displayUnit + ']');
+}
+
+std::string cellText(const StudyColumn& column, const StudyValue& value)
+{
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    const double* number = std::get_if<double>(&value);
+    if (number == nullptr) return "-";
+    constexpr double largestCount = 1e12;
+    if (column.displayUnit.empty() && std::trunc(*number) == *number && std::abs(*number) < largestCount)
+        return std::to_string(static_cast<long long>(*number));
+    const std::string shown = displayed(*number, column.displayUnit);
+    return shown.substr(0, shown.find(' ')); // the heading has the unit
+}
+
+/// `whole`: the option that gives the complete table.
+std::string tableText(const StudyTable& table, std::size_t width, const std::string& whole)
+{
+    std::vector<FittedColumn> columns;
+    for (const StudyColumn& column : table.columns) columns.push_back({headingOf(column), false, column.secondary});
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& row : table.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (std::holds_alternative<std::string>(row[i])) columns[i].text = true;
+        if (rows.size() == mostRows) continue;
+        auto& line = rows.emplace_back();
+        for (std::size_t i = 0; i < row.size(); ++i) line.push_back(cellText(table.columns[i], row[i]));
+    }
+    const FittedTable fitted = fittedTable(columns, rows, width);
+    std::string text = table.name + ":\n" + fitted.text;
+    if (rows.size() < table.rows.size())
+        text += "… " + std::to_string(table.rows.size()) + " rows; all with " + whole + "\n";
+    if (!fitted.leftOut.empty())
+        text += wrapped("left out: " + joined(fitted.leftOut) + "; all with " + whole, 0, width);
+    else if (fitted.cut && rows.size() == table.rows.size())
+        text += wrapped("texts that end with … are whole with " + whole, 0, width);
+    return text;
+}
+
+/// One object, with the charts; numbers in SI, unknown numbers as null.
+std::string studyJson(const StudyReport& report)
+{
+    Json tables = Json::array(), charts = Json::array();
+    for (const StudyTable& table : report.tables) tables.push_back(tableJson(table));
+    for (const StudyChart& chart : report.charts) charts.push_back(chartJson(chart));
+    return jsonText({{"kind", report.kind},
+                     {"title", report.title},
+                     {"status", name(report.status)},
+                     {"message", report.message},
+                     {"wall_seconds", jsonNumber(report.wallSeconds)},
+                     {"findings", report.findings},
+                     {"warnings", report.warnings},
+                     {"tables", tables},
+                     {"charts", charts},
+                     {"found", report.found ? Json(formatCase(*report.found)) : Json(nullptr)}});
+}
+
+/// Findings, warnings, tables of at most `width` characters.
+std::string studyText(const StudyReport& report, std::size_t width)
+{
+    std::string text = report.title + "\n";
+    text += reportRow("status", statusText(name(report.status), report.message));
+    text += reportRow("time", displayed(report.wallSeconds, "s", 3));
+    if (!report.findings.empty()) text += "\n";
+    for (const std::string& finding : report.findings) text += finding + "\n";
+    if (!report.warnings.empty()) text += "\n";
+    for (const std::string& warning : report.warnings) text += "warning: " + warning + "\n";
+    for (const StudyTable& table : report.tables)
+        text += "\n" + tableText(table, width, &table == &report.tables.front() ? "--csv" : "--json");
+    return text;
+}
+
+/// Writes the case that a study found, with the comments of its first case. Returns the problem, or "".
 std::string writeFound(const std::string& file, const StudyPlan& plan, const Case& found)
 {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     return writeCaseFile(file, updateCaseText(plan.start.text, found, folder.empty() ? "." : folder));
 }
 
-/// Writes all files that were asked for, also of a study that ended early. Returns the problems.
-std::vector<std::string> writeFiles(const StudyArguments& arguments, const StudyPlan& plan, const StudyReport& report)
+/// Writes all requested files, also of a study that ended early. Returns the problems.
+std::vector<std::string> writeFiles(const CommandArguments& arguments, const StudyPlan& plan, const StudyReport& report)
 {
     std::vector<std::string> problems;
     const auto keep = [&](std::string problem) {
         if (!problem.empty()) problems.push_back(std::move(problem));
     };
     const Case& c = plan.start.value;
-    // Without the files that the text may name, so that the results stand alone.
+    // The text holds the contents of the files that the case names: the report needs no other file.
     if (!arguments.out.empty())
         keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
     if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
@@ -43,10 +199,8 @@ std::vector<std::string> writeFiles(const StudyArguments& arguments, const Study
     return problems;
 }
 
-int coresOfThis() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
-
-/// Where --out names a case file, the user may expect the case that was found there.
-bool outIsGood(const StudyArguments& arguments)
+/// A user who names a case file with --out may expect the found case in it.
+bool outIsGood(const CommandArguments& arguments)
 {
     const auto kind = std::ranges::find(studyKinds(), arguments.kind, &StudyKind::name);
     if (kind == studyKinds().end() || !kind->findsCase || !arguments.out.ends_with(".toml")) return true;
@@ -56,26 +210,27 @@ bool outIsGood(const StudyArguments& arguments)
 }
 
 /// Prints the study that the arguments name, or one of their case with the defaults.
-int printTemplate(const StudyArguments& arguments)
+int printTemplate(const CommandArguments& arguments)
 {
-    const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings);
+    const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings);
     complainOf(plan);
     const bool isStudy = !plan.text.empty();
-    const char* ignored = !arguments.options.empty()                     ? "--option"
-                          : isStudy && !arguments.study.settings.empty() ? "--set"
-                                                                         : "";
-    const std::string shortcut = arguments.kind == "advise" ? "--tolerance" : "--levels";
+    const char* ignored = !arguments.options.empty()               ? "--option"
+                          : isStudy && !arguments.settings.empty() ? "--set"
+                                                                   : "";
+    const std::string shortcut = arguments.kind == "advise"        ? "--tolerance"
+                                 : arguments.kind == "convergence" ? "--levels"
+                                                                   : "";
     if (*ignored != 0)
-        complain(std::string(ignored) + ": has no effect" +
-                 (arguments.kind == "advise" || arguments.kind == "convergence" ? ", nor has " + shortcut + "," : "") +
+        complain(std::string(ignored) + ": has no effect" + (shortcut.empty() ? "" : ", nor has " + shortcut + ",") +
                  " on what --template prints; write it into the file");
     if (!plan.valid() || *ignored != 0) return exitWrongInput;
     if (isStudy) {
         print(plan.text);
         return exitDone;
     }
-    std::string head = "case = " + tomlString(arguments.study.name) + "\n";
-    for (const std::string& setting : arguments.study.settings) {
+    std::string head = "case = " + tomlString(arguments.name) + "\n";
+    for (const std::string& setting : arguments.settings) {
         const auto equals = setting.find('=');
         head += "set." + tomlString(setting.substr(0, equals)) + " = " + tomlString(setting.substr(equals + 1)) + "\n";
     }
@@ -85,6 +240,13 @@ int printTemplate(const StudyArguments& arguments)
 
 } // namespace
 
+std::vector<std::string> studyKindNames()
+{
+    std::vector<std::string> names;
+    for (const StudyKind& kind : studyKinds()) names.push_back(kind.name);
+    return names;
+}
+
 void complainOf(const StudyPlan& plan)
 {
     for (const auto* list : {&plan.start.warnings, &plan.start.unused})
@@ -92,22 +254,20 @@ void complainOf(const StudyPlan& plan)
     for (const InputProblem& problem : plan.problems) complain(problem.text());
 }
 
-int studyCommand(const StudyArguments& arguments)
+int studyCommand(const CommandArguments& arguments)
 {
     if (arguments.asTemplate) return printTemplate(arguments);
-    const StudyPlan plan = openStudy(arguments.kind, arguments.study.name, arguments.study.settings, arguments.options);
+    const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options);
     complainOf(plan);
     const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
-                                     arguments.study.name);
+                                     arguments.name);
     if (!plan.valid() || !outIsGood(arguments) || !good) return exitWrongInput;
 
-    const StopSignal stop;
     ProgressLine line(arguments.progress);
-    StudyReport report =
-        plan.perform(arguments.jobs > 0 ? arguments.jobs : coresOfThis(), [&](const StudyProgress& progress) {
-            line.show({progress.share, progress.doing});
-            return !stop.requested();
-        });
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
+        return line.show({progress.share, progress.doing});
+    });
     line.end();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report);
     if (!problems.empty()) {
@@ -116,7 +276,7 @@ int studyCommand(const StudyArguments& arguments)
     }
     print(arguments.json ? studyJson(report) : studyText(report, outputWidth()));
     if (report.status != StudyStatus::Completed) {
-        complain(std::string(name(report.status)) + ": " + report.message);
+        complain(statusText(name(report.status), report.message));
         return exitNoAnswer;
     }
     if (arguments.apply.empty() || report.found) return exitDone;

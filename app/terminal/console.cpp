@@ -7,7 +7,7 @@ namespace touchdown {
 
 void complain(std::string_view sentence)
 {
-    std::fflush(stdout); // so that both stay in order where they go to one place
+    std::fflush(stdout); // keeps the order when both go to one place
     std::fprintf(stderr, "%.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }
 

@@ -3,9 +3,7 @@
 // Standard output carries results, standard error everything else. Exit codes of the program.
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace touchdown {
 
@@ -19,11 +17,5 @@ enum ExitCode : int {
 void complain(std::string_view sentence);
 /// Text on standard output.
 void print(std::string_view text);
-
-/// What the arguments of `run` and `validate` name.
-struct CaseArguments {
-    std::string name; // a file or a sample case
-    std::vector<std::string> settings;
-};
 
 } // namespace touchdown

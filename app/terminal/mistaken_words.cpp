@@ -7,6 +7,7 @@
 #include "core/case_files/case_file.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -40,7 +41,7 @@ std::string take(Words& arguments, const Words& names)
     return word;
 }
 
-/// The same of a word that is nearly one of them.
+/// The same for a word that is similar to one of them.
 std::string takeNear(Words& arguments, const Words& names)
 {
     for (auto each = arguments.begin(); each != arguments.end(); ++each) {
@@ -61,7 +62,7 @@ std::string kindNamed(const Words& arguments, const Words& kinds)
     return {};
 }
 
-/// The arguments as they were likely meant; none if nothing is likely.
+/// The arguments that were probably meant; none if there is no suggestion.
 Words likelyMeant(Words rest, const CommandWords& known)
 {
     Words meant;
@@ -113,9 +114,9 @@ std::string notTaken(const std::string& command, const Words& left, const Words&
         const std::string name = each.substr(0, each.find('='));
         return command + ": " + name + " is no option" + didYouMean(nearestName(name, options));
     }
-    std::string list;
-    for (const std::string& each : left) list += (list.empty() ? "" : ", ") + inQuotes(each);
-    return command + ": " + list + (left.size() > 1 ? " were" : " was") + " not expected";
+    Words quoted;
+    for (const std::string& each : left) quoted.push_back(inQuotes(each));
+    return command + ": " + joined(quoted) + (left.size() > 1 ? " were" : " was") + " not expected";
 }
 
 } // namespace touchdown

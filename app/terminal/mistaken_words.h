@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arguments that are no command, because they are misspelt or in another order; suggests the likely command.
+// Misspelt or misplaced words of the command line, and the command that was probably meant.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace touchdown {
 
 struct CommandWords {
     std::vector<std::string> commands; // "run", "study"
-    std::vector<std::string> kinds;    // behind "study"
+    std::vector<std::string> kinds;    // after "study"
 };
 
-/// A sentence about a first word that is no command, or about a word behind "study" that is no kind, with the likely
-/// meaning. "" when both are known or missing.
+/// A sentence about a first word that is not a command, or a word after "study" that is not a kind, with a suggestion;
+/// "" when both are known or missing.
 std::string mistakenWord(const std::vector<std::string>& arguments, const CommandWords& known);
 
 /// A sentence about the arguments that a command did not take; `options` are all of its options, with their dashes.

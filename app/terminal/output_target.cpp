@@ -4,13 +4,18 @@
 #include <filesystem>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "app/terminal/console.h"
 #include "core/formats/output_file.h"
 
 namespace touchdown {
 
+namespace {
+
 namespace fs = std::filesystem;
 
+/// Whether two names mean the same file, which need not exist.
 bool sameFile(const std::string& a, const std::string& b)
 {
     std::error_code none;
@@ -19,31 +24,32 @@ bool sameFile(const std::string& a, const std::string& b)
     return !path.empty() && path == fs::weakly_canonical(fs::absolute(b, none), none);
 }
 
-bool targetIsGood(const std::string& option, const std::string& file, const std::string& problem,
-                  const std::string& caseName)
+/// Why this file cannot be written; "" if it can.
+std::string problemOf(const OutputTarget& target, const std::string& input)
 {
-    if (file.empty()) return true;
     std::error_code none;
-    if (!problem.empty())
-        complain(option + ": " + problem);
-    else if (fs::exists(caseName, none) && sameFile(file, caseName))
-        complain(option + ": " + file + " is the case file itself");
-    else
-        return true;
-    return false;
+    const fs::file_status status = fs::status(target.file, none);
+    const bool stream = target.mayBeStream && (fs::is_character_file(status) || fs::is_fifo(status));
+    if (!stream || ::access(target.file.c_str(), W_OK) != 0)
+        if (const std::string problem = checkOutputFile(target.file); !problem.empty()) return problem;
+    return fs::exists(input, none) && sameFile(target.file, input) ? target.file + " is the case file itself" : "";
 }
+
+} // namespace
 
 bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input)
 {
     bool good = true;
+    const auto refuse = [&good](const std::string& sentence) {
+        complain(sentence);
+        good = false;
+    };
     for (auto one = targets.begin(); one != targets.end(); ++one) {
         if (one->file.empty()) continue;
-        good = targetIsGood(one->option, one->file, checkOutputFile(one->file), input) && good;
-        for (auto other = targets.begin(); other != one; ++other) {
-            if (other->file.empty() || !sameFile(other->file, one->file)) continue;
-            complain(other->option + " and " + one->option + ": both name " + one->file);
-            good = false;
-        }
+        if (const std::string problem = problemOf(*one, input); !problem.empty()) refuse(one->option + ": " + problem);
+        for (auto other = targets.begin(); other != one; ++other)
+            if (!other->file.empty() && sameFile(other->file, one->file))
+                refuse(other->option + " and " + one->option + ": both name " + other->file);
     }
     return good;
 }

@@ -8,20 +8,14 @@
 
 namespace touchdown {
 
-/// Whether two names lead to one file, which need not exist.
-bool sameFile(const std::string& a, const std::string& b);
-
-/// Complains about a file with the given problem, or that is the case itself. "" is no file.
-bool targetIsGood(const std::string& option, const std::string& file, const std::string& problem,
-                  const std::string& caseName);
-
 /// A file that a command may write, by the option that names it; "" for none.
 struct OutputTarget {
     std::string option;
     std::string file;
+    bool mayBeStream = false; // a device or a pipe, too
 };
 
-/// Complains about every file that cannot be written as a regular file, is the input, or is named twice.
+/// Writes a complaint to standard error about every file that cannot be written, is the input, or is named twice.
 bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input);
 
 } // namespace touchdown

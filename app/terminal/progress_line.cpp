@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "app/terminal/number_text.h"
+#include "app/terminal/report_text.h"
 #include "core/numerics/wall_clock.h"
 
 namespace touchdown {
@@ -16,23 +16,42 @@ namespace {
 constexpr std::chrono::milliseconds redrawInterval(100);
 constexpr std::chrono::seconds lineInterval(1);
 
+volatile std::sig_atomic_t stopSignal = 0; // a signal handler can only reach a global
+
 } // namespace
 
 ProgressLine::ProgressLine(bool always)
     : terminal_(::isatty(STDERR_FILENO) == 1), shown_(terminal_ || always), next_(Clock::now() + redrawInterval)
-{}
-
-void ProgressLine::show(Progress progress)
 {
-    if (!shown_) return;
+    stopSignal = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { stopSignal = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigaction(SIGINT, &action, &interrupt_);
+    sigaction(SIGTERM, &action, &terminate_);
+}
+
+ProgressLine::~ProgressLine()
+{
+    sigaction(SIGINT, &interrupt_, nullptr);
+    sigaction(SIGTERM, &terminate_, nullptr);
+}
+
+bool ProgressLine::stopRequested() const { return stopSignal != 0; }
+
+bool ProgressLine::show(Progress progress)
+{
+    if (!shown_) return !stopRequested();
     progress_ = std::move(progress);
     if (!drawn_) timeLeft_.at(progress_.share, wallClock()); // the time counts from the first state
     const Clock::time_point now = Clock::now();
-    if (now < next_) return;
-    next_ = now + (terminal_ ? Clock::duration(redrawInterval) : Clock::duration(lineInterval));
-    std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", text().c_str());
-    std::fflush(stderr);
-    drawn_ = true;
+    if (now >= next_) {
+        next_ = now + (terminal_ ? Clock::duration(redrawInterval) : Clock::duration(lineInterval));
+        std::fprintf(stderr, terminal_ ? "\r%s\x1b[K" : "%s\n", text().c_str());
+        std::fflush(stderr);
+        drawn_ = true;
+    }
+    return !stopRequested();
 }
 
 void ProgressLine::end()

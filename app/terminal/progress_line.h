@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Progress in one line on standard error: redrawn on a terminal; elsewhere one line a second, if asked for.
+// Progress of a calculation on standard error: one line that is redrawn on a terminal; elsewhere, if asked for, one
+// line a second. SIGINT or SIGTERM asks the calculation to stop; a second signal ends the program at once. One at a
+// time.
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <string>
 
 #include "core/simulation/recording/progress.h"
@@ -14,7 +17,13 @@ class ProgressLine {
 public:
     /// `always`: not only on a terminal.
     explicit ProgressLine(bool always);
-    void show(Progress progress);
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// False when the calculation is to stop.
+    bool show(Progress progress);
+    bool stopRequested() const;
     /// Removes the line from a terminal; elsewhere writes the last state.
     void end();
 
@@ -29,6 +38,8 @@ private:
     Clock::time_point next_; // no line before
     Progress progress_;
     TimeLeft timeLeft_;
+    struct sigaction interrupt_ {}; // the actions before
+    struct sigaction terminate_ {};
 };
 
 } // namespace touchdown

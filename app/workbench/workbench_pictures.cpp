@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench/workbench_pictures.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include <QApplication>
@@ -8,7 +9,10 @@
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QRegularExpression>
+#include <QThread>
 
+#include "app/terminal/console.h"
+#include "core/studies/study_plan.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
@@ -18,14 +22,14 @@
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_view.h"
+#include "ui/studies/study_chart_drawing.h"
 #include "ui/window/main_window.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr int done = 0, noAnswer = 1, badInput = 2; // exit codes
-
+/// Writes the file's name to standard output, or the problem to standard error.
 bool report(const QString& problem, const QString& file)
 {
     if (problem.isEmpty())
@@ -35,7 +39,13 @@ bool report(const QString& problem, const QString& file)
     return problem.isEmpty();
 }
 
-/// Lets every refresh that is due take place.
+bool makeFolder(const QDir& folder)
+{
+    return folder.mkpath(QStringLiteral(".")) ||
+           report(QStringLiteral("The folder %1 cannot be created.").arg(folder.path()), {});
+}
+
+/// Waits until the window has refreshed.
 void settle(QWidget& window)
 {
     QElapsedTimer clock;
@@ -61,12 +71,11 @@ bool exportFilm(MainWindow& window, const QDir& directory)
 bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
 {
     const QDir directory(folder);
-    if (!directory.mkpath(QStringLiteral(".")))
-        return report(QStringLiteral("The folder %1 cannot be created.").arg(folder), {});
+    if (!makeFolder(directory)) return false;
     if (staticState) return exportFilm(window, directory);
     const QString page = directory.filePath(QStringLiteral("page.png"));
     bool good = report(savePicture(*window.page(), page), page);
-    for (const LivePlots::Entry& entry : window.plots().plots()) {
+    for (const LivePlots::Entry& entry : window.runView().plots()->plots()) {
         if (entry.plot->isHidden()) continue;
         const QString file = directory.filePath(entry.name + QStringLiteral(".png"));
         good = report(savePicture(*entry.plot, file), file) && good;
@@ -81,9 +90,19 @@ bool exportPlots(MainWindow& window, const QString& folder, bool staticState)
         good = report(savePicture(*window.page(), file), file) && good;
     }
     window.runView().setPage(RunView::Page::Plots);
-    if (window.spectrum().isHidden()) return good;
+    if (window.runView().spectrum()->isHidden()) return good;
     const QString spectrum = directory.filePath(QStringLiteral("spectrum.png"));
-    return report(savePicture(*window.spectrum().view()->plot(), spectrum), spectrum) && good;
+    return report(savePicture(*window.runView().spectrum()->view()->plot(), spectrum), spectrum) && good;
+}
+
+Picture pictureOf(const StudyChart& chart)
+{
+    constexpr double width = 1000.0; // [px]
+    const QFont font = QApplication::font();
+    const QSizeF size(width, StudyChartDrawing::goodHeight(chart, font, width));
+    return {size, QString::fromStdString(chart.title), [&chart, font, size](QPainter& painter) {
+                StudyChartDrawing(chart, lightPlotTheme(), font, size).paint(painter);
+            }};
 }
 
 } // namespace
@@ -94,7 +113,7 @@ int takePictures(MainWindow& window, const PictureRequest& request)
         QRegularExpression(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$")).match(request.size);
     if (!size.hasMatch()) {
         std::cerr << "--size is written as 1600x1000, not \"" << request.size.toStdString() << "\".\n";
-        return badInput;
+        return exitWrongInput;
     }
     window.resize(size.captured(1).toInt(), size.captured(2).toInt());
     window.show();
@@ -123,10 +142,37 @@ int takePictures(MainWindow& window, const PictureRequest& request)
                          request.screenshot) &&
                   written;
     }
-    if (!written) return badInput;
-    if (valid) return done;
+    if (!written) return exitWrongInput;
+    if (valid) return exitDone;
     std::cerr << "The run ended without a valid answer: " << message.toStdString() << '\n';
-    return noAnswer;
+    return exitNoAnswer;
+}
+
+int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder)
+{
+    const StudyPlan plan = openStudy(kind.toStdString(), fileOrSample.toStdString());
+    for (const InputProblem& problem : plan.problems) std::cerr << problem.text() << '\n';
+    const QDir directory(folder);
+    if (!plan.valid() || !makeFolder(directory)) return exitWrongInput;
+    const StudyReport study =
+        plan.perform(std::max(1, QThread::idealThreadCount()), [](const StudyProgress&) { return true; });
+    for (const std::string& finding : study.findings) std::cerr << finding << '\n';
+    for (const std::string& warning : study.warnings) std::cerr << "warning: " << warning << '\n';
+
+    bool written = true;
+    for (std::size_t i = 0; i < study.charts.size(); ++i) {
+        const Picture picture = pictureOf(study.charts[i]);
+        const QString number = study.charts.size() > 1 ? QStringLiteral("-%1").arg(i + 1) : QString();
+        for (const char* ending : {".png", ".svg"}) {
+            const QString file =
+                directory.filePath(QString::fromStdString(plan.kind) + number + QString::fromLatin1(ending));
+            written = report(savePicture(picture, file), file) && written;
+        }
+    }
+    if (!written) return exitWrongInput;
+    if (study.status == StudyStatus::Completed) return exitDone;
+    std::cerr << "The study ended without a valid answer: " << study.message << '\n';
+    return exitNoAnswer;
 }
 
 } // namespace touchdown

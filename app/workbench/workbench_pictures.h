@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Runs the case of a window and writes what it shows, for scripts and for the README.
+// Pictures of the window and of the charts of a study, for scripts and for the README. The names of the files go to
+// standard output. The functions return the exit code: 0; 1 when there is no valid answer; 2 when something could not
+// be read or written.
 #pragma once
 
 #include <QString>
@@ -16,7 +18,11 @@ struct PictureRequest {
     bool staticState = false; // of a film, instead of its run in time
 };
 
-/// The exit code: 0, 1 when the run came to no valid answer, 2 when something could not be written.
+/// Runs the case of the window and writes what the window shows.
 int takePictures(MainWindow& window, const PictureRequest& request);
+
+/// Performs a study without a window and writes each chart as <kind>.png and <kind>.svg to the folder, numbered from 1
+/// where there are several; its findings go to standard error.
+int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder);
 
 } // namespace touchdown

@@ -98,19 +98,14 @@ QString resultText(const RunRecord& run)
     } else if (summary.status == RunStatus::Completed) {
         QStringList ends;
         const bool film = run.value.model == ModelKind::Film;
-        for (const char* name : {film ? "minimum_spacing" : "flying_height", "pitch", "net_contact_force"}) {
-            const int index = findQuantity(run.quantities, name);
+        for (const auto& [name, words] : {film ? std::pair("minimum_spacing", AboutCasePane::tr("minimum spacing %1"))
+                                               : std::pair("flying_height", AboutCasePane::tr("flying height %1")),
+                                          std::pair("pitch", AboutCasePane::tr("pitch %1")),
+                                          std::pair("net_contact_force", AboutCasePane::tr("net contact force %1"))}) {
             const std::optional<double> value = run.last(name);
-            if (index < 0 || !value) continue;
-            const Quantity& quantity = run.quantities[static_cast<std::size_t>(index)];
-            if (quantity.name == "flying_height")
-                ends << AboutCasePane::tr("flying height %1").arg(readout(*value, quantity));
-            else if (quantity.name == "minimum_spacing")
-                ends << AboutCasePane::tr("minimum spacing %1").arg(readout(*value, quantity));
-            else if (quantity.name == "pitch")
-                ends << AboutCasePane::tr("pitch %1").arg(readout(*value, quantity));
-            else if (*value != 0.0)
-                ends << AboutCasePane::tr("net contact force %1").arg(readout(*value, quantity));
+            if (!value || (*value == 0.0 && std::string_view(name) == "net_contact_force")) continue;
+            const auto index = static_cast<std::size_t>(findQuantity(run.quantities, name));
+            ends << words.arg(readout(*value, run.quantities[index]));
         }
         text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
         if (!summary.bouncingRule.empty())

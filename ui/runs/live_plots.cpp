@@ -51,14 +51,14 @@ struct LivePlots::Spec {
         const char* name; // in the legend of a plot with several
         bool visible = true;
         int colour = -1; // -1: as it comes in the list
-        int dash = 0;    // beside those that tell runs apart
+        int dash = 0;    // added to the dash of the run
     };
     const char* name;
     const char* title;
     const char* unit; // displayed
     std::vector<Curve> curves;
     const char* against = nullptr; // a quantity instead of the time
-    bool atFirst = true;           // of a slider that flies, until the user says otherwise
+    bool atFirst = true;           // shown for a flying slider until the user changes it
     AxisScale scale = AxisScale::Linear;
 };
 
@@ -158,7 +158,10 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     }
     setCase({});
 
-    connect(&runs_, &RunsModel::added, this, &LivePlots::addRun);
+    connect(&runs_, &RunsModel::added, this, [this] {
+        rebuild();
+        group_->forgetHistory();
+    });
     connect(&runs_, &RunsModel::aboutToRemove, this, &LivePlots::removeRun);
     connect(&runs_, &RunsModel::shownChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
@@ -174,16 +177,11 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     });
 }
 
-PlotWidget* LivePlots::plot(const QString& name) const
+const LivePlots::Entry& LivePlots::entry(const QString& name) const
 {
     const auto found = std::ranges::find(entries_, name, &Entry::name);
-    return found == entries_.end() ? nullptr : found->plot;
-}
-
-QAction* LivePlots::wanted(const QString& name) const
-{
-    const auto found = std::ranges::find(entries_, name, &Entry::name);
-    return found == entries_.end() ? nullptr : found->wanted;
+    Q_ASSERT(found != entries_.end());
+    return *found;
 }
 
 void LivePlots::setCase(const Case& c)
@@ -192,8 +190,7 @@ void LivePlots::setCase(const Case& c)
     ready_.clear();
     for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
     for (std::size_t s = 0; s < entries_.size(); ++s) {
-        // Forces against the separation are what a contact run is made for; of a flying slider they are one view among
-        // others.
+        // A contact run shows forces against the separation, a flying slider shows them over time.
         bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
         if (entries_[s].name == QLatin1String("roll") && c.degreesOfFreedom == 2) atFirst = false; // it is held
         const auto chosen = chosen_.find({model_, entries_[s].name});
@@ -216,12 +213,6 @@ void LivePlots::runFinished(int number)
     group_->dataChanged();
 }
 
-void LivePlots::addRun(int)
-{
-    rebuild();
-    group_->forgetHistory();
-}
-
 void LivePlots::removeRun(int number)
 {
     const QString prefix = QStringLiteral("run %1/").arg(number);
@@ -240,10 +231,11 @@ void LivePlots::removeRun(int number)
 void LivePlots::rebuild()
 {
     noteHiddenCurves();
-    for (int row = 0; row < runs_.count(); ++row) addCurves(runs_.record(row));
     drawn_.clear();
-    for (int row = 0; row < runs_.count(); ++row)
+    for (int row = 0; row < runs_.count(); ++row) {
+        addCurves(runs_.record(row));
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
+    }
     updateMarks();
     updateVisibility();
     emit curvesChanged();
@@ -256,7 +248,7 @@ void LivePlots::addCurves(const RunRecord& run)
         const Spec& spec = specs()[s];
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {
             PlotCurve curve = curveOf(run, s, i);
-            // A way through forces and separations has no difference to another one.
+            // A curve of force against separation has no difference to a baseline.
             curve.data = spec.against ? run.pyramid(spec.curves[i].quantity) : dataFor(run, spec.curves[i].quantity);
             curve.xData = spec.against ? run.pyramid(spec.against) : nullptr;
             if (!curve.data || (spec.against && !curve.xData))
@@ -273,7 +265,7 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     const bool single = specs()[spec].curves.size() == 1;
     PlotCurve curve;
     curve.id = curveId(run, wanted.quantity);
-    // The total of a film knows what the contact stores, that of the springs does not.
+    // The total energy of a film includes that of the contact, the total energy of the springs does not.
     const bool whole = run.value.model == ModelKind::Film && std::string_view(wanted.quantity) == "energy";
     const QString name = whole ? tr("Total") : tr(wanted.name);
     curve.name = name;

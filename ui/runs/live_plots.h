@@ -43,25 +43,24 @@ public:
         QAction* wanted; // by the user, checkable; shown if a run has its quantities too
     };
     const std::vector<Entry>& plots() const { return entries_; }
-    PlotWidget* plot(const QString& name) const;
-    QAction* wanted(const QString& name) const;
-    /// The case that is edited: what it would record stands ready.
+    const Entry& entry(const QString& name) const;
+    PlotWidget* plot(const QString& name) const { return entry(name).plot; }
+    /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
 
-    /// Samples of this run have come.
+    /// Samples of this run have arrived.
     void dataArrived(int number);
     /// The run has ended: its last events, and its difference to the baseline.
     void runFinished(int number);
 
 signals:
-    /// Curves came or went.
+    /// Curves were added or removed.
     void curvesChanged();
 
 private:
     struct Spec;
     static const std::vector<Spec>& specs();
 
-    void addRun(int number);
     void removeRun(int number);
     void rebuild();
     void addCurves(const RunRecord& run);

@@ -18,7 +18,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostMarks = 2000; // ticks closer than pixels say nothing
+constexpr std::size_t mostMarks = 2000; // more are closer than a pixel
 
 } // namespace
 
@@ -51,7 +51,7 @@ void LivePlots::updateMarks()
     for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
     PlotWidget* forces = plot(QStringLiteral("force_separation"));
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
-    // A slider falls from heights at which nothing acts yet.
+    // A slider falls from heights without contact forces.
     const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;
     forces->setMostX(falls ? std::optional(2.0 * run->value.onoYamane.takeOff) : std::nullopt);
     plot(QStringLiteral("spacing"))->setReferenceLines(spacing);

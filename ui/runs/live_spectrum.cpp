@@ -105,7 +105,7 @@ void LiveSpectrum::compute(const RunRecord& run)
 {
     const std::string quantity = view_->quantity().toStdString();
     const WelchOptions options = view_->options();
-    // While a long run goes, its newest part is enough to watch; all of it counts at the end.
+    // During a long run the spectrum is that of its newest part, at the end that of the whole run.
     const double recent = run.lastTime() - mostLiveSamples * run.value.run.sampleInterval;
     const double start = run.finished() ? run.value.spectrum.start : std::max(run.value.spectrum.start, recent);
     const Spectrum spectrum = spectrumOf(run, quantity, options, start);

@@ -1,12 +1,195 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_controller.h"
 
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include "core/results/results_writer.h"
 #include "core/simulation/run.h"
-#include "ui/runs/run_worker.h"
 
 namespace touchdown {
+
+namespace {
+
+// Most that one delivery holds: the window takes it in within a few milliseconds, however fast the solver is.
+constexpr std::size_t mostSamplesInMail = 16384;
+constexpr std::size_t mostFieldValuesInMail = std::size_t(1) << 21; // 16 MB
+
+std::size_t valuesOf(std::span<const FieldSnapshot> fields)
+{
+    std::size_t count = 0;
+    for (const FieldSnapshot& snapshot : fields)
+        for (const std::vector<double>& field : snapshot.values) count += field.size();
+    return count;
+}
+
+/// Those from `begin` on that are not after `time`.
+template <typename Dated>
+std::span<const Dated> until(const std::vector<Dated>& all, std::size_t begin, double time)
+{
+    std::size_t end = begin;
+    while (end < all.size() && all[end].time <= time) ++end;
+    return std::span(all).subspan(begin, end - begin);
+}
+
+void appendSlice(SampleBatch& target, const SampleBatch& source, std::size_t begin, std::size_t end)
+{
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    const auto to = static_cast<std::ptrdiff_t>(end);
+    target.columns.resize(source.columns.size());
+    target.time.insert(target.time.end(), source.time.begin() + from, source.time.begin() + to);
+    for (std::size_t i = 0; i < source.columns.size(); ++i)
+        target.columns[i].insert(target.columns[i].end(), source.columns[i].begin() + from,
+                                 source.columns[i].begin() + to);
+}
+
+/// One run on the worker's thread: calls the solver, hands its batches out slice by slice at the pace that the window
+/// asks for, and records them to a results file.
+class RunWorker {
+public:
+    RunWorker(const RunController::Solver& solver, RunRequest request, RunPace& pace, Mailbox<RunMail>& mailbox,
+              std::stop_token stop);
+
+    void work();
+
+private:
+    /// The part of an update that is handed out together.
+    struct Slice {
+        std::size_t begin = 0, end = 0; // of the samples
+        std::span<const RunEvent> events;
+        std::span<const FieldSnapshot> fields;
+    };
+
+    bool handOut(const RunUpdate& update);
+    void post(const RunUpdate& update, const Slice& slice);
+    void report(const std::string& recordingProblem);
+    Summary shownSummary(Summary summary) const;
+
+    const RunController::Solver& solver_;
+    RunRequest request_;
+    RunPace& pace_;
+    Mailbox<RunMail>& mailbox_;
+    std::stop_token stop_;
+
+    bool heldBack_ = false; // stopped with samples that were not shown
+    std::vector<double> lastSample_;
+    std::optional<ResultsWriter> recorder_; // none after a problem
+};
+
+RunWorker::RunWorker(const RunController::Solver& solver, RunRequest request, RunPace& pace, Mailbox<RunMail>& mailbox,
+                     std::stop_token stop)
+    : solver_(solver), request_(std::move(request)), pace_(pace), mailbox_(mailbox), stop_(std::move(stop))
+{}
+
+void RunWorker::work()
+{
+    if (!request_.recordTo.empty())
+        report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
+                                        recordedQuantities(request_.value), recordedFields(request_.value)));
+    Summary summary;
+    try {
+        summary = solver_(request_.value, [this](const RunUpdate& update) { return handOut(update); });
+    } catch (const std::exception& problem) {
+        summary.status = RunStatus::Failed;
+        summary.message = std::string("The calculation stopped with an error: ") + problem.what();
+        summary.endTime = pace_.shownTime();
+    }
+    summary = shownSummary(std::move(summary));
+    if (recorder_) report(recorder_->finish(summary));
+    mailbox_.post([&](RunMail& mail) { mail.summary = std::move(summary); });
+}
+
+bool RunWorker::handOut(const RunUpdate& update)
+{
+    const SampleBatch& batch = update.samples;
+    if (batch.size() == 0) post(update, {0, 0, update.events, update.fields});
+    Slice slice;
+    std::size_t events = 0, fields = 0; // handed out
+    while (slice.end < batch.size()) {
+        slice.begin = slice.end;
+        const auto end = pace_.waitForSlice(batch.time, slice.begin, update.duration, stop_);
+        if (!end) {
+            heldBack_ = true;
+            return false;
+        }
+        slice.end = *end;
+        const double time = *end == batch.size() ? std::numeric_limits<double>::infinity() : batch.time[*end - 1];
+        slice.events = until(update.events, events, time);
+        slice.fields = until(update.fields, fields, time);
+        events += slice.events.size();
+        fields += slice.fields.size();
+        post(update, slice);
+    }
+    if (update.time < update.duration) pace_.waitWhilePaused(stop_); // at the end all samples are handed out
+    return !stop_.stop_requested();
+}
+
+void RunWorker::post(const RunUpdate& update, const Slice& slice)
+{
+    const auto [begin, end, events, fields] = slice;
+    const SampleBatch& batch = update.samples;
+    const std::size_t samples = end - begin;
+    SampleBatch part;
+    appendSlice(part, batch, begin, end);
+    if (samples > 0) {
+        lastSample_.clear();
+        for (const std::vector<double>& column : batch.columns) lastSample_.push_back(column[end - 1]);
+    }
+    if (recorder_ && (samples > 0 || !fields.empty()))
+        report(recorder_->append(samples > 0 ? part : SampleBatch{}, {fields.begin(), fields.end()}));
+
+    // A solver that is faster than the window waits, so that neither memory nor a delivery grows without bound.
+    const std::size_t fieldValues = valuesOf(fields);
+    mailbox_.waitForRoom(stop_, [&](RunMail& mail) {
+        const std::size_t held = mail.delivery.samples.size();
+        const std::size_t fieldsHeld = valuesOf(mail.delivery.fields);
+        const bool room = (held == 0 || held + samples <= mostSamplesInMail) &&
+                          (fieldsHeld == 0 || fieldsHeld + fieldValues <= mostFieldValuesInMail);
+        mail.wasFull = mail.wasFull || !room;
+        return room;
+    });
+    mailbox_.post([&](RunMail& mail) {
+        RunDelivery& delivery = mail.delivery;
+        appendSlice(delivery.samples, part, 0, samples);
+        delivery.events.insert(delivery.events.end(), events.begin(), events.end());
+        delivery.fields.insert(delivery.fields.end(), fields.begin(), fields.end());
+        delivery.time = end == batch.size() ? update.time : batch.time[end - 1];
+        delivery.duration = update.duration;
+    });
+}
+
+/// After a problem the run continues without its file.
+void RunWorker::report(const std::string& recordingProblem)
+{
+    if (recordingProblem.empty()) return;
+    recorder_.reset();
+    mailbox_.post([&](RunMail& mail) { mail.recordingProblem = recordingProblem; });
+}
+
+/// The solver may be ahead of the samples that were shown: a run that was stopped ends with the last of these.
+Summary RunWorker::shownSummary(Summary summary) const
+{
+    if (!heldBack_) return summary;
+    summary.status = RunStatus::Cancelled;
+    summary.message = "The run was stopped.";
+    summary.endTime = pace_.shownTime();
+    const std::vector<Quantity> quantities = recordedQuantities(request_.value);
+    summary.final.clear();
+    for (std::size_t i = 0; i < std::min(quantities.size(), lastSample_.size()); ++i)
+        summary.final.emplace_back(quantities[i].name, lastSample_[i]);
+    summary.tail.clear();
+    summary.peaks.clear();
+    summary.bouncing = false;
+    summary.bouncingRule.clear();
+    summary.stepCheck.reset();
+    std::erase_if(summary.events, [this](const RunEvent& event) { return event.time > pace_.shownTime(); });
+    return summary;
+}
+
+} // namespace
 
 RunController::RunController(QObject* parent)
     : RunController([](const Case& c, const RunCallback& callback) { return run(c, callback); }, parent)

@@ -41,7 +41,7 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
 {
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
-    // A full selection colour would drown the colour of the curve: a fifth of it is enough.
+    // A fifth of the selection colour keeps the colour of the curve visible.
     const QColor base = item.palette.color(QPalette::Base);
     const QColor tone = item.palette.color(QPalette::Highlight);
     const auto mixed = [](int from, int to) { return from + (to - from) / 5; };

@@ -9,6 +9,7 @@
 #include "ui/plot/plot_export.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -16,40 +17,22 @@ RunFiles::RunFiles(RunsModel& runs, QWidget& page, QWidget& window)
     : QObject(&window), runs_(runs), page_(page), window_(window)
 {}
 
-void RunFiles::choose(const QString& title, const QString& filter, const QString& suggestion,
-                      const std::function<void(const QString&)>& then)
-{
-    auto* dialog = new QFileDialog(&window_, title, {}, filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
-    dialog->selectFile(suggestion);
-    // The chosen filter decides the ending of a name that was typed without one.
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& chosen) {
-        const QRegularExpressionMatch ending = QRegularExpression(QStringLiteral("\\*\\.(\\w+)")).match(chosen);
-        if (ending.hasMatch()) dialog->setDefaultSuffix(ending.captured(1));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, then);
-    dialog->open();
-}
-
 void RunFiles::chooseSave(int number, bool csv)
 {
     const RunRecord* run = runs_.find(number);
     if (!run) return;
     const QString hdf5 = tr("HDF5, all of the run (*.h5)");
     const QString table = tr("CSV, the time series (*.csv)");
-    const QString filter = csv ? table + QStringLiteral(";;") + hdf5 : hdf5 + QStringLiteral(";;") + table;
-    choose(tr("Save run %1").arg(number), filter,
-           baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5")),
-           [this, number](const QString& file) {
-               RunRecord* chosen = runs_.find(number);
-               if (!chosen) return;
-               const bool asCsv = QFileInfo(file).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
-               const QString problem = asCsv ? saveTimeSeries(*chosen, file) : saveHdf5(*chosen, file);
-               if (problem.isEmpty() && !asCsv) chosen->file = file;
-               report(problem, file);
-           });
+    const QStringList filters = csv ? QStringList{table, hdf5} : QStringList{hdf5, table};
+    const QString suggestion = baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5"));
+    askAndSave(&window_, tr("Save run %1").arg(number), filters, suggestion, [this, number](const QString& file) {
+        RunRecord* chosen = runs_.find(number);
+        if (!chosen) return QString();
+        const bool asCsv = QFileInfo(file).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
+        const QString problem = asCsv ? saveTimeSeries(*chosen, file) : saveHdf5(*chosen, file);
+        if (problem.isEmpty() && !asCsv) chosen->file = file;
+        return reported(problem, file);
+    });
 }
 
 void RunFiles::chooseOpen()
@@ -77,16 +60,19 @@ void RunFiles::openRun(const QString& file)
 
 void RunFiles::choosePicture()
 {
-    choose(tr("Export the plots"), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF document (*.pdf)"),
-           QStringLiteral("touchdown.png"), [this](const QString& file) { report(savePicture(page_, file), file); });
+    askAndSave(&window_, tr("Export the plots"),
+               {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
+               QStringLiteral("touchdown.png"),
+               [this](const QString& file) { return reported(savePicture(page_, file), file); });
 }
 
-void RunFiles::report(const QString& problem, const QString& file)
+QString RunFiles::reported(const QString& problem, const QString& file)
 {
     if (problem.isEmpty())
         emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
     else
         emit failed(problem);
+    return {};
 }
 
 QString RunFiles::baseName(const RunRecord& run) const

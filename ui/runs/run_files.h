@@ -7,8 +7,6 @@
 #include <QString>
 #include <QWidget>
 
-#include <functional>
-
 namespace touchdown {
 
 class RunsModel;
@@ -32,9 +30,8 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void choose(const QString& title, const QString& filter, const QString& suggestion,
-                const std::function<void(const QString&)>& then);
-    void report(const QString& problem, const QString& file);
+    /// Emits `succeeded` or `failed`. Returns no problem: the dialog has nothing to show.
+    QString reported(const QString& problem, const QString& file);
     QString baseName(const RunRecord& run) const;
 
     RunsModel& runs_;

@@ -27,7 +27,7 @@ public:
     /// `runs` must outlive the widget.
     explicit RunMaps(RunsModel& runs, QWidget* parent = nullptr);
 
-    /// -1: none. One without fields leaves the page empty, with the reason.
+    /// -1: none. For a run without fields the page shows the reason.
     void showRun(int number);
     int shownRun() const { return number_; }
     void dataArrived(int number);

@@ -23,7 +23,7 @@ public:
     /// Before a run starts, while no worker uses this: at its start, not paused.
     void reset();
     void setPaused(bool paused);
-    /// Hands out one picture more while paused.
+    /// Hands out the samples of one more picture while paused.
     void step();
     /// Simulated seconds per second of wall time.
     void set(double simulatedPerWallSecond);

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include <QCoreApplication>
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "core/numerics/spectrum.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_reader.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
-#include "core/simulation/run.h"
 
 namespace touchdown {
 
@@ -52,8 +51,8 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
 {
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
-    // Making room takes a pyramid some milliseconds: they do it at different times. The first is the smallest, see
-    // complete().
+    // A full pyramid needs some milliseconds to make room. With different capacities they are full at different times.
+    // The first is the smallest, see complete().
     for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
 }
 
@@ -66,8 +65,6 @@ void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& ne
     events.insert(events.end(), newEvents.begin(), newEvents.end());
     for (const FieldSnapshot& snapshot : newFields) fields[snapshot.set].add(snapshot);
 }
-
-void RunRecord::finish(const Summary& ended) { summary = ended; }
 
 const MinMaxPyramid* RunRecord::pyramid(std::string_view quantity) const
 {

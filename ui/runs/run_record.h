@@ -2,17 +2,10 @@
 //
 // One run as the window holds it: its case, its samples, its events, how it ended.
 //
-// Samples live in pyramids, of which each holds a bounded number; beyond that the extremes stay and
-// the rest goes (see `complete`). Pyramids do not move, so that curves may point to them. Snapshots of
-// fields are bounded too (see FieldHistory).
+// A pyramid holds the samples of a quantity, at most a fixed number; beyond that only the extremes are kept (see
+// `complete`). Pyramids do not move, so that curves may point to them. Snapshots of fields are bounded too (see
+// FieldHistory).
 #pragma once
-
-#include "core/numerics/spectrum.h"
-#include "core/simulation/run.h"
-#include "ui/maps/field_history.h"
-#include "ui/plot/min_max_pyramid.h"
-
-#include <QString>
 
 #include <cstddef>
 #include <deque>
@@ -22,11 +15,17 @@
 #include <string_view>
 #include <vector>
 
+#include <QString>
+
 #include "core/case/case.h"
-#include "core/numerics/spectrum.h"
 #include "core/simulation/recording/run_summary.h"
+#include "ui/maps/field_history.h"
+#include "ui/plot/min_max_pyramid.h"
 
 namespace touchdown {
+
+struct Spectrum;
+struct WelchOptions;
 
 struct RunRecord {
     /// Samples held of each quantity, at least.
@@ -44,7 +43,7 @@ struct RunRecord {
 
     void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
                 const std::vector<FieldSnapshot>& newFields = {});
-    void finish(const Summary& ended);
+    void finish(const Summary& ended) { summary = ended; }
     bool finished() const { return summary.has_value(); }
 
     /// nullptr if the run does not record it, or has no sample yet.

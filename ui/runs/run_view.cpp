@@ -53,7 +53,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     layout->addWidget(pages_, 1);
     connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
     connect(spectrumWanted_, &QAction::toggled, this, &RunView::showSpectrum);
-    // Going through the maps leaves its trace in the plots.
+    // The cursor of the plots follows the time of the maps.
     connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
     connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
         if (which == 0) side_->showTime(plots_->group()->cursor(0));
@@ -64,7 +64,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
-    // The patches of a film's contact take longer to find than a key press may.
+    // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool disk = findField("disk.surface.kind")->used(c);
     const bool side = c.model == ModelKind::Film;

@@ -38,10 +38,6 @@ RunWindow::~RunWindow()
     controller_.disconnect();
 }
 
-void RunWindow::open(const Case& c) { view_->spectrum()->setOptionsOf(c); }
-
-void RunWindow::edit(const Case& c) { view_->setCase(c); }
-
 void RunWindow::start(RunRequest request)
 {
     controller_.stopAndWait();

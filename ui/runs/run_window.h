@@ -30,16 +30,12 @@ public:
     CursorTable* values() const { return values_; }
     ProgressStrip* progress() const { return progress_; }
 
-    /// Another case was opened.
-    void open(const Case& c);
-    /// The case as it is edited.
-    void edit(const Case& c);
     /// An active run ends, with its signals, before the new one is in the list.
     void start(RunRequest request);
 
 signals:
     void started(int number);
-    /// Everything shows it by now.
+    /// After the page shows the end.
     void ended(int number, const touchdown::Summary& summary);
 
 private:

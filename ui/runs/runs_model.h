@@ -62,7 +62,7 @@ public:
 
 signals:
     void added(int number);
-    /// Just before its data go: remove the curves now.
+    /// Its data are about to be deleted: remove its curves.
     void aboutToRemove(int number);
     void shownChanged(int number, bool shown);
     void baselineChanged(int number);

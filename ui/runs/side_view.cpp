@@ -21,9 +21,9 @@ namespace {
 
 constexpr int columns = 400;          // of the profile
 constexpr int rows = 60;              // across the slider, from which each column takes the lowest
-constexpr double belowDisk = 0.12;    // of the heights that are seen
+constexpr double belowDisk = 0.12;    // of the visible heights
 constexpr double headRoom = 1.25;     // above the highest pad
-constexpr double ceiling = 0.93;      // of the heights that are seen: what is recessed deeper is cut off there
+constexpr double ceiling = 0.93;      // of the visible heights: deeper recesses are cut off there
 constexpr double stripeLength = 2e-4; // of the marks that move with the disk [m]
 
 } // namespace

@@ -6,15 +6,16 @@
 #include <limits>
 
 #include "core/formats/units.h"
+#include "core/studies/study/study.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double furthestBand =
-    1.5; // decades from the points, on a logarithmic axis: a band further off would push them together
-constexpr double widestBand = 0.5; // of the width of the points, on a linear one
+// A band further away from the points is not shown: it would push them together.
+constexpr double furthestDecades = 1.5; // on a logarithmic axis
+constexpr double furthestShare = 0.5;   // of the width of the points, on a linear axis
 
 AxisLabel labelOf(const ChartAxis& axis)
 {
@@ -52,12 +53,11 @@ PlotRange withMargin(const Extent& extent, const AxisLabel& label)
 void addBand(Extent& extent, const Extent& points, const ChartBand& band, bool logarithmic)
 {
     for (const double end : {band.lower, band.upper}) {
-        if (points.empty()) extent.add(end, logarithmic);
-        if (points.empty() || !std::isfinite(end) || (logarithmic && end <= 0.0)) continue;
         const double outside =
-            logarithmic ? std::max(std::log10(points.low / end), std::log10(end / points.high))
-                        : std::max(points.low - end, end - points.high) / std::max(points.high - points.low, 1e-300);
-        if (outside <= (logarithmic ? furthestBand : widestBand)) extent.add(end, logarithmic);
+            points.empty() ? 0.0
+            : logarithmic  ? std::max(std::log10(points.low / end), std::log10(end / points.high))
+                           : std::max(points.low - end, end - points.high) / std::max(points.high - points.low, 1e-300);
+        if (outside <= (logarithmic ? furthestDecades : furthestShare)) extent.add(end, logarithmic);
     }
 }
 

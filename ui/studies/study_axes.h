@@ -9,10 +9,11 @@
 
 #include <QSizeF>
 
-#include "core/studies/study/study.h"
 #include "ui/plot/plot_axis.h"
 
 namespace touchdown {
+
+struct ChartPanel;
 
 struct PanelRange {
     PlotRange x, y; // [SI]
@@ -24,7 +25,7 @@ struct PanelAxes {
     PanelRange range() const { return {x.range(), y.range()}; }
 };
 
-/// With round ends about all points, their errors, the map, and what is near enough of the bands; or with `zoomed`.
+/// Ranges with round ends that show all points, their errors, the map and the bands nearby; or the range `zoomed`.
 PanelAxes panelAxes(const ChartPanel& panel, const std::optional<PanelRange>& zoomed = {});
 
 /// Widens one axis until a unit of x is as long as one of y on an area of this size.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A study's chart as it is drawn: title, legend, panels side by side, or one under the other where it is narrow, and
-// the caption below. The same on the screen and on paper.
+// Layout of a study's chart: title, legend, panels (side by side, or stacked where the chart is narrow) and caption.
+// The same on the screen and on paper.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ public:
     const std::vector<StudyPanel>& panels() const { return panels_; }
     const StudyLegend& legend() const { return legend_; }
 
-    /// The height in which a chart of this width can still be read, and that in which it looks well.
+    /// The smallest height at which a chart of this width is readable, and the best one.
     static double leastHeight(const StudyChart& chart, const QFont& font, double width);
     static double goodHeight(const StudyChart& chart, const QFont& font, double width);
 

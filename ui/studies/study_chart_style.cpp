@@ -8,6 +8,8 @@
 
 #include <QFontMetricsF>
 
+#include "core/studies/study/study.h"
+
 namespace touchdown {
 
 namespace {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How what a study's chart says is drawn: a series by colour, shape of its markers and dash, how a point came out by
-// full, hollow or crossed, a class of a map by colour, pattern and letter. No information depends on colour alone.
+// Drawing styles of a study's chart. A series has a colour, a marker shape and a dash; the marker of a point is full,
+// hollow or a cross by its outcome; a class of a map has a colour, a pattern and a letter: no information depends on
+// colour alone.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,10 +14,14 @@
 #include <QPainter>
 #include <QPen>
 
-#include "core/studies/study/study.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
+
+enum class PointKind : std::uint8_t;
+struct ChartClass;
+struct ChartSeries;
+struct StudyChart;
 
 enum class MarkerShape { Circle, Square, Triangle, Diamond, TriangleDown, Pentagon };
 
@@ -50,9 +56,9 @@ void paintRing(QPainter& painter, const QPointF& at, double radius, const PlotTh
 
 /// How the cells of a class are filled.
 struct ClassStyle {
-    QColor colour;                        // by severity: the worse, the further from the paper
-    Qt::BrushStyle pattern = Qt::NoBrush; // over it, where another class is as severe
-    QChar letter;                         // its own
+    QColor colour;                        // by severity: the worse, the more contrast
+    Qt::BrushStyle pattern = Qt::NoBrush; // where another class is as severe
+    QChar letter;                         // unique
     QColor ink;                           // of pattern and letter
 };
 std::vector<ClassStyle> classStyles(const std::vector<ChartClass>& classes, const PlotTheme& theme);

@@ -14,7 +14,6 @@
 
 #include "ui/plot/plot_export.h"
 #include "ui/studies/study_chart_drawing.h"
-#include "ui/studies/study_readings.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -83,7 +82,7 @@ void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const Pl
 
 QString StudyChartView::reading() const
 {
-    return pointed_ ? touchdown::reading(drawing().panels()[pointed_->panel], pointed_->hit) : QString();
+    return pointed_ ? drawing().panels()[pointed_->panel].reading(pointed_->hit) : QString();
 }
 
 QSize StudyChartView::sizeHint() const { return {700, heightForWidth(700)}; }

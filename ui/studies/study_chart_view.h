@@ -10,6 +10,7 @@
 
 #include <QWidget>
 
+#include "core/studies/study/study.h"
 #include "ui/plot/picture.h"
 #include "ui/studies/study_panel.h"
 

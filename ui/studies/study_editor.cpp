@@ -25,7 +25,7 @@ namespace {
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
 
-/// As the study's file says it; empty where it does not.
+/// The kind that the study's text names; empty if it names none.
 QString kindIn(const QString& text)
 {
     const TomlDocument toml = readToml(text.toStdString());
@@ -35,6 +35,17 @@ QString kindIn(const QString& text)
 }
 
 } // namespace
+
+StudyCatalogue coreStudies()
+{
+    const std::span<const StudyKind> kinds = studyKinds();
+    return {{kinds.begin(), kinds.end()},
+            sampleStudies(),
+            studyTemplate,
+            [](const std::string& kind, const std::string& text, const std::string& name,
+               const std::filesystem::path& folder,
+               const Case& c) { return parseStudy(kind, text, name, folder, &c); }};
+}
 
 StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     : QWidget(parent),
@@ -191,7 +202,7 @@ void StudyEditor::replan()
     if (kinds_->count() == 0) return;
     Draft& draft = drafts_[kind()];
     if (draft.text == draft.defaults && draft.file.isEmpty()) {
-        const QString defaults = QString::fromStdString(catalogue_.textOf(kind().toStdString(), case_));
+        const QString defaults = QString::fromStdString(catalogue_.defaultText(kind().toStdString(), case_));
         draft.text = draft.defaults = defaults;
         if (toText() != defaults) text_->setPlainText(defaults);
         soon_.stop();
@@ -237,7 +248,6 @@ void StudyEditor::showProblems()
 
 void StudyEditor::setRunning(bool running)
 {
-    running_ = running;
     run_->setText(running ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
 }
@@ -250,7 +260,7 @@ QString StudyEditor::open(const QString& path)
     if (file.size() > static_cast<qint64>(maximumStudyFileSize))
         return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
     const QString text = QString::fromUtf8(file.readAll());
-    setKind(kindIn(text)); // where it says none, it is of the kind that is chosen
+    setKind(kindIn(text)); // a text without a kind is of the chosen kind
     drafts_[kind()].file = path;
     setText(text);
     replan();

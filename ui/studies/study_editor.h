@@ -4,7 +4,10 @@
 // the user types. The text of each kind is kept; a text without changes follows the case.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <QComboBox>
 #include <QLabel>
@@ -14,10 +17,22 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "ui/studies/study_catalogue.h"
+#include "core/studies/study/sample_study.h"
+#include "core/studies/study_plan.h"
 #include "ui/studies/study_text_edit.h"
 
 namespace touchdown {
+
+/// The studies that the window offers.
+struct StudyCatalogue {
+    std::vector<StudyKind> kinds;
+    std::vector<SampleStudy> samples;
+    std::function<std::string(const std::string& kind, const Case& c)> defaultText; // of a study of this case
+    std::function<StudyPlan(const std::string& kind, const std::string& text, const std::string& name,
+                            const std::filesystem::path& folder, const Case& c)>
+        plan;
+};
+StudyCatalogue coreStudies();
 
 class StudyEditor : public QWidget {
     Q_OBJECT
@@ -40,7 +55,6 @@ public:
     void setRunning(bool running);
 
     QComboBox* kinds() const { return kinds_; }
-    StudyTextEdit* text() const { return text_; }
     QPushButton* run() const { return run_; }
     QPushButton* stop() const { return stop_; }
     QString problems() const { return problems_->text(); }
@@ -80,7 +94,6 @@ private:
     std::map<QString, Draft> drafts_;
     StudyPlan plan_;
     bool stale_ = true; // the plan is of another text or another case
-    bool running_ = false;
     QTimer soon_;
 
     QComboBox* kinds_;

@@ -11,7 +11,7 @@ namespace touchdown {
 namespace {
 
 constexpr double gap = 2.0;      // between marker and text [px]
-constexpr int mostCrossings = 3; // of lines under a text that can still be read
+constexpr int mostCrossings = 3; // lines under a readable text
 
 bool crosses(const QLineF& line, const QRectF& box)
 {
@@ -19,7 +19,7 @@ bool crosses(const QLineF& line, const QRectF& box)
         std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
         return false;
     if (box.contains(line.p1()) || box.contains(line.p2())) return true;
-    // Both corners of a diagonal on the same side for both diagonals: the line passes by.
+    // The line misses the box if all corners lie on the same side of it.
     const auto side = [&line](const QPointF& p) {
         return line.dx() * (p.y() - line.y1()) - line.dy() * (p.x() - line.x1());
     };
@@ -28,7 +28,7 @@ bool crosses(const QLineF& line, const QRectF& box)
     return low <= 0.0 && high >= 0.0;
 }
 
-/// Beside, above, below and at the corners of the marker; the first is liked best.
+/// Beside, above, below and at the corners of the marker; the best one first.
 std::array<QRectF, 8> candidates(const LabelRequest& label)
 {
     const double w = label.size.width(), h = label.size.height();

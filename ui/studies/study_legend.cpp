@@ -78,11 +78,9 @@ void StudyLegend::addKey(const StudyChart& chart)
     if (chosen) entries_.push_back({Entry::Kind::Chosen, tr("default or recommended"), {}, {}, {}});
 }
 
-double StudyLegend::entryWidth(const Entry& entry) const
+double StudyLegend::sampleWidth(const Entry& entry) const
 {
-    const QFontMetricsF metrics(font_);
-    const double sample = entry.kind == Entry::Kind::Series ? 2.1 * metrics.height() : 1.1 * metrics.height();
-    return sample + gap + metrics.horizontalAdvance(entry.text);
+    return (entry.kind == Entry::Kind::Series ? 2.1 : 1.1) * QFontMetricsF(font_).height();
 }
 
 std::vector<QRectF> StudyLegend::places(double width) const
@@ -91,7 +89,7 @@ std::vector<QRectF> StudyLegend::places(double width) const
     std::vector<QRectF> result;
     double x = 0.0, y = 0.0;
     for (const Entry& entry : entries_) {
-        const double wanted = entryWidth(entry);
+        const double wanted = sampleWidth(entry) + gap + QFontMetricsF(font_).horizontalAdvance(entry.text);
         if (x > 0.0 && x + wanted > width) {
             x = 0.0;
             y += row;
@@ -139,7 +137,7 @@ void StudyLegend::paint(QPainter& painter, const QRectF& box) const
     const std::vector<QRectF> where = places(box.width());
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         const QRectF place = where[i].translated(box.topLeft());
-        const double sample = entries_[i].kind == Entry::Kind::Series ? 2.1 * metrics.height() : 1.1 * metrics.height();
+        const double sample = sampleWidth(entries_[i]);
         painter.setFont(font_);
         paintSample(painter, entries_[i], QRectF(place.left(), place.top(), sample, place.height()));
         painter.setPen(theme_.text);

@@ -9,6 +9,7 @@
 #include <QFont>
 #include <QPainter>
 
+#include "core/studies/study/study.h"
 #include "ui/studies/study_chart_style.h"
 
 namespace touchdown {
@@ -35,7 +36,7 @@ private:
     void addSeries(const StudyChart& chart, const ChartStyles& styles);
     void addClasses(const StudyChart& chart);
     void addKey(const StudyChart& chart);
-    double entryWidth(const Entry& entry) const;
+    double sampleWidth(const Entry& entry) const;
     void paintSample(QPainter& painter, const Entry& entry, const QRectF& box) const;
     std::vector<QRectF> places(double width) const;
 

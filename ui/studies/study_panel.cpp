@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where everything of a panel is.
+// The places of everything in a panel, and what is under the pointer.
 #include "ui/studies/study_panel.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 
+#include "core/studies/study/study.h"
 #include "ui/plot/plot_painter.h"
 
 namespace touchdown {
@@ -16,8 +18,20 @@ namespace {
 
 constexpr double gap = 6.0;        // between things that belong together [px]
 constexpr double tickLength = 4.0; // [px]
-constexpr double reach = 20.0;     // of what is drawn beyond the area, in its widths: more is too much for a painter
-constexpr double near = 9.0;       // of a pointer to a point [px]
+constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
+constexpr double near = 9.0;   // of a pointer to a point [px]
+
+QString tr(const char* text) { return QCoreApplication::translate("touchdown::StudyPanel", text); }
+
+QString plain(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+QString valueLine(const PlotAxis& axis, double value, double error)
+{
+    QString number = axis.reading(value);
+    if (error > 0.0) number += QStringLiteral(" ± ") + axis.reading(error);
+    if (!axis.label.unit.isEmpty()) number += QChar(0x00A0) + axis.label.unit;
+    return QStringLiteral("%1: %2").arg(axis.label.title.toHtmlEscaped(), number.toHtmlEscaped());
+}
 
 } // namespace
 
@@ -117,7 +131,7 @@ QRectF StudyPanel::cellBox(int cell) const
     return QRectF(toPixel(xEdges_[i], yEdges_[j + 1]), toPixel(xEdges_[i + 1], yEdges_[j])).normalized();
 }
 
-std::vector<QPolygonF> StudyPanel::paths(const ChartSeries& series) const
+std::vector<QPolygonF> StudyPanel::polylines(const ChartSeries& series) const
 {
     std::vector<QPolygonF> result(1);
     for (const ChartPoint& point : series.points) {
@@ -156,6 +170,51 @@ std::optional<PanelHit> StudyPanel::at(const QPointF& pixel) const
         if (bandBox(panel_.bands[b]).adjusted(-3.0, -3.0, 3.0, 3.0).contains(pixel)) hit.band = static_cast<int>(b);
     if (hit == PanelHit{}) return {};
     return hit;
+}
+
+QString StudyPanel::bandText(const ChartBand& band) const
+{
+    const PlotAxis& axis = band.alongX ? axes_.x : axes_.y;
+    const auto end = [&axis](double value) {
+        return axis.reading(value) + (axis.label.unit.isEmpty() ? QString() : QChar(0x00A0) + axis.label.unit);
+    };
+    QString range;
+    if (band.lower == band.upper)
+        range = end(band.lower);
+    else if (!std::isfinite(band.lower))
+        range = tr("up to %1").arg(end(band.upper));
+    else if (!std::isfinite(band.upper))
+        range = tr("from %1").arg(end(band.lower));
+    else
+        range = tr("%1 to %2").arg(end(band.lower), end(band.upper));
+    return QStringLiteral("<b>%1</b><br>%2").arg(plain(band.label), range.toHtmlEscaped());
+}
+
+QString StudyPanel::reading(const PanelHit& hit) const
+{
+    QStringList lines;
+    if (hit.point >= 0) {
+        const ChartSeries& series = panel_.series[static_cast<std::size_t>(hit.series)];
+        const ChartPoint& point = series.points[static_cast<std::size_t>(hit.point)];
+        lines << QStringLiteral("<b>%1</b>").arg(plain(series.name)) +
+                     (point.label.empty() ? QString() : QStringLiteral(" · ") + plain(point.label));
+        lines << valueLine(axes_.x, point.x, point.xError) << valueLine(axes_.y, point.y, point.yError);
+        if (point.kind == PointKind::WrongState) lines << tr("Ends in another state than the reference.");
+        if (point.kind == PointKind::Failed) lines << tr("No valid answer.");
+        if (point.chosen) lines << tr("The default of the program or the recommended setting.");
+    } else if (hit.cell >= 0) {
+        const ChartMap& map = *panel_.map;
+        const auto cell = static_cast<std::size_t>(hit.cell);
+        const int which = map.cells[cell];
+        lines << QStringLiteral("<b>%1</b>")
+                     .arg(which < 0 ? tr("Not known") : plain(map.classes[static_cast<std::size_t>(which)].name));
+        lines << valueLine(axes_.x, map.x[cell % map.x.size()], 0.0)
+              << valueLine(axes_.y, map.y[cell / map.x.size()], 0.0);
+        if (cell < map.details.size() && !map.details[cell].empty()) lines << plain(map.details[cell]);
+    } else if (hit.band >= 0) {
+        lines << bandText(panel_.bands[static_cast<std::size_t>(hit.band)]);
+    }
+    return lines.join(QStringLiteral("<br>"));
 }
 
 } // namespace touchdown

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One panel of a study's chart, laid out in a box: axes, bands, map, series, labels; and what is under a pixel. The
-// same on the screen and on paper. Own painting: the axes of Qt Charts lose a whole curve to one number that has no
-// logarithm, and know neither hollow points nor maps.
+// One panel of a study's chart in a box: axes, bands, map, series, labels; and the object under a pixel. The same on
+// the screen and on paper. Not drawn with Qt Charts: its logarithmic axes drop a whole curve for one number <= 0, and
+// it has neither hollow points nor maps.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,14 @@
 #include <QFont>
 #include <QPainter>
 
-#include "core/studies/study/study.h"
 #include "ui/studies/study_axes.h"
 #include "ui/studies/study_chart_style.h"
 
 namespace touchdown {
+
+struct ChartPanel;
+struct ChartBand;
+struct ChartSeries;
 
 /// The object under a pixel: a point of a series, a cell of the map, or a band; the others are -1.
 struct PanelHit {
@@ -38,15 +41,19 @@ public:
     QPointF toPixel(double x, double y) const;
     PanelRange rangeOf(const QRectF& box) const;
     std::optional<PanelHit> at(const QPointF& pixel) const;
+    /// The object in words, in HTML: series and setting, x and y with their errors and how the point came out; the
+    /// class and the sentence of a cell; the label of a band.
+    QString reading(const PanelHit& hit) const;
     /// Half of a marker's width [px].
     double radius() const { return radius_; }
 
 private:
+    QString bandText(const ChartBand& band) const;
     double across(double x) const;
     double up(double y) const;
     QRectF bandBox(const ChartBand& band) const;
     QRectF cellBox(int cell) const;
-    std::vector<QPolygonF> paths(const ChartSeries& series) const;
+    std::vector<QPolygonF> polylines(const ChartSeries& series) const;
     bool inside(const QPointF& pixel) const { return area_.adjusted(-1.0, -1.0, 1.0, 1.0).contains(pixel); }
 
     void layOut(const QRectF& box);

@@ -10,6 +10,7 @@
 #include <QFontMetricsF>
 #include <QPainterPath>
 
+#include "core/studies/study/study.h"
 #include "ui/studies/study_labels.h"
 
 namespace touchdown {
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double tickLength = 4.0;      // [px]
 constexpr double halo = 3.0;            // of paper about a label [px]
-constexpr std::size_t mostLabels = 250; // more would be a grey cloud
+constexpr std::size_t mostLabels = 250; // more are not readable
 
 double aligned(double pixel) { return std::floor(pixel) + 0.5; } // a thin line fills one row of pixels
 
@@ -44,7 +45,7 @@ void paintHaloed(QPainter& painter, const QRectF& box, const QString& text, cons
     painter.drawText(box.adjusted(0.0, 0.0, 2.0, 0.0), Qt::AlignLeft | Qt::AlignTop, text);
 }
 
-/// The name gives way before the unit does.
+/// The name is shortened, the unit is not.
 QString shortened(const QString& label, const QFontMetricsF& metrics, double width)
 {
     const qsizetype unit = label.lastIndexOf(QStringLiteral(" ["));
@@ -179,7 +180,7 @@ void StudyPanel::paintLines(QPainter& painter) const
         for (const ChartSeries& series : panel_.series) {
             if (series.line == ChartLine::None || series.quiet != quiet) continue;
             painter.setPen(seriesPen(styles_.of(series.name), series, theme_));
-            for (const QPolygonF& path : paths(series)) painter.drawPolyline(path);
+            for (const QPolygonF& line : polylines(series)) painter.drawPolyline(line);
         }
 }
 
@@ -244,8 +245,8 @@ void StudyPanel::paintLabels(QPainter& painter) const
                 {at, radius, {metrics.horizontalAdvance(texts.back()), 0.95 * metrics.height()}, point.chosen});
         }
         if (series.line == ChartLine::None) continue;
-        for (const QPolygonF& path : paths(series))
-            for (qsizetype i = 1; i < path.size(); ++i) lines.emplace_back(path[i - 1], path[i]);
+        for (const QPolygonF& line : polylines(series))
+            for (qsizetype i = 1; i < line.size(); ++i) lines.emplace_back(line[i - 1], line[i]);
     }
     paintBandLabels(painter, taken);
     const auto places = placeLabels(labels, area_.adjusted(0.0, -2.0, 2.0, 0.0), taken, lines);

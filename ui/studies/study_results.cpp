@@ -65,8 +65,7 @@ StudyResults::StudyResults(QWidget* parent)
       copy_(new QToolButton(this)),
       save_(new QToolButton(this))
 {
-    buildEmpty();
-    buildContent();
+    build();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(pages_);
@@ -76,7 +75,7 @@ StudyResults::StudyResults(QWidget* parent)
     clear(false);
 }
 
-void StudyResults::buildEmpty()
+void StudyResults::build()
 {
     staleMark_->setObjectName(QStringLiteral("stale"));
     empty_->setAlignment(Qt::AlignCenter);
@@ -84,10 +83,7 @@ void StudyResults::buildEmpty()
     empty_->setMargin(60);
     empty_->setAutoFillBackground(true);
     empty_->setBackgroundRole(QPalette::Base);
-}
 
-void StudyResults::buildContent()
-{
     auto* charts = new QWidget(splitter_);
     auto* above = new QVBoxLayout(charts);
     above->setContentsMargins(0, 0, 0, 0);
@@ -153,10 +149,13 @@ void StudyResults::clear(bool underWay)
     underWay_ = underWay;
     const QString title = underWay ? tr("In progress") : tr("Studies of the case");
     const QString text =
-        underWay ? tr("Charts appear as soon as there is something to show.")
-                 : tr("A study solves the case in the window many times with changed settings or parameters "
-                      "and evaluates the results.<br><br>"
-                      "Choose a kind of study at the right, edit its text if needed, and perform it.");
+        underWay
+            ? tr("Charts appear as soon as there is something to show.")
+            : tr("A study solves the case in the window many times and answers one question: which method and time "
+                 "step are accurate and fast enough, where a method is unstable, at which value of a parameter the "
+                 "slider touches down and takes off, which model is simple and good enough, which design has a "
+                 "wanted attitude, or how small the cells of a contact patch must be.<br><br>"
+                 "Choose the kind of study at the right and press Perform: its text already fits the case.");
     empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
     pages_->setCurrentIndex(0);
     setStale(false);
@@ -250,11 +249,7 @@ void StudyResults::writeFindings()
     findings_->setHtml(html);
 }
 
-void StudyResults::setStale(bool stale)
-{
-    stale_ = stale;
-    staleMark_->setVisible(stale && report_.has_value());
-}
+void StudyResults::setStale(bool stale) { staleMark_->setVisible(stale && report_.has_value()); }
 
 void StudyResults::fillSaveMenu()
 {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -32,25 +31,18 @@ public:
 
     /// A report, complete or of a study in progress.
     void setReport(const StudyReport& report, bool underWay);
-    /// Nothing is known.
+    /// Shows the introduction, or that the study is in progress.
     void clear(bool underWay);
     /// The case or the text of the study has changed since.
     void setStale(bool stale);
     const std::optional<StudyReport>& report() const { return report_; }
 
     bool isEmpty() const { return pages_->currentIndex() == 0; }
-    QTabBar* chartTabs() const { return chartTabs_; }
-    QTabBar* factTabs() const { return factTabs_; }
-    const std::vector<StudyChartView*>& charts() const { return charts_; }
-    const std::vector<StudyTableView*>& tables() const { return tables_; }
-    QString findings() const { return findings_->toPlainText(); }
-    QPushButton* apply() const { return apply_; }
-    QMenu* saveMenu() const { return save_->menu(); }
 
 signals:
-    /// The case that was found is wanted.
+    /// The user wants to edit the case that the study found.
     void applyRequested();
-    /// All of the report is to be written to a file.
+    /// The user wants to save the whole report.
     void saveRequested();
     void succeeded(const QString& message);
 
@@ -58,8 +50,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void buildEmpty();
-    void buildContent();
+    void build();
     void showCharts();
     void showTables();
     void writeFindings();
@@ -69,7 +60,7 @@ private:
     StudyTableView* shownTable() const;
 
     std::optional<StudyReport> report_;
-    bool underWay_ = false, stale_ = false;
+    bool underWay_ = false;
     std::vector<StudyChartView*> charts_;
     std::vector<StudyTableView*> tables_;
     QStackedWidget* pages_;

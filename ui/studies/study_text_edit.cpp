@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// Comments in a quiet colour, keys in that of a change.
+/// Comments in grey, keys in the colour of a change.
 class StudyTextEdit::Comments : public QSyntaxHighlighter {
 public:
     Comments(QTextDocument* document, const QPalette& palette) : QSyntaxHighlighter(document) { take(palette); }

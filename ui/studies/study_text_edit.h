@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The text of a study as it is written: fixed font, quiet comments, the line of a problem marked.
+// Editor of the text of a study: fixed font, grey comments, lines with a problem marked.
 #pragma once
 
 #include <QPlainTextEdit>

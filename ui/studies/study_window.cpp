@@ -45,8 +45,6 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     shown_ = editor_->kind().toStdString();
 }
 
-void StudyWindow::setCase(const Case& c) { editor_->setCase(c); }
-
 bool StudyWindow::perform()
 {
     controller_.stopAndWait();

@@ -30,16 +30,14 @@ public:
     ProgressStrip* progress() const { return progress_; }
     StudyController& controller() { return controller_; }
 
-    /// The case as it is edited.
-    void setCase(const Case& c);
-    /// Performs what the editor says; false where there is something wrong with it.
+    /// Performs the study in the editor; false if it has errors.
     bool perform();
 
 signals:
     void started();
-    /// Everything shows it by now.
+    /// After the page shows the report.
     void ended(const touchdown::StudyReport& report);
-    /// The case that was found is wanted as the case of the window.
+    /// The user wants to edit the case that the study found.
     void applyRequested(const touchdown::Case& found, const QString& kind);
     void succeeded(const QString& message);
     void failed(const QString& problem);
@@ -47,7 +45,7 @@ signals:
 private:
     struct Outcome {
         StudyPlan plan;                    // as it was performed
-        std::optional<StudyReport> report; // nothing while there is nothing to show
+        std::optional<StudyReport> report; // none before the first result
     };
 
     void onFinished(const StudyReport& report);
@@ -63,7 +61,7 @@ private:
     ProgressStrip* progress_;
     std::map<std::string, Outcome> outcomes_; // the latest of each kind
     std::string performing_;                  // the kind of the study under way, or of the last one
-    std::string shown_;                       // the kind of what is shown
+    std::string shown_;                       // the kind on the page
 };
 
 } // namespace touchdown

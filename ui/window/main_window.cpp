@@ -11,41 +11,44 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QSettings>
 
+#include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
-#include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
-#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/about_case_pane.h"
-#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/runs/runs_panel.h"
-#include "ui/slider/attitude_sections.h"
-#include "ui/studies/study_catalogue.h"
 #include "ui/studies/study_editor.h"
-#include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/icons.h"
 #include "ui/style/message_strip.h"
-#include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/window/window_actions.h"
-#include "ui/window/window_session.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr int stateVersion = 2; // of the arrangement of the panes in the settings
+
+} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
 MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     : QMainWindow(parent),
-      actions_(new WindowActions(*this, edits_.undoStack())),
-      files_(new CaseFiles(edits_, *this)),
-      casePanel_(new CasePanel(edits_, this)),
+      edits_(new CaseEdits(this)),
+      actions_(new WindowActions(*this, edits_->undoStack())),
+      files_(new CaseFiles(*edits_, *this)),
+      casePanel_(new CasePanel(*edits_, this)),
       aboutCase_(new AboutCasePane(this)),
       runs_(new RunWindow(this)),
       film_(new FilmWindow(steady, actions_->solve, this)),
@@ -58,8 +61,6 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
-    session_ = std::make_unique<WindowSession>(
-        WindowSession::Parts{*this, *actions_, *runs_->view()->splitter(), *runs_->panel()});
     connectFiles();
     connectRuns();
     connectFilm();
@@ -74,7 +75,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 MainWindow::~MainWindow()
 {
     // Widgets that show the runs and the case are deleted first: members are destroyed before child widgets.
-    edits_.undoStack().disconnect(this);
+    edits_->undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
                             static_cast<QObject*>(&controller()), static_cast<QObject*>(film_),
                             static_cast<QObject*>(studies_), static_cast<QObject*>(&studies_->controller())})
@@ -86,50 +87,42 @@ MainWindow::~MainWindow()
     delete takeCentralWidget();
 }
 
+void MainWindow::openCase(const CaseDocument& document, const QString& file) { files_->take(document, file); }
+
+bool MainWindow::isResultsFile(const QString& file) { return CaseFiles::isResultsFile(file); }
+
 void MainWindow::openResults(const QString& file) { runFiles_->openRun(file); }
 
 RunsModel& MainWindow::runs() { return runs_->runs(); }
 
 RunController& MainWindow::controller() { return runs_->controller(); }
 
-RunsPanel& MainWindow::runsPanel() { return *runs_->panel(); }
-
 RunView& MainWindow::runView() { return *runs_->view(); }
-
-LivePlots& MainWindow::plots() { return *runs_->view()->plots(); }
-
-LiveSpectrum& MainWindow::spectrum() { return *runs_->view()->spectrum(); }
-
-ProgressStrip& MainWindow::progress() { return *runs_->progress(); }
 
 bool MainWindow::readyToRun()
 {
-    // Text in a field counts although it was not confirmed.
+    // Takes typed text that was not confirmed yet.
     if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
         focused->clearFocus();
         focused->setFocus();
     }
-    if (edits_.reasonNotToRun().isEmpty()) return true;
+    if (edits_->reasonNotToRun().isEmpty()) return true;
     casePanel_->showFirstProblem();
     return false;
 }
 
-void MainWindow::solveStaticState() { solve(false); }
-
-void MainWindow::solveAtGivenAttitude() { solve(true); }
-
-void MainWindow::solve(bool given)
+void MainWindow::solveStaticState(bool atGivenAttitude)
 {
     if (!readyToRun()) return;
     messages_->clear();
     setPage(Page::StaticState);
-    film_->solve(edits_.value(), given);
+    film_->solve(edits_->value(), atGivenAttitude);
 }
 
 void MainWindow::startRun()
 {
     if (!readyToRun()) return;
-    runs_->start({edits_.value(), files_->text(), recordTo_.toStdString()});
+    runs_->start({edits_->value(), files_->text(), recordTo_.toStdString()});
 }
 
 void MainWindow::performStudy()
@@ -148,19 +141,19 @@ void MainWindow::onCaseOpened()
     if (pages_->page() != Page::Studies) setPage(Page::StaticState);
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
-    film_->open(edits_.value());
-    runs_->open(edits_.value());
+    film_->open(edits_->value());
+    runs_->view()->spectrum()->setOptionsOf(edits_->value());
     messages_->clear();
     updateTitle();
 }
 
 void MainWindow::onCaseEdited()
 {
-    aboutCase_->setCase(edits_.value());
-    film_->edit(edits_.value());
-    runs_->edit(edits_.value());
-    studies_->setCase(edits_.value());
-    pages_->showModel(edits_.value().model);
+    aboutCase_->setCase(edits_->value());
+    film_->edit(edits_->value());
+    runs_->view()->setCase(edits_->value());
+    studies_->editor()->setCase(edits_->value());
+    pages_->showModel(edits_->value().model);
     updateRunActions();
     updateTitle();
 }
@@ -169,7 +162,7 @@ void MainWindow::updateRunActions()
 {
     using State = RunController::State;
     const State state = controller().state();
-    const QString reason = edits_.reasonNotToRun();
+    const QString reason = edits_->reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
     const QString cannot = tr("The case cannot be run. %1").arg(reason);
     actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run in progress starts again (F5)")
@@ -188,7 +181,7 @@ void MainWindow::updateRunActions()
     actions_->stop->setEnabled(state == State::Running || state == State::Paused ||
                                film_->controller().state() == SteadyController::State::Running ||
                                studies_->controller().state() == StudyController::State::Running);
-    actions_->resetAll->setEnabled(edits_.anyChanged());
+    actions_->resetAll->setEnabled(edits_->anyChanged());
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);
     actions_->exportCsv->setEnabled(anyEnded);
@@ -227,7 +220,7 @@ void MainWindow::chooseRecording(bool on)
 void MainWindow::useParametersOf(int number)
 {
     const RunRecord* run = runs().find(number);
-    if (run) edits_.setAll(run->value, tr("use the parameters of run %1").arg(number));
+    if (run) edits_->setAll(run->value, tr("use the parameters of run %1").arg(number));
 }
 
 void MainWindow::showHelp(HelpWindow::Page page)
@@ -297,23 +290,44 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::saveSession()
 {
     setPage(Page::Run); // the next session begins with its panes
-    session_->save(files_->file().isEmpty() ? files_->sample() : files_->file());
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
+    settings.setValue(QStringLiteral("window/splitter"), runs_->view()->splitter()->saveState());
+    if (const QAction* theme = actions_->theme->checkedAction())
+        settings.setValue(QStringLiteral("window/theme"), theme->data());
+    if (const QAction* size = actions_->fontSize->checkedAction())
+        settings.setValue(QStringLiteral("window/font"), size->data());
+    settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
+    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
+    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
 void MainWindow::restoreSession()
 {
-    session_->restore();
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
+    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
+    const auto check = [](QActionGroup* group, const QVariant& value) {
+        for (QAction* action : group->actions())
+            if (action->data().toString() == value.toString()) action->setChecked(true);
+    };
+    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
+    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
+    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
     pages_->showPanesOfPage();
     look();
 }
 
 void MainWindow::openLastCase()
 {
-    const QString last = WindowSession::lastCase();
+    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
     const bool sample =
         std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
-    // A file that is gone or spoiled since is no reason to begin with an error.
-    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && openCase(last.toStdString()).valid())
+    // A file that was deleted or is no longer valid is no error at the start.
+    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && touchdown::openCase(last.toStdString()).valid())
         files_->openNow(last);
     else
         files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));

@@ -5,34 +5,27 @@
 // right; what happened at the foot.
 #pragma once
 
-#include "ui/window/help_window.h"
-#include "ui/window/window_pages.h"
-
-#include <memory>
-
 #include <QMainWindow>
 
-#include "ui/case/case_edits.h"
+#include "ui/window/help_window.h"
+#include "ui/window/window_pages.h"
 
 namespace touchdown {
 
 class AboutCasePane;
+class CaseEdits;
 class CaseFiles;
 class CasePanel;
 class FilmWindow;
-class LivePlots;
-class LiveSpectrum;
 class MessageStrip;
-class ProgressStrip;
 class RunController;
 class RunFiles;
 class RunView;
 class RunWindow;
 class RunsModel;
-class RunsPanel;
 class StudyWindow;
 class WindowActions;
-class WindowSession;
+struct CaseDocument;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -53,37 +46,34 @@ public:
     void openLastCase();
     /// Runs the case in time.
     void startRun();
-    /// Solves a film case for its static state.
-    void solveStaticState();
-    /// Solves a film case for the pressure at the attitude of its start.
-    void solveAtGivenAttitude();
-    /// Performs the study that is written on the page of studies.
+    /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
+    void solveStaticState(bool atGivenAttitude = false);
+    /// Performs the study in the editor of studies.
     void performStudy();
+    /// A case that was read elsewhere; `file` is empty for a sample case.
+    void openCase(const CaseDocument& document, const QString& file);
     void openResults(const QString& file);
+    static bool isResultsFile(const QString& file);
     using Page = WindowPages::Page;
     void setPage(Page page) { pages_->setPage(page); }
-    QTabBar* pageTabs() const { return pages_->tabs(); }
     /// The page that is shown, as it is exported.
     QWidget* page() const { return pages_->pages(); }
 
-    CaseEdits& edits() { return edits_; }
+    CaseEdits& edits() { return *edits_; }
     CaseFiles& files() { return *files_; }
     RunsModel& runs();
     RunController& controller();
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
-    RunsPanel& runsPanel();
+    RunWindow& runWindow() { return *runs_; }
     RunView& runView();
-    LivePlots& plots();
-    LiveSpectrum& spectrum();
     MessageStrip& messages() { return *messages_; }
-    ProgressStrip& progress();
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }
 
 signals:
-    /// A run, a solution or a study has come to its end, and everything shows it; `valid` when it has an answer.
+    /// A run, a solution or a study has ended, after the window shows it; `valid` when it has an answer.
     void calculationEnded(bool valid, const QString& message);
 
 protected:
@@ -108,7 +98,6 @@ private:
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
     void onStudied(const StudyReport& report);
-    void solve(bool given);
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
@@ -118,7 +107,7 @@ private:
     void look();
     void saveSession();
 
-    CaseEdits edits_;
+    CaseEdits* edits_;
     WindowActions* actions_;
     CaseFiles* files_;
     RunFiles* runFiles_ = nullptr;
@@ -130,7 +119,6 @@ private:
     MessageStrip* messages_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
-    std::unique_ptr<WindowSession> session_;
     QString recordTo_;
     bool closing_ = false; // the question about changes was answered
 };

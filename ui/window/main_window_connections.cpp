@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connections between the actions, the parts of the window and their signals.
+// Connections between the actions, the parts of the window and their signals; messages at the end of a calculation, an
+// import or an export.
 #include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QMessageBox>
 
+#include "core/simulation/static_state/steady.h"
+#include "core/studies/study/study.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
@@ -16,13 +20,16 @@
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/run_files.h"
+#include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/runs/runs_panel.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
+#include "ui/style/quantity_format.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -39,7 +46,7 @@ void MainWindow::connectFiles()
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
     connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
     connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
-    connect(actions_->resetAll, &QAction::triggered, &edits_, &CaseEdits::resetAll);
+    connect(actions_->resetAll, &QAction::triggered, edits_, &CaseEdits::resetAll);
     connect(actions_->findParameter, &QAction::triggered, this, [this] {
         casePanel_->search()->setFocus();
         casePanel_->search()->selectAll();
@@ -65,9 +72,9 @@ void MainWindow::connectFiles()
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
     connect(runFiles_, &RunFiles::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
-    connect(&edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
-    connect(&edits_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
-    connect(&edits_.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(&edits_->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
+    connect(&edits_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
 }
 
 void MainWindow::connectRuns()
@@ -81,7 +88,7 @@ void MainWindow::connectRuns()
     connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
     connect(actions_->pace, &QComboBox::currentIndexChanged, controller, [this, controller] {
         controller->setPace(actions_->pace->currentData().toDouble());
-        progress().restartEstimate();
+        runs_->progress()->restartEstimate();
     });
     connect(controller, &RunController::stateChanged, this, &MainWindow::updateRunActions);
     connect(controller, &RunController::recordingFailed, this,
@@ -102,8 +109,8 @@ void MainWindow::connectRuns()
 
 void MainWindow::connectFilm()
 {
-    connect(actions_->solve, &QAction::triggered, this, &MainWindow::solveStaticState);
-    connect(actions_->solveGiven, &QAction::triggered, this, &MainWindow::solveAtGivenAttitude);
+    connect(actions_->solve, &QAction::triggered, this, [this] { solveStaticState(); });
+    connect(actions_->solveGiven, &QAction::triggered, this, [this] { solveStaticState(true); });
     connect(pages_, &WindowPages::shown, this, &MainWindow::updateRunActions);
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
@@ -123,7 +130,7 @@ void MainWindow::connectStudies()
     connect(studies_, &StudyWindow::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        edits_.setAll(found, tr("apply the study: %1").arg(title));
+        edits_->setAll(found, tr("apply the study: %1").arg(title));
         messages_->show(
             MessageStrip::Kind::Success,
             tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
@@ -132,7 +139,7 @@ void MainWindow::connectStudies()
 
 void MainWindow::connectView()
 {
-    PlotGroup* group = plots().group();
+    PlotGroup* group = runs_->view()->plots()->group();
     connect(actions_->fit, &QAction::triggered, runs_->view(), &RunView::fit);
     connect(actions_->follow, &QAction::triggered, group,
             [group](bool on) { group->setFollow(on ? PlotGroup::Follow::WholeRun : PlotGroup::Follow::Frozen); });
@@ -146,7 +153,7 @@ void MainWindow::connectView()
     };
     connect(group, &PlotGroup::historyChanged, this, updateHistory);
     updateHistory();
-    for (const LivePlots::Entry& entry : plots().plots()) actions_->plots->addAction(entry.wanted);
+    for (const LivePlots::Entry& entry : runs_->view()->plots()->plots()) actions_->plots->addAction(entry.wanted);
     actions_->plots->addAction(runs_->view()->spectrumWanted());
 
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
@@ -169,6 +176,87 @@ void MainWindow::connectHelp()
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
+}
+
+void MainWindow::onStudied(const StudyReport& report)
+{
+    updateRunActions();
+    const QString title = QString::fromStdString(report.title);
+    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title)
+                                              : QString::fromStdString(report.findings.front())};
+    if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
+    switch (report.status) {
+    case StudyStatus::Completed:
+        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
+                        lines.join(QLatin1Char('\n')));
+        break;
+    case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
+    case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
+    }
+    emit calculationEnded(report.status == StudyStatus::Completed, QString::fromStdString(report.message));
+}
+
+void MainWindow::onRunEnded(int number, const Summary& summary)
+{
+    updateRunActions();
+    const RunRecord& run = *runs().find(number);
+    const QString result = resultText(run);
+    aboutCase_->setResult(result, sentence(summary.bouncingRule), figuresText(summary));
+    QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
+    MessageStrip::Kind kind = MessageStrip::Kind::Success;
+    for (const std::string& warning : summary.warnings) lines << sentence(warning);
+    // A check that found a difference is among the warnings.
+    if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
+    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState))
+        kind = MessageStrip::Kind::Warning;
+    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
+    if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
+        kind = MessageStrip::Kind::Failure;
+        lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
+    }
+    messages_->show(kind, lines.join(QLatin1Char('\n')));
+    emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
+}
+
+void MainWindow::onSolved(const SteadyResult& result)
+{
+    updateRunActions();
+    const QString text = steadyText(result);
+    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : text);
+    switch (result.status) {
+    case SteadyStatus::Converged:
+        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, text);
+        break;
+    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, text); break;
+    case SteadyStatus::NotConverged:
+    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, text); break;
+    }
+    emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::onImported(const QString& path, const QStringList& warnings)
+{
+    aboutCase_->setWarnings(warnings);
+    const QString text = tr("Imported: %1.").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty())
+        messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char(' ') +
+                            tr("%n entry(ies) of the file are not modelled: see About this case.", nullptr,
+                               static_cast<int>(warnings.size())));
+}
+
+void MainWindow::onExported(const QString& path, const QStringList& warnings)
+{
+    const QString text = tr("Written: %1").arg(QDir::toNativeSeparators(path));
+    if (warnings.isEmpty())
+        messages_->show(MessageStrip::Kind::Success, text);
+    else
+        messages_->show(MessageStrip::Kind::Warning,
+                        text + QLatin1Char('\n') +
+                            tr("Written as comments of run.dat, which the established program ignores: %1")
+                                .arg(warnings.join(QStringLiteral(", "))));
 }
 
 } // namespace touchdown

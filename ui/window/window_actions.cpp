@@ -135,24 +135,21 @@ void WindowActions::buildView(QMainWindow& window)
     panes = menu->addMenu(tr("&Panes"));
     plots = menu->addMenu(tr("P&lots"));
 
-    QMenu* themes = menu->addMenu(tr("&Theme"));
-    theme = new QActionGroup(this);
-    for (const auto& [kind, text] : {std::pair(Theme::System, tr("As the &system")),
-                                     std::pair(Theme::Light, tr("&Light")), std::pair(Theme::Dark, tr("&Dark"))}) {
-        QAction* action = themes->addAction(text);
-        action->setCheckable(true);
-        action->setData(themeName(kind));
-        theme->addAction(action);
-    }
-    QMenu* sizes = menu->addMenu(tr("Font si&ze"));
-    fontSize = new QActionGroup(this);
-    for (const auto& [points, text] : {std::pair(0, tr("&Normal")), std::pair(2, tr("&Large")),
-                                       std::pair(5, tr("&Projector")), std::pair(9, tr("Lecture &hall"))}) {
-        QAction* action = sizes->addAction(text);
-        action->setCheckable(true);
-        action->setData(points);
-        fontSize->addAction(action);
-    }
+    const auto choices = [this](QMenu* list, const std::vector<std::pair<QVariant, QString>>& entries) {
+        auto* group = new QActionGroup(this);
+        for (const auto& [data, text] : entries) {
+            QAction* action = group->addAction(text);
+            action->setCheckable(true);
+            action->setData(data);
+        }
+        list->addActions(group->actions());
+        return group;
+    };
+    theme = choices(menu->addMenu(tr("&Theme")), {{themeName(Theme::System), tr("As the &system")},
+                                                  {themeName(Theme::Light), tr("&Light")},
+                                                  {themeName(Theme::Dark), tr("&Dark")}});
+    fontSize = choices(menu->addMenu(tr("Font si&ze")),
+                       {{0, tr("&Normal")}, {2, tr("&Large")}, {5, tr("&Projector")}, {9, tr("Lecture &hall")}});
     menu->addSeparator();
     fullScreen = add(menu, tr("F&ull screen"), QKeySequence(Qt::Key_F11));
     fullScreen->setCheckable(true);
@@ -175,18 +172,11 @@ void WindowActions::buildToolBar(QMainWindow& window)
     toolBar->setMovable(false);
     toolBar->setIconSize(QSize(20, 20));
     toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    toolBar->addAction(open);
-    toolBar->addAction(save);
+    toolBar->addActions({open, save});
     toolBar->addSeparator();
-    toolBar->addAction(undo);
-    toolBar->addAction(redo);
+    toolBar->addActions({undo, redo});
     toolBar->addSeparator();
-    toolBar->addAction(solve);
-    toolBar->addAction(run);
-    toolBar->addAction(study);
-    toolBar->addAction(pause);
-    toolBar->addAction(step);
-    toolBar->addAction(stop);
+    toolBar->addActions({solve, run, study, pause, step, stop});
     for (QAction* action : {solve, run})
         static_cast<QToolButton*>(toolBar->widgetForAction(action))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 
@@ -204,10 +194,7 @@ void WindowActions::buildToolBar(QMainWindow& window)
     label->setContentsMargins(8, 0, 4, 0);
     pace_ = {toolBar->addWidget(label), toolBar->addWidget(pace)};
     toolBar->addSeparator();
-    toolBar->addAction(fit);
-    toolBar->addAction(follow);
-    toolBar->addAction(zoomBack);
-    toolBar->addAction(zoomForward);
+    toolBar->addActions({fit, follow, zoomBack, zoomForward});
     for (QAction* action : toolBar->actions())
         if (QWidget* button = toolBar->widgetForAction(action);
             button && button != pace && button != label && !action->text().isEmpty())
@@ -234,12 +221,6 @@ void WindowActions::setPage(ModelKind model, bool inTime)
     for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(inTime);
     for (QAction* action : pace_) action->setVisible(inTime);
     plots->menuAction()->setVisible(inTime);
-}
-
-void WindowActions::choosePace(double simulatedPerWallSecond)
-{
-    const int index = pace->findData(simulatedPerWallSecond);
-    pace->setCurrentIndex(index < 0 ? 0 : index);
 }
 
 } // namespace touchdown

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything that can be done in the window: actions, their menus, the tool bar. What they do is
-// connected by the window.
+// The actions of the window, their menus and the tool bar. The window connects them.
 #pragma once
 
 #include "core/case/case.h"
@@ -44,7 +43,6 @@ public:
     std::vector<const QAction*> withShortcuts() const;
     /// Offers what the model can do, and what belongs to the page of runs in time, if that is shown.
     void setPage(ModelKind model, bool inTime);
-    void choosePace(double simulatedPerWallSecond);
 
 signals:
     void sampleChosen(const QString& name);

@@ -52,6 +52,7 @@ void WindowPages::buildCentre()
     tabs_->setTabVisible(static_cast<int>(Page::StaticState), false);
     tabs_->setCurrentIndex(static_cast<int>(Page::Run));
     pages_->setCurrentIndex(static_cast<int>(Page::Run));
+    tabs_->setObjectName(QStringLiteral("pages"));
     tabs_->setAccessibleName(tr("Pages of the case"));
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
@@ -127,7 +128,7 @@ void WindowPages::showPage()
     pages_->setCurrentIndex(static_cast<int>(shown_));
     parts_.actions.setPage(model_, shown_ == Page::Run);
     showPanesOfPage();
-    // The tables and texts are long, and what a film case says about itself is short.
+    // The table of the attitude is long, the description of a film case is short.
     if (shown_ == Page::StaticState) parts_.window.resizeDocks({about_, attitude_}, {180, 560}, Qt::Vertical);
     emit shown();
 }

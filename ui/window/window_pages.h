@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What stands around the case: in the centre the pages of runs over time, of a film's static state and of studies,
-// beside them panes, which come and go with their page, and the progress of each at the foot.
+// Layout of the window: in the centre the pages of runs over time, of a film's static state and of studies; at the
+// sides panes, which belong to some of the pages; at the foot the progress of each calculation.
 #pragma once
 
 #include <QDockWidget>
@@ -53,7 +53,6 @@ public:
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
 
-    QTabBar* tabs() const { return tabs_; }
     QStackedWidget* pages() const { return pages_; }
 
 signals:
@@ -72,10 +71,10 @@ private:
     QDockWidget* about_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;
-        std::vector<Page> pages; // on which it may be shown
-        bool wanted = true;      // it was not closed there
+        std::vector<Page> pages; // that show it
+        bool wanted = true;      // the user did not close it
     };
-    std::vector<Pane> panes_; // those that come and go
+    std::vector<Pane> panes_; // those that belong to some pages
     QDockWidget* attitude_ = nullptr;
     QDockWidget* study_ = nullptr;
     ModelKind model_ = ModelKind::Springs;

@@ -155,7 +155,7 @@ void TestLivePlots::offersForcesOfASliderOnSprings()
     plots_->setCase(c);
     runs_->add(std::make_unique<RunRecord>(1, c, "", recordedQuantities(c)));
     QVERIFY(!visible("force_separation"));
-    plots_->wanted(QStringLiteral("force_separation"))->trigger();
+    plots_->entry(QStringLiteral("force_separation")).wanted->trigger();
     QVERIFY(visible("force_separation"));
     // Dropped from 250 nm, but nothing acts above d_e = 5 nm: the axis ends at 10 nm.
     SampleBatch batch;
@@ -170,11 +170,11 @@ void TestLivePlots::offersForcesOfASliderOnSprings()
 void TestLivePlots::remembersWhatWasChosenForAModel()
 {
     plots_->setCase(sampleContactCase());
-    plots_->wanted(QStringLiteral("force_separation"))->trigger(); // off
-    plots_->wanted(QStringLiteral("forces"))->trigger();           // on
+    plots_->entry(QStringLiteral("force_separation")).wanted->trigger(); // off
+    plots_->entry(QStringLiteral("forces")).wanted->trigger();           // on
     plots_->setCase(openCase("fig10a").value);
-    QVERIFY(!plots_->wanted(QStringLiteral("force_separation"))->isChecked());
-    plots_->wanted(QStringLiteral("pitch"))->trigger();
+    QVERIFY(!plots_->entry(QStringLiteral("force_separation")).wanted->isChecked());
+    plots_->entry(QStringLiteral("pitch")).wanted->trigger();
     plots_->setCase(sampleContactCase());
     QVERIFY(!visible("force_separation") && visible("forces"));
     plots_->setCase(openCase("fig10a").value);

@@ -12,6 +12,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/plot/plot_export.h"
@@ -45,6 +46,11 @@ struct Fixture {
     }
 
     void edit(const char* key, const QString& text) { window.edits().enter(*findField(key), text); }
+    void choosePace(double simulatedPerWallSecond)
+    {
+        QComboBox* pace = window.actions().pace;
+        pace->setCurrentIndex(pace->findData(simulatedPerWallSecond));
+    }
     /// The record of a run that has ended.
     const RunRecord& runToEnd()
     {
@@ -119,9 +125,9 @@ void TestMainWindow::runsTheDefaultCase()
     QVERIFY(f.window.messages().text().contains(QStringLiteral("flying height 7.000\u00a0nm")));
     QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Success);
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("90.00 µrad")));
-    QCOMPARE(f.window.plots().plot(QStringLiteral("spacing"))->curves().size(), std::size_t(1));
-    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
-    QVERIFY(f.window.plots().plot(QStringLiteral("roll"))->isHidden()); // the model has none
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves().size(), std::size_t(1));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
+    QVERIFY(f.window.runView().plots()->plot(QStringLiteral("roll"))->isHidden()); // the model has none
 }
 
 void TestMainWindow::runsEverySampleCase_data()
@@ -188,22 +194,22 @@ void TestMainWindow::overlaysASecondRun()
     f.runToEnd();
     QCOMPARE(f.window.runs().index(1).data(RunsModel::ChangesRole).toString(),
              QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
-    const std::vector<PlotCurve>& curves = f.window.plots().plot(QStringLiteral("spacing"))->curves();
+    const std::vector<PlotCurve>& curves = f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves();
     QCOMPARE(curves.size(), std::size_t(2));
     QVERIFY(curves[0].visible && curves[1].visible);
     QVERIFY(curves[0].style.colour != curves[1].style.colour);
     QVERIFY(curves[0].style.dash != curves[1].style.dash);
     QVERIFY(curves[0].data != curves[1].data);
     f.window.runs().setData(f.window.runs().index(0), Qt::Unchecked, Qt::CheckStateRole);
-    QVERIFY(!f.window.plots().plot(QStringLiteral("spacing"))->curves()[0].visible);
-    QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->curves()[1].visible);
+    QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[0].visible);
+    QVERIFY(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[1].visible);
 }
 
 void TestMainWindow::hidesEarlierRunsWithoutOverlay()
 {
     Fixture f;
     f.runToEnd();
-    f.window.runsPanel().setOverlay(false);
+    f.window.runWindow().panel()->setOverlay(false);
     f.runToEnd();
     QVERIFY(!f.window.runs().record(0).shown);
     QVERIFY(f.window.runs().record(1).shown);
@@ -218,7 +224,7 @@ void TestMainWindow::keepsTheLastStateOfAFailedRun()
     QVERIFY2(f.window.messages().text().contains(QStringLiteral("rear air spring is lost")),
              qPrintable(f.window.messages().text()));
     QVERIFY(run.sampleCount() > 1);
-    QVERIFY(f.window.plots().plot(QStringLiteral("spacing"))->curves()[0].data->size() > 1);
+    QVERIFY(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[0].data->size() > 1);
     QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("failed"));
     QVERIFY(f.window.actions().run->isEnabled());
 }
@@ -226,10 +232,10 @@ void TestMainWindow::keepsTheLastStateOfAFailedRun()
 void TestMainWindow::stopsASlowRun()
 {
     Fixture f;
-    f.window.actions().choosePace(1e-5); // 200 s for this run
+    f.choosePace(1e-5); // 200 s for this run
     f.window.startRun();
     QTRY_VERIFY(f.window.runs().record(0).sampleCount() > 1);
-    QVERIFY(f.window.progress().text().contains(QStringLiteral("of 2.000\u00a0ms")));
+    QVERIFY(f.window.runWindow().progress()->text().contains(QStringLiteral("of 2.000\u00a0ms")));
     QVERIFY(f.window.actions().stop->isEnabled());
     f.window.actions().stop->trigger();
     QTRY_COMPARE(f.window.controller().state(), State::Idle);
@@ -240,14 +246,14 @@ void TestMainWindow::stopsASlowRun()
 void TestMainWindow::pausesAndSteps()
 {
     Fixture f;
-    f.window.actions().choosePace(1e-5);
+    f.choosePace(1e-5);
     f.window.startRun();
     QVERIFY(!f.window.actions().step->isEnabled());
     f.window.actions().pause->trigger();
     QCOMPARE(f.window.controller().state(), State::Paused);
     QVERIFY(f.window.actions().pause->isChecked());
     QVERIFY(f.window.actions().step->isEnabled());
-    f.window.actions().choosePace(RunController::fullSpeed);
+    f.choosePace(RunController::fullSpeed);
     f.window.actions().step->trigger();
     // 1/200 of 2 ms, every 0.1 us.
     QTRY_VERIFY(f.window.runs().record(0).sampleCount() >= 100);
@@ -260,16 +266,16 @@ void TestMainWindow::pausesAndSteps()
 void TestMainWindow::runsAgainWhileRunning()
 {
     Fixture f;
-    f.window.actions().choosePace(1e-5);
+    f.choosePace(1e-5);
     f.window.startRun();
     QTRY_VERIFY(f.window.runs().record(0).sampleCount() > 0);
-    f.window.actions().choosePace(RunController::fullSpeed);
-    f.window.actions().choosePace(1e-5);
+    f.choosePace(RunController::fullSpeed);
+    f.choosePace(1e-5);
     f.window.startRun();
     QCOMPARE(f.window.runs().count(), 2);
     QVERIFY(f.window.runs().record(0).finished());
     QVERIFY(!f.window.runs().record(1).finished());
-    f.window.actions().choosePace(RunController::fullSpeed);
+    f.choosePace(RunController::fullSpeed);
     QTRY_VERIFY(f.window.runs().record(1).finished());
     QCOMPARE(f.window.runs().record(1).sampleCount(), std::size_t(20'001));
 }
@@ -295,17 +301,17 @@ void TestMainWindow::subtractsABaseline()
     f.runToEnd();
     f.runToEnd();
     f.window.runs().setBaseline(1);
-    const std::vector<PlotCurve>& curves = f.window.plots().plot(QStringLiteral("pitch"))->curves();
+    const std::vector<PlotCurve>& curves = f.window.runView().plots()->plot(QStringLiteral("pitch"))->curves();
     // The baseline itself is no curve; the same run minus itself is zero everywhere.
     QCOMPARE(curves.size(), std::size_t(1));
     const std::optional<PlotRange> extremes = curves[0].data->extremes(0.0, 1.0);
     QVERIFY(extremes);
     QCOMPARE(extremes->low, 0.0);
     QCOMPARE(extremes->high, 0.0);
-    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch minus run 1"));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch minus run 1"));
     f.window.runs().setBaseline(-1);
-    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
-    QCOMPARE(f.window.plots().plot(QStringLiteral("pitch"))->curves().size(), std::size_t(2));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("pitch"))->curves().size(), std::size_t(2));
 }
 
 void TestMainWindow::takesParametersOfARunBack()
@@ -313,7 +319,7 @@ void TestMainWindow::takesParametersOfARunBack()
     Fixture f;
     f.runToEnd();
     f.edit("springs.flying_height", QStringLiteral("4"));
-    emit f.window.runsPanel().parametersRequested(1);
+    emit f.window.runWindow().panel()->parametersRequested(1);
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 7e-9);
     f.window.actions().undo->trigger();
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 4e-9);
@@ -325,9 +331,9 @@ void TestMainWindow::deletesARun()
     f.runToEnd();
     f.runToEnd();
     f.window.runs().remove(0);
-    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
     f.window.runs().remove(0);
-    QCOMPARE(f.window.plots().plot(QStringLiteral("energy"))->curves().size(), std::size_t(0));
+    QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("energy"))->curves().size(), std::size_t(0));
     QVERIFY(!f.window.actions().saveResults->isEnabled());
 }
 
@@ -335,7 +341,7 @@ void TestMainWindow::showsTheSpectrum()
 {
     Fixture f;
     const RunRecord& record = f.runToEnd();
-    SpectrumView* view = f.window.spectrum().view();
+    SpectrumView* view = f.window.runView().spectrum()->view();
     QCOMPARE(view->quantity(), QStringLiteral("minimum_spacing"));
     QCOMPARE(view->plot()->curves().size(), std::size_t(1));
     // 0.2 ms of samples every 0.1 us, as the case asks for.
@@ -352,7 +358,7 @@ void TestMainWindow::marksReferenceLinesAndEvents()
 {
     Fixture f;
     const RunRecord& run = f.runToEnd();
-    const PlotWidget* plot = f.window.plots().plot(QStringLiteral("spacing"));
+    const PlotWidget* plot = f.window.runView().plots()->plot(QStringLiteral("spacing"));
     QCOMPARE(plot->referenceLines().size(), std::size_t(3)); // d_1, d_s, d_e
     QCOMPARE(plot->referenceLines()[1].value, 3e-9);
     QVERIFY(!run.events.empty());
@@ -463,7 +469,7 @@ void TestMainWindow::takesDroppedFiles()
     QApplication::sendEvent(&f.window, &drop);
     QCOMPARE(f.window.runs().count(), 2);
     QCOMPARE(f.window.runs().record(1).sampleCount(), std::size_t(20'001));
-    QTRY_COMPARE(f.window.spectrum().view()->plot()->curves().size(), std::size_t(2)); // its spectrum too
+    QTRY_COMPARE(f.window.runView().spectrum()->view()->plot()->curves().size(), std::size_t(2)); // its spectrum too
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 5e-9);
 }
 
@@ -473,8 +479,8 @@ void TestMainWindow::restoresTheSession()
         Fixture f("fig12a");
         f.window.restoreSession();
         f.window.files().openNow(QStringLiteral("fig12a"));
-        f.window.runsPanel().setOverlay(false);
-        f.window.actions().choosePace(1e-4);
+        f.window.runWindow().panel()->setOverlay(false);
+        f.choosePace(1e-4);
         for (QAction* action : f.window.actions().theme->actions())
             if (action->data() == QStringLiteral("dark")) action->trigger();
         f.window.close();
@@ -483,7 +489,7 @@ void TestMainWindow::restoresTheSession()
     window.restoreSession();
     window.openLastCase();
     QCOMPARE(window.files().sample(), QStringLiteral("fig12a"));
-    QVERIFY(!window.runsPanel().overlay());
+    QVERIFY(!window.runWindow().panel()->overlay());
     QCOMPARE(window.controller().pace(), 1e-4);
     QVERIFY(isDark(QApplication::palette()));
     applyTheme(Theme::Light);
@@ -502,7 +508,7 @@ void TestMainWindow::changesThemeAndFont()
     // Fields and check boxes have only the base to stand out by; 16 of 255 is what an eye still sees on a projector.
     const QPalette dark = f.window.palette();
     QVERIFY(dark.color(QPalette::Window).lightness() - dark.color(QPalette::Base).lightness() >= 16);
-    QTRY_VERIFY(f.window.plots().plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
+    QTRY_VERIFY(f.window.runView().plots()->plot(QStringLiteral("spacing"))->theme().background.lightness() < 128);
     applyTheme(Theme::Light);
     QTRY_VERIFY(!isDark(f.window.palette()));
 }

@@ -11,6 +11,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/disk/disk_surface_view.h"
@@ -118,8 +119,8 @@ void TestMainWindowContact::runsTheSampleCases()
     QCOMPARE(run.summary->status, RunStatus::Completed);
     QCOMPARE(run.fields.size(), recordedFields(run.value).size());
     for (const FieldHistory& history : run.fields) QVERIFY(!history.snapshots.empty());
-    QVERIFY(f.window.plots().plot(QStringLiteral("force_separation"))->isVisible());
-    QVERIFY(!f.window.spectrum().isVisible());
+    QVERIFY(f.window.runView().plots()->plot(QStringLiteral("force_separation"))->isVisible());
+    QVERIFY(!f.window.runView().spectrum()->isVisible());
     QVERIFY2(f.window.messages().text().contains(QStringLiteral("Largest contact force ")),
              qPrintable(f.window.messages().text()));
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("Its figures")));
@@ -144,11 +145,11 @@ void TestMainWindowContact::offersThePagesOfTheCase()
     QVERIFY(!f.offered(RunView::Page::Maps) && !f.offered(RunView::Page::Disk));
     QVERIFY(!f.window.runView().tabs()->isVisible());
     QCOMPARE(f.window.runView().page(), RunView::Page::Plots);
-    QVERIFY(f.window.plots().isVisible());
+    QVERIFY(f.window.runView().plots()->isVisible());
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
     QVERIFY(!f.window.runView().tabs()->isVisible());
-    QVERIFY(f.window.spectrum().isVisible());
+    QVERIFY(f.window.runView().spectrum()->isVisible());
 }
 
 void TestMainWindowContact::mapsFollowTheChosenRun()
@@ -161,7 +162,7 @@ void TestMainWindowContact::mapsFollowTheChosenRun()
     QVERIFY(!maps.empty());
     f.run();
     QCOMPARE(maps.shownRun(), 2);
-    f.window.runsPanel().list()->setCurrentIndex(f.window.runs().index(0));
+    f.window.runWindow().panel()->list()->setCurrentIndex(f.window.runs().index(0));
     QCOMPARE(maps.shownRun(), 1);
 }
 
@@ -171,7 +172,7 @@ void TestMainWindowContact::goingThroughMapsMovesTheCursor()
     f.window.runView().setPage(RunView::Page::Maps);
     const RunRecord& run = f.run();
     f.window.runView().maps()->time()->setValue(2);
-    QCOMPARE(*f.window.plots().group()->cursor(0), run.fields.front().snapshots[2].time);
+    QCOMPARE(*f.window.runView().plots()->group()->cursor(0), run.fields.front().snapshots[2].time);
 }
 
 void TestMainWindowContact::runsOfAnotherModelLeaveThePlots()
@@ -182,8 +183,8 @@ void TestMainWindowContact::runsOfAnotherModelLeaveThePlots()
     f.window.files().openNow(QStringLiteral("fig10a"));
     QVERIFY(f.run().shown);
     QVERIFY(!f.window.runs().record(0).shown);
-    QVERIFY(!f.window.plots().plot(QStringLiteral("pressure"))->isVisible());
-    QVERIFY(f.window.plots().plot(QStringLiteral("pitch"))->isVisible());
+    QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("pressure"))->isVisible());
+    QVERIFY(f.window.runView().plots()->plot(QStringLiteral("pitch"))->isVisible());
 }
 
 void TestMainWindowContact::showsTheDiskThatIsEdited()

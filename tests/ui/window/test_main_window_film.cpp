@@ -15,6 +15,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/disk/disk_surface_view.h"
@@ -162,7 +163,7 @@ void TestMainWindowFilm::showsThePanesOfTheModel()
 {
     Fixture f;
     QVERIFY(f.window.film().view()->isVisible());
-    QVERIFY(!f.window.plots().isVisible());
+    QVERIFY(!f.window.runView().plots()->isVisible());
     QVERIFY(f.dock("attitude")->isVisible());
     QVERIFY(!f.dock("runs")->isVisible());
     QVERIFY(!f.dock("values")->isVisible());
@@ -170,7 +171,7 @@ void TestMainWindowFilm::showsThePanesOfTheModel()
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
     QVERIFY(!f.window.film().view()->isVisible());
-    QVERIFY(f.window.plots().isVisible());
+    QVERIFY(f.window.runView().plots()->isVisible());
     QVERIFY(!f.dock("attitude")->isVisible());
     QVERIFY(f.dock("runs")->isVisible());
     QVERIFY(f.dock("values")->isVisible());
@@ -224,17 +225,17 @@ void TestMainWindowFilm::runsInTime()
              qPrintable(told));
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("with minimum spacing ")));
     for (const char* name : {"spacing", "pitch", "roll", "energy"})
-        QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+        QVERIFY2(f.window.runView().plots()->plot(QString::fromLatin1(name))->isVisible(), name);
     // Without contact there are no forces of contact to show, and what is asked for comes.
-    QVERIFY(!f.window.plots().plot(QStringLiteral("forces"))->isVisible());
+    QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("forces"))->isVisible());
     for (const char* name : {"air_bearing", "velocity", "angular_velocity", "step"}) {
-        QVERIFY2(!f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
-        f.window.plots().wanted(QString::fromLatin1(name))->trigger();
-        QVERIFY2(f.window.plots().plot(QString::fromLatin1(name))->isVisible(), name);
+        QVERIFY2(!f.window.runView().plots()->plot(QString::fromLatin1(name))->isVisible(), name);
+        f.window.runView().plots()->entry(QString::fromLatin1(name)).wanted->trigger();
+        QVERIFY2(f.window.runView().plots()->plot(QString::fromLatin1(name))->isVisible(), name);
     }
-    QVERIFY(f.window.spectrum().isVisible());
+    QVERIFY(f.window.runView().spectrum()->isVisible());
     f.edit("degrees_of_freedom", QStringLiteral("2")); // roll is held
-    QVERIFY(!f.window.plots().plot(QStringLiteral("roll"))->isVisible());
+    QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("roll"))->isVisible());
     // The time step is positive once there was a step.
     QVERIFY(*run.last("time_step") > 0.0);
 }
@@ -268,23 +269,23 @@ void TestMainWindowFilm::showsAndKeepsTheMapsOfARun()
 void TestMainWindowFilm::eachPageHasItsPanes()
 {
     Fixture f;
-    QVERIFY(f.window.pageTabs()->isVisible());
+    const auto* tabs = f.window.findChild<QTabBar*>(QStringLiteral("pages"));
+    QVERIFY(tabs->isVisible());
     f.window.setPage(MainWindow::Page::Run);
     QVERIFY(f.window.runView().isVisible() && !f.window.film().view()->isVisible());
     QVERIFY(f.dock("runs")->isVisible() && f.dock("values")->isVisible() && !f.dock("attitude")->isVisible());
-    QVERIFY(f.window.progress().isVisible() && !f.window.film().progress()->isVisible());
+    QVERIFY(f.window.runWindow().progress()->isVisible() && !f.window.film().progress()->isVisible());
     f.dock("values")->close();
     f.window.setPage(MainWindow::Page::StaticState);
     QVERIFY(f.dock("attitude")->isVisible() && !f.dock("runs")->isVisible());
-    QVERIFY(!f.window.progress().isVisible() && f.window.film().progress()->isVisible());
+    QVERIFY(!f.window.runWindow().progress()->isVisible() && f.window.film().progress()->isVisible());
     f.window.setPage(MainWindow::Page::Run);
     QVERIFY(f.dock("runs")->isVisible() && !f.dock("values")->isVisible());
     f.window.actions().solve->trigger(); // its result is on the other page
     QVERIFY(f.window.film().view()->isVisible());
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
-    QVERIFY(!f.window.pageTabs()->isTabVisible(static_cast<int>(MainWindow::Page::StaticState)) &&
-            f.window.runView().isVisible());
+    QVERIFY(!tabs->isTabVisible(static_cast<int>(MainWindow::Page::StaticState)) && f.window.runView().isVisible());
 }
 
 /// In the static state that begins it, and in its steps.

@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <QSettings>
 #include <QSignalSpy>
@@ -14,6 +15,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/disk/disk_surface_view.h"
@@ -160,7 +162,7 @@ void TestXvfbWorkbench::typesAFlyingHeightAndRuns()
     QTRY_VERIFY(window_->runs().record(0).finished());
     QCOMPARE(window_->runs().record(0).value.springs.flyingHeight, 3.2e-9);
     // The curve is drawn: blue ink in the plot area.
-    PlotWidget* plot = window_->plots().plot(QStringLiteral("spacing"));
+    PlotWidget* plot = window_->runView().plots()->plot(QStringLiteral("spacing"));
     QTRY_VERIFY(colours(plot->grab(plot->plotArea().toRect()).toImage()) > 20);
 }
 
@@ -212,7 +214,7 @@ void TestXvfbWorkbench::goesThroughTheMapsOfAContact()
     QTRY_COMPARE(maps->time()->value(), nearest - 1);
     press("Home");
     QTRY_COMPARE(maps->time()->value(), 0);
-    QCOMPARE(*window_->plots().group()->cursor(0), 0.0);
+    QCOMPARE(*window_->runView().plots()->group()->cursor(0), 0.0);
     // A click on the map pins the sections there.
     const QPoint at = maps->view()->map()->toPixel({2e-6, 2e-6}).toPoint();
     click(maps->view()->map(), at);
@@ -221,7 +223,7 @@ void TestXvfbWorkbench::goesThroughTheMapsOfAContact()
 
 void TestXvfbWorkbench::stopsByAClick()
 {
-    window_->actions().choosePace(1e-5);
+    window_->actions().pace->setCurrentIndex(window_->actions().pace->findData(1e-5));
     press("F5");
     QTRY_COMPARE(window_->controller().state(), State::Running);
     QTRY_VERIFY(window_->runs().record(0).sampleCount() > 10);
@@ -233,14 +235,15 @@ void TestXvfbWorkbench::stopsByAClick()
 /// Its page by a click on its tab; what is typed into its text is a problem until it is taken back.
 void TestXvfbWorkbench::showsAndWritesAStudy()
 {
-    const QTabBar* tabs = window_->pageTabs();
-    click(window_->pageTabs(), tabs->tabRect(static_cast<int>(MainWindow::Page::Studies)).center());
+    auto* tabs = window_->findChild<QTabBar*>(QStringLiteral("pages"));
+    click(tabs, tabs->tabRect(static_cast<int>(MainWindow::Page::Studies)).center());
     StudyEditor* editor = window_->studies().editor();
     QTRY_VERIFY(editor->isVisible() && window_->studies().results()->isVisible());
     QTRY_VERIFY(!editor->toText().isEmpty());
     QTRY_VERIFY2(editor->run()->isEnabled(), qPrintable(editor->problems()));
-    click(editor->text(), QPoint(60, 12));
-    QTRY_VERIFY(editor->text()->hasFocus());
+    auto* text = editor->findChild<QPlainTextEdit*>();
+    click(text, QPoint(60, 12));
+    QTRY_VERIFY(text->hasFocus());
     press("ctrl+End");
     type(QStringLiteral("no such key"));
     QTRY_VERIFY(!editor->run()->isEnabled());
@@ -254,8 +257,8 @@ void TestXvfbWorkbench::zoomsAndReadsAPlot()
     press("F5");
     QTRY_COMPARE(window_->runs().count(), 1);
     QTRY_VERIFY(window_->runs().record(0).finished());
-    PlotWidget* plot = window_->plots().plot(QStringLiteral("spacing"));
-    PlotGroup* group = window_->plots().group();
+    PlotWidget* plot = window_->runView().plots()->plot(QStringLiteral("spacing"));
+    PlotGroup* group = window_->runView().plots()->group();
     QTRY_COMPARE(group->xRange().high, 2e-3);
     const QPoint centre = plot->plotArea().center().toPoint();
     click(plot, centre);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/terminal/fitted_table.h"
+#include "app/terminal/text_table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,18 +11,24 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "app/terminal/aligned_table.h"
-
 namespace touchdown {
 
 namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t gap = 2;          // between columns, as alignedTable makes it
-constexpr std::size_t shortestCut = 24; // of a text; below it nothing is understood
+constexpr std::size_t gap = 2;          // between columns
+constexpr std::size_t shortestCut = 24; // of a text; shorter ones are not understood
 
-/// The heading's parts, in lines no longer than `most` or than the longest part.
+bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; } // of UTF-8
+
+/// Characters, not bytes: "µ" is as wide as "u".
+std::size_t textWidth(const std::string& text)
+{
+    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continuesCharacter));
+}
+
+/// The heading in lines no longer than `most` or than its longest part.
 Lines brokenHeading(const std::string& heading, std::size_t most)
 {
     Lines lines;
@@ -54,7 +60,7 @@ std::string cutTo(const std::string& text, std::size_t width)
     if (textWidth(text) <= width) return text;
     std::size_t bytes = 0;
     for (std::size_t taken = 0; taken + 1 < width; ++taken)
-        for (++bytes; bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xc0u) == 0x80u;) ++bytes;
+        for (++bytes; bytes < text.size() && continuesCharacter(text[bytes]);) ++bytes;
     const auto last = text.find_last_not_of(' ', bytes - 1);
     return text.substr(0, last + 1) + "…";
 }
@@ -70,9 +76,8 @@ public:
         }
         kept_.resize(columns.size());
         std::iota(kept_.begin(), kept_.end(), std::size_t{0});
-        constexpr std::size_t endless = std::numeric_limits<std::size_t>::max();
-        broken_ = widthWith(endless) > width;
-        if (widthWith(endless) <= width) return;
+        if (widthWith(longest_) <= width) return;
+        broken_ = true;
         for (std::size_t k = kept_.size(); k-- > 0 && widthWith(shortestCut) > width;)
             if (columns[kept_[k]].secondary) kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(k));
         while (kept_.size() > 1 && widthWith(shortestCut) > width) kept_.pop_back();
@@ -93,10 +98,8 @@ public:
         std::vector<Lines> lines(height);
         std::vector<bool> left;
         for (std::size_t k = 0; k < kept_.size(); ++k) {
-            for (std::size_t line = 0; line < height; ++line) {
-                const std::size_t missing = height - headings[k].size();
-                lines[line].push_back(line < missing ? "" : headings[k][line - missing]);
-            }
+            headings[k].insert(headings[k].begin(), height - headings[k].size(), "");
+            for (std::size_t line = 0; line < height; ++line) lines[line].push_back(headings[k][line]);
             left.push_back(columns_[kept_[k]].text);
         }
         for (const Lines& row : rows_) {
@@ -113,7 +116,7 @@ public:
     }
 
 private:
-    /// For the values of a column whose texts have at most so many characters.
+    /// Width of the values of a column when texts have at most `longest` characters.
     std::size_t room(std::size_t i, std::size_t longest) const
     {
         return columns_[i].text ? std::min(values_[i], longest) : values_[i];
@@ -139,6 +142,27 @@ private:
 };
 
 } // namespace
+
+std::string alignedTable(const std::vector<std::vector<std::string>>& rows, const std::vector<bool>& left)
+{
+    std::vector<std::size_t> widths;
+    for (const Lines& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], textWidth(row[i]));
+    }
+    std::string text;
+    for (const Lines& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string space(widths[i] - textWidth(row[i]), ' ');
+            line += std::string(i == 0 ? 0 : gap, ' ');
+            line += i < left.size() && left[i] ? row[i] + space : space + row[i];
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
 
 FittedTable fittedTable(const std::vector<FittedColumn>& columns, const std::vector<std::vector<std::string>>& rows,
                         std::size_t width)
