@@ -6,7 +6,7 @@
 #include "app/commands/steady_report.h"
 #include "app/terminal/progress_line.h"
 #include "app/terminal/stop_signal.h"
-#include "core/simulation/static_state/steady_progress.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 

@@ -13,7 +13,7 @@
 #include "core/case_files/case_text.h"
 #include "core/formats/output_file.h"
 #include "core/results/steady_writer.h"
-#include "core/simulation/static_state/steady_progress.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 namespace {

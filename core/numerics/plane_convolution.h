@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Convolution of a real field with a real kernel that is even along x and along y, by FFT. The field of nx x ny values,
-// row by row, is a part of a domain of mx x my values that repeats in both directions; the rest of the domain is zero,
-// and only rows that can hold something are transformed. With m >= 2 n - 1 no repetition is seen (zero-padding: exact).
+// row by row, is part of a domain of mx x my values that repeats in both directions. The rest of the domain is zero.
+// With m >= 2 n - 1 the repetition has no effect (zero-padding: exact).
 #pragma once
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace touchdown {
 

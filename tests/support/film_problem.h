@@ -19,7 +19,7 @@ struct FilmProblem {
     FilmGaps gaps;
     GasFilm film;
     FilmLoads loads;
-    GasFilm::AttitudeWork attitudeWork;
+    AttitudeWork attitudeWork;
     std::vector<double> p; // padded [Pa]
 
     FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid,
@@ -27,7 +27,7 @@ struct FilmProblem {
         : gaps(Recess(surface, length, width), std::move(grid)),
           film(gaps, setting),
           loads(film),
-          attitudeWork(film),
+          attitudeWork(gaps),
           p(gaps.pad.size(), film.ambient())
     {
         film.setAttitude(attitude);

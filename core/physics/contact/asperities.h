@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius, Gaussian heights, against a
-// smooth pad; and the liquid that forms menisci on them.
+// The statistical rough surface of Greenwood & Williamson (1966), summits of one radius and Gaussian heights against a
+// smooth pad, and the liquid that forms menisci on them.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace touchdown {
 
 enum class AsperityModel : std::uint8_t { GreenwoodWilliamson, ElasticPlastic };
 
-/// Radius, density, heights and lubricant are assumed: with them and a pad of 62 x 62 um the multi-asperity model's
-/// characteristic comes near the paper's five values (core/physics/contact/characteristic_fit.h).
+/// Radius, density, heights and lubricant are assumed: with a pad of 62 x 62 um they give about the paper's five values
+/// (core/physics/contact/characteristic_fit.h).
 struct Asperities {
     AsperityModel model = AsperityModel::GreenwoodWilliamson;
     double radius = 1e-6;            // R of the summits [m]

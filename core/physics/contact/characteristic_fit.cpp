@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/physics/contact/multi_asperity_curve.h"
+#include "core/physics/contact/multi_asperity.h"
 
 namespace touchdown {
 

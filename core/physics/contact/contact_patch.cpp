@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/physics/slider/recess.h"

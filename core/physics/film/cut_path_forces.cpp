@@ -11,8 +11,10 @@
 #include <algorithm>
 
 #include "core/numerics/vector_clones.h"
-#include "core/physics/film/cut_path_lanes.h"
 #include "core/physics/film/cut_paths.h"
+#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/flow_table.h"
+#include "core/physics/film/path_flow.h"
 
 namespace touchdown {
 

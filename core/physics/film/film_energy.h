@@ -18,9 +18,9 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/film/gas_film.h"
-
 namespace touchdown {
+
+class GasFilm;
 
 struct FilmEnergyState {
     double stored = 0.0;      // [J]

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/physics/film/cross_feed.h"
+#include "core/physics/slider/recess.h"
 
 namespace touchdown {
 
@@ -311,7 +311,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
         for (int i = 0; i < pad.nx; ++i)
             if (stepped[pad.at(i, j)]) steppedCells.push_back(pad.at(i, j));
     setCutCells();
-    setCrossFeed(*this);
+    setCrossFeed();
 }
 
 /// A cell is the upper half of the path below it and the lower half of the one above.

@@ -15,9 +15,10 @@
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/padded_grid.h"
 #include "core/physics/slider/attitude.h"
-#include "core/physics/slider/recess.h"
 
 namespace touchdown {
+
+class Recess;
 
 /// Gaps of flying sliders are some ten nanometres above the recess [m].
 inline constexpr double typicalLift = 20e-9;
@@ -74,6 +75,8 @@ struct FilmGaps {
 
 private:
     void setCutCells();
+    /// Sets lead and feed of the pieces of paths (cross_feed.cpp).
+    void setCrossFeed();
 };
 
 } // namespace touchdown

@@ -8,11 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/cut_paths.h"
 #include "core/physics/film/film_gaps.h"
 
 namespace touchdown {
+
+struct DiskMotion;
 
 class FilmGeometry {
 public:

@@ -29,6 +29,7 @@
 #include "core/numerics/line_relaxation.h"
 #include "core/numerics/nested_grid.h"
 #include "core/physics/film/film_newton.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -85,10 +86,7 @@ private:
     /// One V cycle: the level's correction, from zero, for its right-hand side.
     void cycle(std::size_t index);
     double residualOf(Level& level);
-    double longerShift(double shift) const;
     double shorterShift(double shift, double gain) const;
-    /// How often the disk passes the slider [1/s].
-    double passage() const;
 
     std::deque<Level> levels_; // the finest first; films refer to their level's gaps, which stay where they are
     std::vector<double> best_; // pressure on the finest level [Pa]

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/dual.h"
 #include "core/physics/film/cut_paths.h"
 #include "core/physics/film/film_forces.h"
 

@@ -6,16 +6,16 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/numerics/gmres.h"
 #include "core/numerics/multigrid.h"
 #include "core/physics/film/film_stencil.h"
-#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
+
+class GasFilm;
 
 struct FilmOptions {
     double tolerance = 1e-7; // of the residual: sum of the cells' |R|, against the flow through the film [-]

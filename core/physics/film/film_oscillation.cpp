@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/film/film_oscillation.h"
 
+#include "core/physics/film/gas_film.h"
+
 namespace touchdown {
 
 using Complex = std::complex<double>;
@@ -21,7 +23,7 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
-    GasFilm::AttitudeWork work(film);
+    AttitudeWork work(film.gaps());
     film.attitudeColumns(p, columns_, work);
     film.attitudeStorageColumns(p, storage_, work);
     for (auto& response : response_) response.assign(film.pad().size(), Complex{});

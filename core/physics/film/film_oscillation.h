@@ -17,10 +17,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/gmres.h"
+#include "core/numerics/multigrid.h"
 #include "core/numerics/small_matrix.h"
-#include "core/physics/film/film_newton.h"
+#include "core/physics/film/film_stencil.h"
 
 namespace touchdown {
+
+class GasFilm;
 
 class FilmOscillation {
 public:

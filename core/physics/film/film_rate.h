@@ -10,9 +10,9 @@
 // count: the corrections of the complete flux scheme, which its limiter removes from fast disturbances, do not.
 #pragma once
 
-#include "core/physics/film/gas_film.h"
-
 namespace touchdown {
+
+class GasFilm;
 
 /// At the film's last linearisation [1/s]. Cells whose gap is closed store nothing and do not count.
 double fastestFilmRate(const GasFilm& film);

@@ -43,4 +43,17 @@ struct FilmStencil {
     std::vector<double> width; // of a row [1/m]
 };
 
+/// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.
+template <typename T>
+struct FaceFlows {
+    std::array<std::vector<T>, 2> flow, slope;
+    std::vector<T> stored; // empty: nothing
+    void resize(std::size_t size)
+    {
+        for (auto* pair : {&flow, &slope})
+            for (auto& field : *pair) field.assign(size, T{});
+        stored.reserve(size);
+    }
+};
+
 } // namespace touchdown

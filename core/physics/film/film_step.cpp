@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/physics/film/film_step_vectors.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 

@@ -26,7 +26,7 @@
 
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/film_newton.h"
-#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/attitude.h"
 
 namespace touchdown {
 

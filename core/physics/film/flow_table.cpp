@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <numbers>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/kinetic_flow_rate.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outline of a rail, sorted into strips of equal width across y, so that a point is compared with few edges.
-//
-// The outline belongs to the rail: a point on an edge or a corner is inside. On edges parallel to an axis that is
-// exact; on others it holds to the rounding of the cross product.
+// The outline of a rail, sorted into strips of equal width across y, so that a point is compared with few edges. A
+// point on an edge or a corner is inside: exactly on edges parallel to an axis, to the rounding of the cross product on
+// others.
 #pragma once
 
 #include <cstdint>

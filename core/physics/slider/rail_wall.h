@@ -54,13 +54,13 @@ public:
 
     /// A box that holds all of the wall.
     SurfaceBox bounds() const;
-    /// False when no point of the box is in that part of the wall; may be true for a box just beside it.
+    /// False if no point of the box is in that part of the wall; may be true for a box just beside it.
     bool meets(const SurfaceBox& box, WallSide side) const;
     /// A lower bound of the recess of the outside part in the box [m].
     double lowestOutside(const SurfaceBox& box) const;
 
     /// Appends where the line crosses the borders of that part and the offset lines and arcs of the points of its
-    /// profile; the edge itself, which belongs to the outline, is left out.
+    /// profile, without the edge itself, which belongs to the outline.
     void breaks(const ScanLine& line, WallSide side, std::vector<double>& out) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Boxes on the slider, and lines across it parallel to an axis: what the recess is asked about.
+// Boxes on the slider, and lines across it parallel to an axis.
 #pragma once
 
 namespace touchdown {
@@ -16,7 +16,7 @@ struct SurfaceBox {
 
 enum class ScanAxis { X, Y };
 
-/// A point that runs from `from` to `to` along one axis, the other coordinate fixed.
+/// From `from` to `to` along one axis, the other coordinate fixed.
 struct ScanLine {
     ScanAxis along;
     double fixed;    // the other coordinate [m]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A wall profile prepared for evaluation: recess against the signed distance from the edge, linear between the points.
-// Where two points have the same distance the profile is vertical, and the farther one holds at that distance.
+// Two points at one distance make it vertical; there the farther one counts.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/recording/run_summary.h"
 

@@ -15,6 +15,9 @@
 
 namespace touchdown {
 
+/// The friction of the contact that the case names.
+CoulombFriction frictionOf(const Case& c);
+
 class ContactLever {
 public:
     explicit ContactLever(const Case& c);

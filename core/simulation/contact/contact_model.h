@@ -13,7 +13,6 @@
 
 #include "core/case/case.h"
 #include "core/physics/contact/characteristic_fit.h"
-#include "core/physics/contact/coulomb_friction.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
@@ -49,8 +48,8 @@ public:
 
     /// The switches that a straight move to d [m] will pass, in their order.
     virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
-    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path decides,
-    /// see core/physics/contact/contact_path.h.
+    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the way
+    /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
     /// Keeps the present state, in place of what was kept before; and returns to it.
@@ -69,8 +68,6 @@ public:
 /// a problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
-/// The friction of the contact that the case names.
-CoulombFriction frictionOf(const Case& c);
 /// A state as it is recorded, and what a run of the case records of it.
 struct ContactSample {
     const ContactForces& forces;

@@ -18,7 +18,6 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/case/case.h"
@@ -76,7 +75,7 @@ private:
     template <typename Visit>
     void forHeights(const Attitude& attitude, const Visit& visit) const;
     void setSeparation(const Attitude& attitude, double time);
-    void sum(std::span<const double> pressure, std::span<const double> adhesion, std::span<const double> gap);
+    void sum();
 
     UniformGrid grid_;
     std::vector<double> recess_; // [m]
@@ -85,7 +84,7 @@ private:
     const DiskTopography& topography_;
     Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;
-    std::variant<ElasticContact, AdhesiveContact> contact_;
+    AdhesiveContact contact_;
     std::vector<double> surface_;    // w [m]; empty: flat
     std::vector<double> separation_; // s [m]
     double surfaceTime_;             // of surface_ [s]

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -92,10 +91,8 @@ private:
 
 SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn)
 {
-    Case still = c;
+    Case still = attitudeCase(c);
     still.diskSurface = {};
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
-        false;
     return steady(still, [&](const SteadyProgress&) { return goOn(); });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/numerics/wall_clock.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 

@@ -24,7 +24,6 @@
 #include <array>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/physics/film/film_step.h"

@@ -4,7 +4,7 @@
 // through position, velocity and acceleration at its ends.
 #pragma once
 
-#include "core/simulation/contact/slider_contact_forces.h"
+#include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {

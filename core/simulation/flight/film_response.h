@@ -11,11 +11,13 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_loads.h"
-#include "core/physics/film/film_newton.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
+
+class FilmLinearSolver;
 
 class FilmResponse {
 public:
@@ -49,7 +51,7 @@ private:
     const SliderBody& body_;
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     FilmLoads::Derivatives forces_;
-    GasFilm::AttitudeWork attitudeWork_;
+    AttitudeWork attitudeWork_;
     Matrix3 stiffness_ = Matrix3::Zero();
     double perTime_ = 0.0; // of the film's storage that they belong to; zero: none yet [1/s]
     int age_ = 0;          // in accepted steps

@@ -14,18 +14,6 @@
 
 namespace touchdown {
 
-namespace {
-
-Case staticCase(const Case& c)
-{
-    Case result = c;
-    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria =
-        false;
-    return result;
-}
-
-} // namespace
-
 FilmScene::FilmScene(const Case& c)
     : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
 {}
@@ -44,7 +32,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     if (!goOn()) return State::Stopped;
     maps_ = {filmMaps(case_), sliderContactFields(case_, goOn)};
     if (!goOn()) return State::Stopped;
-    const SteadyResult rest = steady(staticCase(case_), [&](const SteadyProgress&) { return goOn(); });
+    const SteadyResult rest = steady(attitudeCase(case_), [&](const SteadyProgress&) { return goOn(); });
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
     if (fromRest && rest.status != SteadyStatus::Converged)

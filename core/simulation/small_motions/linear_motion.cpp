@@ -139,21 +139,13 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
 {
     LinearMotion motion;
     motion.halfLength = 0.5 * c.slider.length;
-    Case still = c;
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
-        false;
-    motion.steady = steady(still, callback);
+    motion.steady = steady(attitudeCase(c), callback);
     motion.status = motion.steady.status;
     motion.message = motion.steady.message;
     if (motion.status != SteadyStatus::Converged) return motion;
 
     const auto stopped = [&] {
-        if (!callback || callback({.stage = "small motions",
-                                   .iteration = 0,
-                                   .residual = motion.steady.residual,
-                                   .loadError = motion.steady.loadError,
-                                   .attitude = motion.steady.attitude}))
-            return false;
+        if (!callback || callback(progressAbout(motion.steady, "small motions"))) return false;
         motion.status = SteadyStatus::Cancelled;
         motion.message = "cancelled while the modes were sought";
         return true;

@@ -8,6 +8,8 @@
 
 #include "core/case/case.h"
 #include "core/physics/film/film_grid.h"
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {

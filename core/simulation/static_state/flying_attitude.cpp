@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/minimum_spacing.h"
+
 namespace touchdown {
 
 namespace {
@@ -36,7 +39,7 @@ FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad
       load_(load),
       spacing_(spacing),
       newton_(film),
-      attitudeWork_(film),
+      attitudeWork_(film.gaps()),
       residual_(film.pad().size()),
       right_(film.pad().size()),
       filmStep_(film.pad().size()),
@@ -286,16 +289,6 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     return result;
 }
 
-Matrix3 FlyingAttitude::stiffness(std::span<const double> p, const std::function<bool()>& goOn)
-{
-    return stiffness(p, 0.0, goOn);
-}
-
-Matrix3 FlyingAttitude::balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn)
-{
-    return stiffness(p, load_.shearArm, goOn);
-}
-
 Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn)
 {
     linearise(p, film_.attitude());
@@ -334,9 +327,8 @@ FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
     result.balance = inverse;
     for (std::size_t k = 0; k < 3; ++k) {
         result.film[k].assign(p.size(), 0.0);
-        for (std::size_t m = 0; m < 3; ++m) {
+        for (std::size_t m = 0; m < 3; ++m)
             for (std::size_t at = 0; at < p.size(); ++at) result.film[k][at] -= inverse(k, m) * adjoints[m][at];
-        }
     }
     return result;
 }

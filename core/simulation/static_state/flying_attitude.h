@@ -17,13 +17,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/case/case.h"
+#include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
-#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
+
+class MinimumSpacing;
 
 struct AttitudeOptions {
     double filmTolerance = 1e-7; // FilmCase::tolerance [-]
@@ -64,9 +65,15 @@ public:
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
     /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn`
     /// returns false the result is invalid.
-    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
-    /// The same of the torques that the balance has: with those of the shear.
-    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
+    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
+    {
+        return stiffness(p, 0.0, goOn);
+    }
+    /// The same with the torques of the shear, as in the balance.
+    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
+    {
+        return stiffness(p, load_.shearArm, goOn);
+    }
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
     struct Adjoint {
@@ -99,7 +106,7 @@ private:
     FilmNewton newton_;
     FilmSolve solveFilm_;
     FilmLoads::Derivatives forces_;
-    GasFilm::AttitudeWork attitudeWork_;
+    AttitudeWork attitudeWork_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
     Vector3 imbalance_ = Vector3::Zero();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/sensitivity.h"
 
-#include <algorithm>
 #include <functional>
 #include <string>
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case/case.h"
@@ -73,11 +74,19 @@ struct SteadyProgress {
     double loadError = 0.0; // [-]
     Attitude attitude;
 };
+/// A later stage of a calculation, about a state that was found.
+inline SteadyProgress progressAbout(const SteadyResult& state, std::string stage)
+{
+    return {std::move(stage), 0, state.residual, state.loadError, state.attitude};
+}
 /// Return false to stop.
 using SteadyCallback = std::function<bool(const SteadyProgress&)>;
 
 /// Solves a valid case with model "film" for its static state. Never throws for numerics: see SteadyResult::status.
 SteadyResult steady(const Case& c, const SteadyCallback& callback = {});
+
+/// The case for its balanced attitude alone: no fixed one, no stiffness, sensitivities or other equilibria.
+Case attitudeCase(const Case& c);
 
 /// One combination of a series of radii (with skews), speeds and altitudes.
 struct SteadySeriesPoint {
