@@ -3,8 +3,7 @@
 // Forces and torques of a film on the slider, with their derivatives. Load: integral of the pressure above ambient. A
 // cell counts its pressure times its area; across a face that an edge or a wall meets, the excess or lack of pressure
 // in a thin layer along the motion is added. Shear: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and
-// Poiseuille
-// -(h/2) dp/dx. Torques are about the slider's centre.
+// Poiseuille -(h/2) dp/dx. Torques are about the slider's centre.
 #pragma once
 
 #include <array>

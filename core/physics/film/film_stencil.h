@@ -6,8 +6,8 @@
 //
 //   (J v)_0 = sum_k c_k (v_k - v_0) + (sum_k c_k) v_0 + u_0 + storage u passed on by faces,   u = rate V v,
 //
-// so that the error is that of conductances wrong by 1e-7 of themselves: smooth v lose no more than rough ones. The
-// rate and the volumes may differ from those of the linearisation.
+// so that the relative error of the conductances is 1e-7, for smooth v too. The rate and the volumes may differ from
+// those of the linearisation.
 #pragma once
 
 #include <array>

@@ -5,16 +5,15 @@
 //   div( Q p h^3 grad p/(12 mu) - p h U/2 ) = d(p h)/dt,   p = p0 on the slider's outline.
 //
 // Finite volumes: the net outflow of each cell is R(p) = 0. The flow through a face is that along the path from one
-// cell centre to the next (core/physics/film/path_flow.h): a path that an edge or a wall crosses goes through its
-// pieces; a smooth one has the gap at its middle. The scheme selects, on smooth faces, upwind, hybrid, power law or
-// exponential fitting (convection.h); the complete flux scheme adds the change of the flow across each path along it,
-// and is second order. That correction d is limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone
-// would send: a change of third order where the pressure is smooth, and no cell is emptied below zero.
+// cell centre to the next (core/physics/film/path_flow.h): through the pieces of a path that an edge or a wall crosses,
+// with the gap in the middle of a smooth one. The scheme selects, on smooth faces, upwind, hybrid, power law or
+// exponential fitting (convection.h); the complete flux scheme adds the change of the flow along each path and is
+// second order. Its correction d is limited to d/sqrt(1 + (d/F)^2), F the flow from the upstream cell alone: a change
+// of third order where the pressure is smooth, and no cell is emptied below zero.
 //
-// In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; the complete flux scheme counts
-// storage among the sources of the flow along a path.
-//
-// There is no air where the gap is closed: such faces pass nothing, and a cell without an open face keeps its pressure.
+// In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; in the complete flux scheme
+// storage is a source of the flow along a path. Closed gaps pass nothing; a cell without an open face keeps its
+// pressure.
 #pragma once
 
 #include <array>

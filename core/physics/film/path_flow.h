@@ -6,11 +6,11 @@
 //
 //   p1 - p2 exp(-Q_end) = integral of F w,  w = exp(-Q)/D,
 //
-// exactly, for any Peclet number and across any step. So where F is constant, F = (p1 - p2 exp(-Q_end))/I, I the
-// integral of w (exponential fitting, piece by piece). Where F has the slopes s1 before and s2 after the face, as the
-// flow across the path feeds or drains it, the flow at the face is F - s1 m1 - s2 m2, m the first moments of w/I about
-// the face on either side (the complete flux scheme: ten Thije Boonkkamp & Anthonissen 2011). That is second order at
-// any Peclet number, and keeps the exact boundary layers of exponential fitting.
+// exactly, for any Peclet number and across any step. For constant F, F = (p1 - p2 exp(-Q_end))/I, I the integral of w
+// (exponential fitting). Where F has the slopes s1 before and s2 after the face because of the flow across the path,
+// the flow at the face is F - s1 m1 - s2 m2, m the first moments of w/I about the face on either side (the complete
+// flux scheme: ten Thije Boonkkamp & Anthonissen 2011). It is second order at any Peclet number, with the exact
+// boundary layers of exponential fitting.
 //
 // With r = length/D and q = c r of a piece: phi = E_0(q), xi = E_1(q), chi = phi - xi (DecayMoments).
 #pragma once
@@ -103,7 +103,7 @@ struct PathIntegral {
     Number before{0.0}, after{0.0}; // of (x - face) w, on either side of the face
 
     /// A piece with r = length/D and q = c r on one side of the face. Where the flow across is spread evenly, `lead` is
-    /// where the piece starts from the face and `feed` its length; else as GapPiece tells [m].
+    /// the start of the piece from the face and `feed` its length; else as in GapPiece [m].
     void add(const Number& r, const Number& q, double lead, double feed)
     {
         const PathFunctions<Number> f(q);
@@ -116,7 +116,7 @@ struct PathIntegral {
     }
 };
 
-/// What one or several paths side by side pass: F = A p1 - B p2 along the axis; K = A = B without convection [m^3/s];
+/// Flow through one or several parallel paths: F = A p1 - B p2 along the axis; K = A = B without convection [m^3/s];
 /// the moments below and above the face [m].
 template <typename Number>
 struct PathFlow {
@@ -136,7 +136,7 @@ struct PathFlow {
     }
 };
 
-/// A smooth path across a face `width` wide; nothing passes a gap that is closed.
+/// A smooth path across a face; a closed gap passes nothing.
 struct SmoothPath {
     double length, lowerShare, width; // [m], share of the length below the face, [m]
 };
@@ -144,10 +144,9 @@ struct SmoothPath {
 /// Speed: that of the disk along the axis, halved [m/s]; the mobility G at the path's mean pressure.
 ///
 /// `tilt` is the change of the gap along the path against its middle value, e = (h2 - h1)/h, -1 to 1. Convection
-/// carries p h, not p: with v = p h, F = (U/2 + D h'/h^2) v - (D/h) dv/dx has constant coefficients where the one of p
-/// has not, so that F = (v1 - v2 exp(-Q - e))/(h (R/L) integral of exp(-(Q + e) x/L)), and what leaves a cell at a high
-/// Peclet number is what is in its middle. To first order in e, which leaves the error of second order: I - e int (x/L)
-/// w for I, upstream gap (1 - e/2) h.
+/// carries p h: with v = p h, F = (U/2 + D h'/h^2) v - (D/h) dv/dx has constant coefficients, so that F = (v1 - v2
+/// exp(-Q - e))/(h (R/L) integral of exp(-(Q + e) x/L)). To first order in e, with an error of second order: I - e int
+/// (x/L) w for I, upstream gap (1 - e/2) h.
 template <ConvectionScheme scheme, typename Number>
 PathFlow<Number> smoothFlow(const SmoothPath& path, double viscosity, double speed, const Number& gap,
                             const Number& tilt, const Number& mobility)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What one reads off an approach and retraction curve.
+// Figures of an approach and retraction curve: pull-off force, jumps, statistics of the surface.
 #pragma once
 
 #include <optional>

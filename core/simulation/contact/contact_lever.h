@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a force under the slider does about its mass centre, which lies over the slider's middle, half the thickness b
+// Torques of forces under the slider about its mass centre, which is over the slider's middle, half the thickness b
 // above its underside. A force F away from the disk at (x, y), and Coulomb friction of the real contact force N in the
-// direction (u, v) in which the disk runs under that point:
+// direction (u, v) of the disk under that point:
 //
 //   pitch torque, nose up       F (L/2 - x) - (b/2) mu N u
 //   roll torque, inner edge up  F (W/2 - y) - (b/2) mu N v

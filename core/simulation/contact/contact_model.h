@@ -19,7 +19,7 @@
 
 namespace touchdown {
 
-/// What acts on the pad at one separation. What a law does not know is zero.
+/// Forces on the pad at one separation. Values that a law does not have are zero.
 struct ContactForces {
     double separation = 0.0;                          // d [m]
     double contact = 0.0;                             // >= 0, away from the disk [N]
@@ -52,7 +52,7 @@ public:
     /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
-    /// Keeps the present state, in place of what was kept before; and returns to it.
+    /// Stores the present state; returns to it.
     virtual void remember() {}
     virtual void recall() {}
 
@@ -64,8 +64,8 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it returns false they end with
-/// a problem.
+/// `c` is valid, of the model "contact". `goOn` is asked within long solutions; if it returns false they end with a
+/// problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
 /// A state as it is recorded, and what a run of the case records of it.

@@ -6,13 +6,11 @@
 //
 //   s = height + pitch (L - x) - roll (y - W/2) + recess - w(x - U t, y - V t)
 //
-// In a run of many thousand steps each is solved to 1e4 elastic.tolerance: at its default to 1e-4 of the largest
-// pressure and displacement, which leaves some 1e-5 of the force and snaps in and pulls off in the same steps as a
-// tight tolerance does.
+// Each step is solved to 1e4 elastic.tolerance: by default to 1e-4 of the largest pressure and displacement. The error
+// of the force is some 1e-5, and contacts snap in and pull off in the same steps as with a tight tolerance.
 //
-// A solution with adhesion depends on where it comes from. Each starts from the state that was accepted last, so that
-// what was tried in between leaves no trace; but for a try at the same time a picometre beside the last one, which
-// starts there.
+// A solution with adhesion depends on its start: the last accepted state, or the last try where that was at the same
+// time within a picometre.
 #pragma once
 
 #include <functional>

@@ -15,9 +15,8 @@ struct FilmPoint {
     Vector3 filmForce = Vector3::Zero();
     SliderContactForces contact;
     double filmEnergy = 0.0; // stored by the air, from that of the static state [J]
-    double gained =
-        0.0;         // by slider, suspension, air and contact since the start: input from the disk less dissipation [J]
-    double dt = 0.0; // of the step that led there [s]
+    double gained = 0.0;     // since the start: input from the disk less dissipation [J]
+    double dt = 0.0;         // of the step that led there [s]
 };
 
 /// Position and velocity at a share of the way from one point to the next.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider
-// moves along the polynomial of fifth degree through position, velocity and acceleration at its ends; forces and
-// energies along parabolas.
+// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider moves along a
+// polynomial (film_point.h); forces and energies along parabolas.
 #pragma once
 
 #include <array>

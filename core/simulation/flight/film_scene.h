@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run of the film consists of: surface, disk, film on its grid, body, contact, and where it begins. The static
-// state gives the grid, and the suspension the place where it exerts its load.
+// The parts of a run of the film: surface, disk, film on its grid, body, contact and start. The static state gives the
+// grid, and the place where the suspension exerts its load.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,7 @@ namespace touchdown {
 struct FilmLevel;
 struct SteadyResult;
 
-/// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was
-/// ready.
+/// Neither copied nor moved: its parts point at each other. Most parts exist only after prepare() returned Ready.
 class FilmScene {
 public:
     /// `c` is valid, of the model "film", and must last.
@@ -31,8 +30,8 @@ public:
     ~FilmScene();
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
-    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must
-    /// stay so.
+    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked meanwhile; false stops, and
+    /// must remain false.
     State prepare(const std::function<bool()>& goOn);
     const std::string& message() const { return message_; } // why it failed
     const std::vector<std::string>& warnings() const { return warnings_; }

@@ -6,9 +6,9 @@
 //   R(p, a) = 0                                        the film
 //   G(p, a) = load and shear of the film - suspension = 0   force [N], pitch and roll torque about the centre [N m]
 //
-// Newton's step of both together is found with the film's linear systems alone: with J X = dR/da and J x = -R,
-// (dG/da - dG/dp X) da = -(G + dG/dp x), dp = x - X da. The same matrix is the film's stiffness, and its transpose with
-// three adjoint films gives the sensitivities to any parameter.
+// Newton's step of both uses the film's linear systems only: with J X = dR/da and J x = -R, (dG/da - dG/dp X) da = -(G
+// + dG/dp x), dp = x - X da. The same matrix is the film's stiffness; its transpose with three adjoint films gives the
+// sensitivities to any parameter.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct AttitudeSolution {
     Vector3 imbalance = Vector3::Zero();    // G [N], [N m]
 };
 
-/// Told at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
+/// Called at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
 using AttitudeMonitor = std::function<bool(int, double, double, const Attitude&)>;
 
 class FlyingAttitude {
@@ -55,10 +55,11 @@ public:
         return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
     }
 
-    /// From far: the film is solved at each attitude, and the attitude led along the forces until Newton takes over.
+    /// From far: the film is solved at each attitude, and the attitude follows the forces until Newton's method
+    /// converges.
     AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                               const AttitudeMonitor& monitor = {});
-    /// From near: Newton on film and attitude together; turns to `approach` where that does not converge.
+    /// From near: Newton on film and attitude together; then `approach` if that does not converge.
     AttitudeSolution solve(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                            const AttitudeMonitor& monitor = {});
 

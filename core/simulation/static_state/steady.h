@@ -21,7 +21,7 @@ namespace touchdown {
 enum class SteadyStatus : std::uint8_t { Converged, NotConverged, Cancelled, Failed };
 std::string_view name(SteadyStatus status);
 
-/// How the attitude answers to one parameter.
+/// Derivatives of the attitude by one parameter.
 struct Sensitivity {
     std::string parameter;       // key, "abs.crown"
     std::string unit;            // SI, of the parameter
@@ -66,7 +66,7 @@ struct SteadyResult {
     std::vector<double> recess;   // mean over each cell [m]
 };
 
-/// Told while the solution goes: about every grid level and iteration.
+/// Reported about at every grid level and iteration.
 struct SteadyProgress {
     std::string stage; // "grid 97 x 97"
     int iteration = 0;
@@ -107,7 +107,7 @@ struct AirBearingMode {
     std::array<std::array<double, 2>, 3> shape{};
     std::string kind; // the motion that leads: "vertical", "pitch", "roll"
 };
-/// What the film answers to an oscillation, with the torques of its shear.
+/// Response of the film to an oscillation, with the torques of its shear.
 struct DynamicStiffness {
     double frequency = 0.0; // [Hz]
     Matrix3 stiffness;      // real part, about the mass centre [N/m ...]
