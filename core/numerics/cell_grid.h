@@ -29,6 +29,10 @@ struct UniformGrid {
     double x0 = 0.0, y0 = 0.0; // the corner of the first cell [m]
 
     std::size_t cells() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
+    std::size_t at(int i, int j) const
+    {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
+    }
     double x(int i) const { return x0 + (i + 0.5) * dx; } // of a centre [m]
     double y(int j) const { return y0 + (j + 0.5) * dy; }
     double cellArea() const { return dx * dy; } // [m^2]

@@ -210,12 +210,6 @@ void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double sh
     }
 }
 
-void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const
-{
-    std::vector<double> work;
-    addMeans(grid, shiftX, shiftY, out, work);
-}
-
 // First along each row of the map, from line to line of the columns, then across the rows: rows are used several times
 // where the map is narrower than the grid.
 void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,

@@ -25,9 +25,7 @@ public:
     double value(double x, double y) const;
     /// Adds the values at the grid's centres, moved by the shift, to `out`.
     void addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// Adds the means over the grid's cells.
-    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// The same; allocates nothing once `work` has served for this spline.
+    /// Adds the means over the grid's cells; allocates nothing once `work` has served for this spline.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
                   std::vector<double>& work) const;
 

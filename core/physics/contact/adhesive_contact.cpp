@@ -35,8 +35,7 @@ UniformGrid fastGrid(const UniformGrid& grid)
     return {fast(grid.nx), fast(grid.ny), grid.dx, grid.dy, grid.x0, grid.y0};
 }
 
-/// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence
-/// coefficients.
+/// Largest displacement of a cell by pressures between -1 and 1 Pa [m/Pa]: the sum of |influence coefficients|.
 double reachOf(HalfSpace& space)
 {
     std::vector<double> field(space.grid().cells(), space.edges() == HalfSpaceEdges::Free ? 1.0 : 0.0);

@@ -116,8 +116,7 @@ double AdhesiveContact::linearise()
     return std::max(deviation.ofPressure / deviation.pressure, deviation.ofGap / gapScale);
 }
 
-// How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps
-// themselves.
+// Distance of the gaps on the law from the displacements by the pressures on the law, less the rounding of the gaps.
 double AdhesiveContact::imbalance()
 {
     for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangents_.pressure[i] - now_.total[i];
@@ -241,8 +240,7 @@ void AdhesiveContact::precondition(std::span<const double> in, std::span<double>
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = weight_[i] * (work_[i] + mean / reach_);
 }
 
-// The energy that is convex in q has the slope g - g_law(q). Where it rises at the end of the step, the step ends at
-// its least.
+// The energy, convex in q, has the slope g - g_law(q). A step at whose end it rises is cut at its minimum.
 bool AdhesiveContact::cutStep()
 {
     const std::size_t n = offset_.size();

@@ -50,7 +50,7 @@ struct MultiAsperity::Path {
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
-    /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest
+    /// |zeta - y_s| <= this [m] where d'(s) can be negative: phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest
     /// adhesion).
     double foldingHeight() const
     {
@@ -59,14 +59,13 @@ struct MultiAsperity::Path {
         return peak > 1.0 ? std::min(farthest, std::sqrt(2.0 * std::log(peak))) * model.sigma_ : 0.0;
     }
 
-    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it says true. Pieces end at the
-    /// bend; in the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a
-    /// piece, but for folds too shallow to count.
+    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it returns true. Pieces end at
+    /// the bend; in the folding zone they are so short that d'(s) changes its sign at most once, except in shallow
+    /// folds.
     template <typename Visit>
     void walk(double end, Visit visit) const;
 
-    /// The place in the piece from a to b where d'(s) turns negative: a minimum of d on the way in, a maximum on the
-    /// way out.
+    /// Where d'(s) becomes negative between a and b: a minimum of d on the way in, a maximum on the way out.
     double fold(double a, double b) const
     {
         for (int i = 0; i < 200; ++i) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where along a path the flow across it enters or leaves. The complete flux scheme needs the change of the flow along a
-// path, and knows the net flow across of whole cells. In a cell with an edge or a wall that flow is not spread evenly:
-// it takes the deep side, where rarefied air is conducted as h^2 (the molecules' mean free path longer than the gap).
-// So each piece of a path gets its part of the cell's in proportion to h^2, at most four times the even one. Evenly
-// spread, it starves the shallow side of slanted walls: errors of several per cent with opposite signs along x and y.
+// Where the flow across a path enters or leaves it. The complete flux scheme needs the change of the flow along a path
+// and knows the net flow across of whole cells. In a cell with an edge or a wall that flow prefers the deep side, as
+// the conductance of rarefied air is h^2 (mean free path longer than the gap). So each piece of a path gets its part in
+// proportion to h^2, at most four times the even one. Spread evenly, the flow has errors of several per cent at slanted
+// walls, with opposite signs along x and y.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -22,8 +22,7 @@ double conduction(double recess)
     return gap * gap;
 }
 
-/// A sliver of deep gap would take in a whole cell's flow at once, and the solvers' sweeps hardly follow; the rest of
-/// it is let go.
+/// Limit of a narrow deep part, which would take the flow of the whole cell and slow down the solvers' sweeps.
 constexpr double mostShare = 4.0;
 
 /// Of the half cells along one axis, by cell: their area and their conduction times area.

@@ -147,8 +147,8 @@ private:
         return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange;
     }
 
-    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike, from the face outwards.
-    /// Its gap h resists as they do in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second
+    /// Joins similar neighbouring samples on one side of the face to pieces, from the face outwards. The gap h of a
+    /// piece has their resistance in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second
     /// order.
     void joinSamples()
     {
@@ -188,8 +188,7 @@ private:
         a.recess -= 2.0 * share * (1.0 - share) * difference * difference / gap(a.recess);
     }
 
-    /// Makes one of the face's rows where the pieces of all are alike: side by side they let through the mean of h^3,
-    /// that of mean(h) + variance(h)/mean(h).
+    /// Joins the face's rows where their pieces are similar: the mean of h^3 is that of mean(h) + variance(h)/mean(h).
     void joinRows(std::size_t firstRow, double pathLength)
     {
         const std::size_t count = gaps_.rows.size() - firstRow;

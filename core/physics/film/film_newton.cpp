@@ -133,8 +133,7 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         linear_.prepare(shift);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(step_.begin(), step_.end(), 0.0);
-        // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks
-        // for.
+        // By the convergence of Newton's method (Eisenstat & Walker 1996), and no more exact than the tolerance.
         const double deserved = std::clamp(0.1 * std::sqrt(result.residual), 1e-4, 0.03);
         const double forcing = std::max(deserved, std::min(0.1, 0.3 * options.tolerance / result.residual));
         const GmresResult linear =

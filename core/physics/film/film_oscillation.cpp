@@ -9,8 +9,7 @@ using Complex = std::complex<double>;
 
 namespace {
 
-// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again
-// and again.
+// GMRES restarted after 20 iterations loses the waves of fast oscillations that the disk carries along.
 constexpr int restart = 50;
 
 } // namespace

@@ -104,9 +104,8 @@ void GasFilm::setStorage(double perTime, std::span<const double> history)
     history_ = history;
 }
 
-/// The residual, with its linearisation where Number has derivatives: row by row, so that each part finds the results
-/// of the last one in the cache. A row of cells has its slopes when the faces above are there, the faces below it are
-/// complete when it has its slopes, and the row below then has its sum.
+/// The residual, with its linearisation where Number has derivatives, row by row for the cache: the faces above a row
+/// of cells give its slopes, its slopes complete the faces below it, and these the sum of the row below.
 template <typename Number>
 void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {

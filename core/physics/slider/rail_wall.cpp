@@ -9,11 +9,9 @@ namespace touchdown {
 
 namespace {
 
-// Neighbouring walls both hold on their border, and a wall holds on its own edge, so that rounding leaves no gap
-// between.
+// Neighbouring walls overlap on their border, and a wall its own edge, so that rounding leaves no gap.
 constexpr double overlap = 1e-15; // [m]
-// Breaks on borders are kept, and a box that a kept break touches meets the wall: far above rounding, far below
-// features.
+// Breaks on borders are kept, and a box that touches a kept break meets the wall: far above rounding, below features.
 constexpr double margin = 1e-13; // [m]
 constexpr double slack = 1e-12;  // [m]
 
@@ -128,8 +126,7 @@ double RailWall::lowestOutside(const SurfaceBox& box) const
     return shape_->minimumFrom(std::max(0.0, c.n - nHalf));
 }
 
-/// A line in the coordinates of the edge: the place of the point at `from + along` is (t, n) = at0 + along (tRuns,
-/// nRuns).
+/// A line in the coordinates of the edge: the point at `from + along` is (t, n) = at0 + along (tRuns, nRuns).
 struct RailWall::Crossing {
     const ScanLine& line;
     WallSide side;

@@ -164,8 +164,7 @@ private:
         return goInShortSteps(at, force, d, change, timeAt);
     }
 
-    /// The rest of a way on which a jump was suspected and not located: a short step distinguishes a jump from a steep
-    /// way.
+    /// The rest of a way with a suspected jump that was not located: short steps distinguish it from a steep way.
     bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
     {
         for (int i = 1; i <= shortSteps; ++i) {

@@ -124,8 +124,7 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
     const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
     if (c.adhesion.acts()) {
-        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy
-        // (Maugis 1992).
+        // The surfaces part over a zone of length E* dgamma/p_max^2, dgamma the depth of the energy (Maugis 1992).
         const AdhesionLaw law(c.adhesion);
         const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
         if (zone < cellsOfZone * c.elastic.cell)

@@ -124,8 +124,7 @@ void SliderPatch::sum()
     forces_.area = count * cell;
     forces_.peakPressure = peak;
     forces_.storedEnergy = 0.5 * energy * cell;
-    // A punch as large as the contact, 2 E* a with a = sqrt(A/pi) (Johnson 1985, section 3.4), at the centre of its
-    // pressure.
+    // A punch as large as the contact, 2 E* a, a = sqrt(A/pi) (Johnson 1985, section 3.4), at its centre of pressure.
     forces_.stiffness.setZero();
     if (contact[0] > 0.0) {
         const Vector3 arms{1.0, contact[1] / contact[0], contact[2] / contact[0]};
@@ -175,8 +174,7 @@ void SliderPatch::deform(const PaddedGrid& pad, std::span<double> height) const
     const std::span<const double> gap = contact_.gap();
     for (const Overlap& row : rows_)
         for (const Overlap& column : columns_) {
-            const std::size_t at = static_cast<std::size_t>(row.patch) * static_cast<std::size_t>(grid_.nx) +
-                                   static_cast<std::size_t>(column.patch);
+            const std::size_t at = grid_.at(column.patch, row.patch);
             height[pad.at(column.film, row.film)] -= row.share * column.share * (gap[at] - separation_[at]);
         }
 }

@@ -39,8 +39,7 @@ public:
     }
 
 private:
-    /// The law is that of the take-off branch at q. False where the search gave up; where no step reduces the residual
-    /// there is no equilibrium near.
+    /// With the law of the take-off branch at q. False where the search gave up; true without an equilibrium near q.
     bool refine(Vector3 q)
     {
         if (!balance_.solve(q, goOn_)) return false;

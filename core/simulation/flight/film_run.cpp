@@ -53,7 +53,7 @@ public:
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
-        summary.warnings = scene_.warnings();
+        summary.warnings = scene_.warnings;
         if (cuts_ > 0)
             summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) +
                                        (cuts_ == 1 ? " time: " : " times, first as ") + firstCut_ +
@@ -110,12 +110,12 @@ private:
     {
         switch (scene_.prepare([this] { return goOn(); })) {
         case FilmScene::State::Stopped: return stop();
-        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message());
+        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
         }
-        contact_ = scene_.contact();
-        body_ = &scene_.body();
-        FilmLevel& level = scene_.level();
+        contact_ = scene_.contact.get();
+        body_ = &*scene_.body;
+        FilmLevel& level = *scene_.level;
         CoupledStepOptions stepping;
         stepping.coupling = case_.film.coupling;
         stepping.tolerance = positionShare * case_.run.stepError;
@@ -124,18 +124,18 @@ private:
             std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
                                (level.film.ambient() * case_.slider.length * case_.slider.width));
         stepping.goOn = [this] { return goOn(); };
-        stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
+        stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
         if (!goOn()) return stop();
         SliderMotion motion;
-        motion.q = body_->coordinates(scene_.start());
+        motion.q = body_->coordinates(scene_.start);
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
                     body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
         stepper_->start(level.pressure, motion, 0.0);
         if (run_.stopped()) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
-        balance_.emplace(level.film, *body_, scene_.restEnergy());
-        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), run_);
+        balance_.emplace(level.film, *body_, scene_.restEnergy);
+        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, run_);
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
@@ -214,10 +214,10 @@ private:
         if (contact_)
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
-        if (scene_.spacing().at(attitude).spacing > farthest)
+        if (scene_.spacing.at(attitude).spacing > farthest)
             return fail(RunFailure::Diverged,
                         "the slider left the disk: at " + timeText(point_.time) + " it is " +
-                            formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
+                            formatQuantity(std::round(scene_.spacing.at(attitude).spacing * 1e9) / 1e9, "um") +
                             " above it");
         return true;
     }
@@ -313,7 +313,7 @@ private:
             result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
         return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
                                  "; the samples end with the last good state, minimum spacing " +
-                                 formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
+                                 formatQuantity(std::round(scene_.spacing.at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
     bool end(RunStatus status, RunFailure failure, std::string message)

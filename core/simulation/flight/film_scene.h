@@ -33,41 +33,29 @@ public:
     /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked meanwhile; false stops, and
     /// must remain false.
     State prepare(const std::function<bool()>& goOn);
-    const std::string& message() const { return message_; } // why it failed
-    const std::vector<std::string>& warnings() const { return warnings_; }
-
-    const Recess& recess() const { return recess_; }
-    const MinimumSpacing& spacing() const { return spacing_; }
-    const SliderBody& body() const { return *body_; }
-    FilmLevel& level() { return *level_; } // its pressure: at the start
-    DiskUnderFilm& disk() { return *disk_; }
-    SliderContact* contact() { return contact_.get(); } // null: nothing but air acts
-    const Attitude& start() const { return start_; }
-    /// Stored by the air in the static state, or at the start where there is none [J].
-    double restEnergy() const { return restEnergy_; }
-
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded).
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
+    std::string message; // why it failed
+    std::vector<std::string> warnings;
+    Recess recess;
+    MinimumSpacing spacing;
+    DiskTopography topography;
+    std::optional<SliderBody> body;
+    std::unique_ptr<FilmLevel> level; // its pressure: at the start
+    std::optional<DiskUnderFilm> disk;
+    std::unique_ptr<SliderContact> contact; // null: only air acts
+    Attitude start;
+    double restEnergy = 0.0; // stored by the air in the static state, or at the start if there is none [J]
+
 private:
-    State fail(std::string message);
+    State fail(std::string reason);
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     State solveStart(const std::function<bool()>& goOn);
 
     const Case& case_;
-    Recess recess_;
-    MinimumSpacing spacing_;
-    DiskTopography topography_;
-    std::optional<SliderBody> body_;
-    std::unique_ptr<FilmLevel> level_;
-    std::optional<DiskUnderFilm> disk_;
-    std::unique_ptr<SliderContact> contact_;
     std::vector<RecordedFields> maps_; // of the film, of the contact; may be empty
-    Attitude start_;
-    double restEnergy_ = 0.0;
-    std::string message_;
-    std::vector<std::string> warnings_;
 };
 
 } // namespace touchdown

@@ -85,8 +85,7 @@ MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
     return term;
 }
 
-/// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of
-/// a mode.
+/// A mode as excited by a start with velocity v and displacement q, with its force D(0) q, and by the waves.
 MotionTerm setGoing(SmallMotions& motions, const SmallMotions::Mode& mode, const Vector3& displacing, const Vector3& v,
                     const std::vector<Wave>& waves)
 {

@@ -70,8 +70,7 @@ SmallMotions::Film SmallMotions::film(Complex s)
     return result;
 }
 
-/// The oscillations that there would be if the film answered at all rates as it does here, by frequency; without the
-/// nearest to each of the known modes.
+/// The oscillations with this response of the film at all rates, by frequency, without the nearest to each known mode.
 std::vector<SmallMotions::Mode> SmallMotions::trials(const Film& film, const std::vector<Mode>& known) const
 {
     const Vector3 scale = this->scale(), toMass = mass().cwiseInverse();

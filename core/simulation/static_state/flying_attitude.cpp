@@ -53,8 +53,7 @@ FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad
 
 Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const
 {
-    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer edge the inner
-    // edge.
+    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer the inner edge.
     return {forces[0] - load_.preload,
             forces[1] + load_.pitchTorque - load_.pitchStiffness * (attitude.pitch - load_.staticPitch) -
                 load_.shearArm * forces[3],
@@ -146,8 +145,7 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
            solveFullPivoting(scale.asDiagonal() * matrix * scale.asDiagonal(), scale.asDiagonal() * right);
 }
 
-/// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing
-/// not cut to less than a third.
+/// Share of a step that changes the gap at no corner by more than half and keeps a third of the minimum spacing.
 double FlyingAttitude::stepShare(const Attitude& attitude, const Vector3& change) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;

@@ -209,9 +209,9 @@ private:
         }
     }
 
-    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second
-    /// order; half of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the
-    /// difference of the two coarser ones counts too, an eighth of it: as much at second order.
+    /// The difference from the coarser grid is three times the finer one's error at second order; half of it is taken
+    /// because of the rails' edges. As two results may agree by chance, an eighth of the difference of the two coarser
+    /// ones counts too: as much at second order.
     void estimateError()
     {
         const LevelSummary finest = summary();
