@@ -165,27 +165,17 @@ private:
     const DiskSurface& s_;
 };
 
+bool has(const DiskSurface& s, DiskSurfaceKind kind, bool isGiven)
+{
+    return s.kind == kind || (s.kind == DiskSurfaceKind::Combined && isGiven);
+}
+
 } // namespace
 
-bool hasWaves(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Waves || (s.kind == DiskSurfaceKind::Combined && !s.waveAmplitudes.empty());
-}
-
-bool hasRoughness(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Rough || (s.kind == DiskSurfaceKind::Combined && s.rms != 0.0);
-}
-
-bool hasFile(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::File || (s.kind == DiskSurfaceKind::Combined && !s.file.empty());
-}
-
-bool hasBumps(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Bumps || (s.kind == DiskSurfaceKind::Combined && !s.bumpHeights.empty());
-}
+bool hasWaves(const DiskSurface& s) { return has(s, DiskSurfaceKind::Waves, !s.waveAmplitudes.empty()); }
+bool hasRoughness(const DiskSurface& s) { return has(s, DiskSurfaceKind::Rough, s.rms != 0.0); }
+bool hasFile(const DiskSurface& s) { return has(s, DiskSurfaceKind::File, !s.file.empty()); }
+bool hasBumps(const DiskSurface& s) { return has(s, DiskSurfaceKind::Bumps, !s.bumpHeights.empty()); }
 
 std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface)
 {

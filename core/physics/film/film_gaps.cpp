@@ -31,6 +31,11 @@ public:
 
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
 
+    double at(int axis, double along, double across) const
+    {
+        return axis == 0 ? recess_.at(along, across) : recess_.at(across, along);
+    }
+
     /// A path along `axis` from `start` to `end`, across a face from `low` to `high` at `face`: adds its rows, unless
     /// it is so gentle that one number stands for it: small change over its length and width, and no jump.
     bool divideFace(int axis, double start, double end, double face, double low, double high)
@@ -87,10 +92,6 @@ private:
         return static_cast<std::uint32_t>(container.size());
     }
 
-    double at(int axis, double along, double across) const
-    {
-        return axis == 0 ? recess_.at(along, across) : recess_.at(across, along);
-    }
     void breaks(int axis, double across, double from, double to)
     {
         breaks_.clear();
@@ -290,14 +291,13 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
                 const bool smooth =
                     axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
                 if (smooth || !sampler.divideFace(axis, start, end, lines[line], low, high)) {
-                    f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], middle) : recess.at(middle, f.pathMid[line]);
+                    f.recess[at] = sampler.at(axis, f.pathMid[line], middle);
                     f.rise[at] = meanRecess[at] - meanRecess[before];
                     if (Sampler::isStep(std::min(meanRecess[at], meanRecess[before]),
                                         std::max(meanRecess[at], meanRecess[before]))) {
                         // A ramp, or an edge at the very end of the path, which is beside it.
                         const double inset = 1e-6 * f.pathLength[line];
-                        f.rise[at] = axis == 0 ? recess.at(end - inset, middle) - recess.at(start + inset, middle)
-                                               : recess.at(middle, end - inset) - recess.at(middle, start + inset);
+                        f.rise[at] = sampler.at(axis, end - inset, middle) - sampler.at(axis, start + inset, middle);
                     }
                     continue;
                 }

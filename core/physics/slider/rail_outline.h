@@ -10,9 +10,31 @@
 #include <vector>
 
 #include "core/physics/slider/air_bearing_surface.h"
-#include "core/physics/slider/scan_line.h"
 
 namespace touchdown {
+
+/// A box on the slider.
+struct SurfaceBox {
+    double x0, x1, y0, y1; // ends included [m]
+
+    double centreX() const { return 0.5 * (x0 + x1); }
+    double centreY() const { return 0.5 * (y0 + y1); }
+    double halfX() const { return 0.5 * (x1 - x0); }
+    double halfY() const { return 0.5 * (y1 - y0); }
+};
+
+enum class ScanAxis { X, Y };
+
+/// A line across the slider from `from` to `to` along one axis, the other coordinate fixed.
+struct ScanLine {
+    ScanAxis along;
+    double fixed;    // the other coordinate [m]
+    double from, to; // [m]
+
+    /// The component along the line of (x, y), and the one across it.
+    double runs(double x, double y) const { return along == ScanAxis::X ? x : y; }
+    double stays(double x, double y) const { return along == ScanAxis::X ? y : x; }
+};
 
 /// An edge, turned so that it runs towards larger y.
 struct OutlineEdge {
