@@ -24,8 +24,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/physics/contact/asperities.h"
-#include "core/physics/contact/elastic_pair.h"
+#include "core/physics/contact/contact_bodies.h"
 
 namespace touchdown {
 

@@ -66,13 +66,6 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
     }
 }
 
-std::size_t ElasticSliderContact::cells() const
-{
-    std::size_t count = 0;
-    for (const Part& part : parts_) count += part.patch.grid().cells();
-    return count;
-}
-
 const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, double time)
 {
     forces_ = {};

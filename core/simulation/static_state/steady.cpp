@@ -93,17 +93,11 @@ private:
     bool tell(const CellGrid& grid, int iteration, double residual, double loadError, const Attitude& attitude)
     {
         if (result_.status == SteadyStatus::Cancelled) return false;
-        const bool goOn =
-            !callback_ ||
-            callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()),
-                       .iteration = iteration,
-                       .residual = residual,
-                       .loadError = loadError,
-                       .attitude = attitude});
+        const std::string size = std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size());
+        const bool goOn = !callback_ || callback_({"grid " + size, iteration, residual, loadError, attitude});
         if (!goOn) {
             result_.status = SteadyStatus::Cancelled;
-            result_.message =
-                "cancelled on the " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()) + " grid";
+            result_.message = "cancelled on the " + size + " grid";
         }
         return goOn;
     }
