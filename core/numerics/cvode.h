@@ -50,8 +50,7 @@ Eigen::Map<State> map(N_Vector v)
 
 } // namespace cvode
 
-/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates at its start and whenever SUNDIALS
-/// does.
+/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates.
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
                                  const AdaptiveOptions& options, Recorder& recorder)
@@ -182,8 +181,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
 
 inline constexpr bool haveCvode = false;
 
-/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called, so never
-/// defined.
+/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called.
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
                                  const AdaptiveOptions& options, Recorder& recorder);

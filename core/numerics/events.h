@@ -150,8 +150,7 @@ private:
 /// Shortens a step that begins at `time` [s] until it ends on a crossing to round-off.
 ///
 /// `take(h)` repeats the step with length h and returns its end state; `h` starts at the crossing of the dense output.
-/// Newton's iteration on the length within a bracket. Sets `crossed` to false where the repeated step only grazes the
-/// boundary from inside.
+/// Newton's iteration on the length within a bracket. `crossed` becomes false where the step only grazes the boundary.
 template <SwitchedSystem System, class Take>
 typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double time,
                                      double fullLength, double& h, bool& crossed, Take&& take)

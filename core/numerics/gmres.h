@@ -48,8 +48,7 @@ public:
         right_.resize(m + 1);
     }
 
-    /// Solves A x = b. `apply(v, out)`: out = A v; `precondition(v, out)`: out = approximately A^-1 v. x holds the
-    /// first guess.
+    /// Solves A x = b from the guess x. `apply(v, out)`: out = A v; `precondition(v, out)`: out = about A^-1 v.
     template <typename Apply, typename Precondition>
     GmresResult solve(Apply&& apply, Precondition&& precondition, std::span<const T> b, std::span<T> x,
                       const GmresOptions& options)

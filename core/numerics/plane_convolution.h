@@ -23,14 +23,12 @@ public:
     PlaneConvolution(PlaneConvolution&&) noexcept;
     PlaneConvolution& operator=(PlaneConvolution&&) noexcept;
 
-    /// Sets the kernel by its transform, real and even: mx/2 + 1 values of wave numbers along x for each of my/2 + 1
-    /// along y.
+    /// Sets the kernel by its transform, real and even: mx/2 + 1 wave numbers along x for each of my/2 + 1 along y.
     void setTransform(std::span<const double> transform);
     /// out = kernel * in, each nx ny long; may be the same array. Allocates nothing.
     void apply(std::span<const double> in, std::span<double> out);
 
-    /// Transform, as setTransform() takes it, of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my
-    /// even.
+    /// Transform for setTransform() of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my even.
     static void transformKernel(std::span<double> kernel, int mx, int my);
 
 private:

@@ -83,8 +83,7 @@ private:
     std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
 
-/// y_s of an isotropic Gaussian surface with these summits [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy
-/// 1987).
+/// y_s of an isotropic Gaussian surface [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy 1987).
 inline double isotropicPlaneHeight(const Asperities& asperities)
 {
     return 0.045944 / (asperities.density * asperities.radius);

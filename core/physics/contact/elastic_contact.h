@@ -34,8 +34,7 @@ namespace touchdown {
 
 struct ElasticContactOptions {
     /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to 1e-9
-    /// of itself.
+    /// displacements, or a tenth of the highest pressure's displacement of its own cell [-]. The load's error is 1e-9.
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none

@@ -50,8 +50,7 @@ struct MultiAsperity::Path {
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
-    /// |zeta - y_s| <= this [m] where d'(s) can be negative: phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest
-    /// adhesion).
+    /// |zeta - y_s| <= this [m] where d'(s) may be negative: phi((zeta - y_s)/sigma_s) > sigma_s k_b/max |F_m|.
     double foldingHeight() const
     {
         const double peak =
@@ -60,8 +59,7 @@ struct MultiAsperity::Path {
     }
 
     /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it returns true. Pieces end at
-    /// the bend; in the folding zone they are so short that d'(s) changes its sign at most once, except in shallow
-    /// folds.
+    /// the bend; in the folding zone they are so short that d'(s) has at most one zero, except in shallow folds.
     template <typename Visit>
     void walk(double end, Visit visit) const;
 

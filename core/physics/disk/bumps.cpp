@@ -36,8 +36,7 @@ Bumps::Bumps(const DiskSurface& surface)
     for (std::size_t i = 0; i < surface.bumpHeights.size(); ++i)
         bumps_.push_back({surface.bumpHeights[i], 0.5 * surface.bumpLengths[i], 0.5 * widths[i], surface.bumpX[i],
                           surface.bumpY[i]});
-    // All bumps that overlap one of them add up to no more than the sum of their heights. A bump longer than half the
-    // track overlaps its own copies.
+    // Bound: the sum of the heights that overlap one of them. A bump longer than half the track overlaps its copies.
     const auto copies = [&](const Bump& b) {
         return std::ceil(2.0 * reach_ * b.halfLength / track_) * std::ceil(2.0 * reach_ * b.halfWidth / trackWidth_);
     };

@@ -29,15 +29,13 @@
 
 namespace touchdown {
 
-/// Constant after construction: any number of threads may read it. Only the constructor and the functions with work
-/// space allocate.
+/// Constant after construction: any number of threads may read it. Functions without work space do not allocate.
 class DiskTopography {
 public:
     /// Flat.
     DiskTopography() : DiskTopography(DiskSurface{}) {}
     /// `surface` without problems (core/physics/disk/disk_surface_check.h); `file` for the kinds that read one.
-    /// Generates the roughness: 8 bytes per cell of the map. `goOn` is asked meanwhile; if it returns false there is no
-    /// roughness.
+    /// Generates the roughness, 8 bytes per cell; if `goOn`, asked meanwhile, returns false there is none.
     explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {},
                             const std::function<bool()>& goOn = {});
 

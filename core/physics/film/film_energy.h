@@ -37,8 +37,7 @@ public:
     /// of the cells. Allocates nothing.
     FilmEnergyState at(std::span<const double> p);
 
-    /// Work of the rising disk's surface on the air between two states: sum of A (p - p0) dw by the trapezoidal rule;
-    /// all padded [J].
+    /// Work of the disk's surface on the air between two states: sum of A (p - p0) dw, trapezoidal rule; padded [J].
     double surfaceWork(std::span<const double> p1, std::span<const double> p2, std::span<const double> height1,
                        std::span<const double> height2) const;
     /// The same from the volumes of the cells [J].

@@ -148,9 +148,8 @@ private:
         return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange;
     }
 
-    /// Joins similar neighbouring samples on one side of the face to pieces, from the face outwards. The gap h of a
-    /// piece has their resistance in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second
-    /// order.
+    /// Joins similar neighbouring samples on one side of the face to pieces, from the face outwards, with the gap h of
+    /// their resistance in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
     void joinSamples()
     {
         const auto above =

@@ -80,8 +80,7 @@ private:
     {
         return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y);
     }
-    /// Subtracts the disk's height and its rise along the paths from those of a row of faces. A face on the outline has
-    /// the height of the cell inside.
+    /// Subtracts the disk's height and rise from those of a row of faces; on the outline, those of the cell inside.
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
     void setFaceGaps(std::size_t axis);

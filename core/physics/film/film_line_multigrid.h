@@ -56,8 +56,7 @@ private:
 
         /// At the pressure, with a step in time of 1/shift.
         void linearise(double shift);
-        /// Sweeps over the lines, repeated for each deferral of a complete flux scheme. `fromZero`: of a zero
-        /// correction.
+        /// Sweeps over the lines, repeated for each deferral of a complete flux scheme; `fromZero`: no correction yet.
         void relax(int sweeps, bool fromZero);
         /// residual = right - J correction.
         void leave();

@@ -18,8 +18,7 @@ namespace touchdown {
 
 class GasFilm;
 
-/// Pressures (padded) [Pa] are arguments; attitude and surface are those of the film, which must last. Its functions
-/// share one work space.
+/// At given pressures (padded) [Pa] and the film's attitude and surface. All functions share one work space.
 class FilmLoads {
 public:
     explicit FilmLoads(const GasFilm& film);

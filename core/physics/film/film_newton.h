@@ -40,8 +40,7 @@ public:
 
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
-    /// out = J v to single precision (film_stencil.h), of the prepared J with the film's present storage; padded, zero
-    /// rings.
+    /// out = J v to single precision (film_stencil.h), with the film's present storage; padded, zero rings.
     void apply(std::span<const double> v, std::span<double> out) const;
     /// v = approximately J^-1 b, padded: by factors along x and y; by these and coarser grids; by a full cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }

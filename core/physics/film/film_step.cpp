@@ -102,8 +102,7 @@ void FilmStepper::setHistory(double dt)
     film_.setStorage(perTime_, history_);
 }
 
-/// Lagrange's polynomial through the last four contents, or fewer, over the new volumes; each at most doubled or
-/// halved.
+/// Lagrange's polynomial through the last contents, at most four, over the new volumes; at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;

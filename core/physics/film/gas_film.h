@@ -66,8 +66,7 @@ public:
     double massFlow() const { return massFlow_; }
     /// The linearisation without storage, and the shares of the storage that the faces pass on.
     void setStencil(FilmStencil& out) const;
-    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of
-    /// setStorage.
+    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, by default that of setStorage.
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
     template <typename T>

@@ -57,8 +57,7 @@ inline DecayMoments decayMoments(double z)
     constexpr double small = 0.125;
     DecayMoments m;
     m.decay = decay(z);
-    // Downwards, all terms are positive and nothing cancels; so E_2 comes first: upwards, or as a series where that
-    // cancels.
+    // E_2 first, by the upward recursion or a series where that cancels; E_1, E_0 downwards have positive terms.
     const double inverse = 1.0 / std::max(z, small);
     const double upwards = (2.0 * ((1.0 - m.decay) * inverse - m.decay) * inverse - m.decay) * inverse;
     const double series =

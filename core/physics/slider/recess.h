@@ -41,8 +41,7 @@ public:
     /// The same for the line x = const, y in (y0, y1).
     void breaksAlongY(double x, double y0, double y1, std::vector<double>& out) const;
 
-    /// True if the recess is smooth in the box: no edge, wall or end of taper meets it. May be false for a smooth box,
-    /// never true for another one.
+    /// Whether no edge, wall or end of taper meets the box; may also be false just beside one.
     bool isSmooth(double x0, double x1, double y0, double y1) const;
 
 private:

@@ -55,8 +55,7 @@ public:
     static std::size_t index(int column, int row) { return static_cast<std::size_t>(row * columns + column); }
 
     int cover(std::size_t bin) const { return bins_[bin].cover; }
-    /// The rails whose outlines meet the bin, the last rail first, without rails hidden below the cover that have no
-    /// visible wall.
+    /// The rails whose outlines meet the bin, the last first, without those of which nothing is visible.
     std::span<const int> rails(std::size_t bin) const;
     /// Parts inside their polygon come first, then those outside, the lowest first.
     std::span<const WallPart> walls(std::size_t bin) const;

@@ -22,8 +22,7 @@ class ContactLever {
 public:
     explicit ContactLever(const Case& c);
 
-    /// (force, pitch torque, roll torque) of 1 N at (x, y); also the change of height there by (height of the mass
-    /// centre, pitch, roll).
+    /// (force, pitch torque, roll torque) of 1 N at (x, y); also the derivatives of the height there by q.
     Vector3 arms(double x, double y) const { return {1.0, 0.5 * length_ - x, 0.5 * width_ - y}; }
 
     struct Rubbing {

@@ -64,8 +64,7 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid, of the model "contact". `goOn` is asked within long solutions; if it returns false they end with a
-/// problem.
+/// `c` is valid, of the model "contact". If `goOn`, asked within long solutions, returns false they have a problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
 /// A state as it is recorded, and what a run of the case records of it.

@@ -45,8 +45,7 @@ public:
 
     /// At an attitude and the position of the disk's surface at `time` [s], from the last accepted state.
     virtual const SliderContactForces& at(const Attitude& attitude, double time) = 0;
-    /// -d(force, pitch torque, roll torque)/d(height of the mass centre, pitch, roll) at the last call, approximately:
-    /// it only guides Newton's method.
+    /// About -d(force, pitch, roll torque)/d(height of the mass centre, pitch, roll) at the last call, for Newton.
     virtual Matrix3 stiffness() const = 0;
     /// Whether nothing acts there at any time; then at() is cheap.
     virtual bool outOfReach(const Attitude& attitude) const = 0;
@@ -61,8 +60,7 @@ public:
 
     /// Longest step with which a moving surface is followed while it is in reach [s].
     virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
-    /// Subtracts the mean displacement of the disk by contact in each cell of a film's grid from `height` (padded) [m];
-    /// false if there is none.
+    /// Subtracts the disk's mean displacement by contact in each cell from `height` (padded) [m]; false if none.
     virtual bool deform(std::span<double> /*height*/) const { return false; }
 
     /// Fills the values of contactFields() at the last call.

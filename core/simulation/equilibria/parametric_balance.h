@@ -43,8 +43,7 @@ public:
         Attitude rest; // the static state; its spacing may be negative
         bool flies;    // that lies above d_s
     };
-    /// Static states at so many places of the range; grid and scales from the one next to its middle. Empty where there
-    /// is none.
+    /// Static states at so many places of the range, may be none; grid and scales of that next to its middle.
     std::vector<Look> look(int looks, std::vector<std::string>& problems);
 
     /// Forgets the last film and the rates of the last equilibrium.

@@ -102,8 +102,7 @@ public:
     /// How often a cell of the film has closed: the energy balance lacks the air in it.
     long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
-    /// The largest angular frequency by the stiffness of film and contact; zero while unknown, as always with
-    /// `staggered` [rad/s].
+    /// The largest angular frequency by the stiffness of film and contact; zero: unknown, as in `staggered` [rad/s].
     double fastestRate() const;
 
 private:
@@ -116,8 +115,7 @@ private:
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
-    /// Changes film and forces by their response; returns the possible error of the pressure, as FilmStepResult::error
-    /// measures it [-].
+    /// Changes film and forces by their response; returns the possible error as FilmStepResult::error [-].
     double follow(const Vector3& change);
     void setRule(double dt, bool fourth);
     void setVelocity(double dt);

@@ -41,8 +41,7 @@ public:
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point) { earlier_ = last_ = point; }
 
-    /// The largest difference so far between the change of the energy and what was gained, against the largest range of
-    /// one of its parts [-].
+    /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
     /// With the values of the last point, or at the duration where that is beyond.
     Summary summary(const RunEnd& end);

@@ -35,8 +35,7 @@ public:
     /// Steps converge more slowly.
     void outdate() { age_ = oldest + 1; }
     /// Renews the response at pressures p (padded) with the linear systems of a pressure near p; returns the number of
-    /// preconditioned iterations. The first call allocates. `goOn` is asked at each of them; if it returns false
-    /// nothing is known.
+    /// preconditioned iterations. If `goOn`, asked at each of them, returns false nothing is known.
     int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
 
     /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.

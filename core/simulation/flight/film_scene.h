@@ -30,8 +30,7 @@ public:
     ~FilmScene();
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
-    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked meanwhile; false stops, and
-    /// must remain false.
+    /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
     State prepare(const std::function<bool()>& goOn);
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded).
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;

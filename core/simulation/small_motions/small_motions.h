@@ -32,8 +32,7 @@ class SmallMotions {
 public:
     using Complex = std::complex<double>;
 
-    /// The level's film is steady at its attitude. Level and body must last. `contact`: the stiffness of the contact
-    /// about the mass centre.
+    /// The level's film is steady; level and body must last. `contact`: its stiffness about the mass centre.
     SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact = Matrix3::Zero());
     ~SmallMotions();
 
@@ -52,9 +51,8 @@ public:
         ComplexVector3 shape; // of q, in any scale
         Film film{};          // Z(s) = K_f + s C_f there
     };
-    /// Modes with a positive frequency, sorted by it; fewer than unknowns where one does not oscillate or could not be
-    /// followed. `tolerance`: of s [-]. `goOn` receives the number of modes found; false ends the search. `near`: rates
-    /// of a nearby state.
+    /// Modes with a positive frequency, sorted by it; fewer than unknowns where one does not oscillate or was lost.
+    /// `tolerance`: of s [-]. `goOn` receives the number found; false ends the search. `near`: rates of a nearby state.
     std::vector<Mode> find(double tolerance, const std::function<bool(std::size_t)>& goOn = {},
                            std::span<const Complex> near = {});
 

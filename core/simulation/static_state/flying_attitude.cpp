@@ -309,8 +309,7 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
 
 FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
 {
-    // With S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -sum of that row times
-    // J^-T C^T.
+    // S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -that row times J^-T C^T.
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count);

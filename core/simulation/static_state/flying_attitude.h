@@ -55,8 +55,7 @@ public:
         return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
     }
 
-    /// From far: the film is solved at each attitude, and the attitude follows the forces until Newton's method
-    /// converges.
+    /// From far: the film is solved at each attitude, which follows the forces until Newton's method converges.
     AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                               const AttitudeMonitor& monitor = {});
     /// From near: Newton on film and attitude together; then `approach` if that does not converge.
