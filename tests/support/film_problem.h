@@ -12,6 +12,7 @@
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/film/gas_film.h"
+#include "core/physics/slider/recess.h"
 
 namespace touchdown::test {
 
