@@ -102,7 +102,7 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point);
 struct AirBearingMode {
     double frequency = 0.0;    // [Hz]
     double dampingRatio = 0.0; // [-]
-    /// Complex amplitudes of height of the mass centre [m], pitch, roll [rad]; largest motion of the corners 1.
+    /// Amplitudes (real, imaginary) of mass centre height [m], pitch, roll [rad]; largest motion of the corners 1.
     std::array<std::array<double, 2>, 3> shape{};
     std::string kind; // the motion that leads: "vertical", "pitch", "roll"
 };
