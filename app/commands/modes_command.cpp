@@ -10,7 +10,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_text.h"
 #include "core/case_files/case_file.h"
-#include "core/simulation/static_state/steady_progress.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 

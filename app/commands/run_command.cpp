@@ -184,7 +184,7 @@ std::string runJson(const Summary& summary, const std::vector<Quantity>& quantit
     for (const RunEvent& event : summary.events)
         events.push_back({{"time", jsonNumber(event.time)}, {"name", event.name}});
     Json peaks = Json::array();
-    for (const SpectrumPeak& peak : summary.peaks)
+    for (const Peak& peak : summary.peaks)
         peaks.push_back({{"frequency", jsonNumber(peak.frequency)}, {"amplitude", jsonNumber(peak.amplitude)}});
     return jsonText({{"status", name(summary.status)},
                      {"message", jsonMessage(summary, quantities)},

@@ -18,7 +18,6 @@
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/results/steady_writer.h"
-#include "core/simulation/static_state/steady_progress.h"
 #include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {

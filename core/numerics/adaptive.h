@@ -2,11 +2,10 @@
 //
 // `dopri5`: Dormand-Prince 5(4) with error control, dense output and located switches.
 //
-// The mode is frozen within a step. A step whose dense output leaves the mode's intervals is repeated with
-// the length that ends on the crossing to round-off; there the mode changes and the method starts anew, so the
-// order holds across switches. Because every point of the dense output is looked at (events.h), a short contact
-// is not missed and a wall is not jumped in one step; a crossing of a wall is taken only if the energy of the
-// step balances.
+// The mode is frozen within a step. A step whose dense output leaves the mode's intervals is repeated with the length
+// that ends on the crossing to round-off. There the mode changes and the method restarts, so the order holds across
+// switches. The whole dense output is searched for crossings (events.h), so that a short contact is not missed and no
+// wall is jumped in one step. A crossing of a wall is accepted only if the energy of the step balances.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +33,8 @@ double workAlong(const System& system, const Segment<typename System::State>& se
     return segment.length / 6.0 * (begin + 4.0 * middle + end);
 }
 
-/// Integrates from `start` over [0, until]. The recorder is told of
-///   bool step(t, y, mode, at)   an accepted step to time t; at(s) is the state at s within it; false stops
+/// Integrates from `start` over [0, until]. Calls of the recorder:
+///   bool step(t, y, mode, at)   after an accepted step to time t; at(s) is the state at s within it; false stops
 ///   void event(t, guard, upper, before, after)
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateAdaptive(const System& system, Start<System> start, double until,
@@ -76,7 +75,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     k[0] = derivative(y);
     ++result.evaluations;
     bool rejected = false;
-    // Of the squares in the error; less where the round-off of a large state is more than the error wanted.
+    // Weight of the squares in the error; smaller where the round-off of a large state exceeds the allowed error.
     const auto weightAt = [&](const State& at) {
         const double noise = roundOff * roundOff * at.cwiseProduct(inverseScale).squaredNorm();
         return 1.0 / (double(State::RowsAtCompileTime) * std::max(1.0, noise));
@@ -89,7 +88,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
         State y1 = stages(h);
         const double errorSquared = combine<tableau.e, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() * weight;
 
-        if (!(errorSquared <= 1.0)) { // also when it is no number
+        if (!(errorSquared <= 1.0)) { // also if it is NaN
             ++result.rejectedSteps;
             rejected = true;
             h *= std::isfinite(errorSquared) ? std::max(0.1, 0.9 * std::pow(errorSquared, -0.1)) : 0.1;
@@ -159,8 +158,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
             result.end = IntegrationEnd::Diverged;
             break;
         }
-        // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04), in binary logarithms; single precision is
-        // plenty.
+        // PI step control (Hairer, Norsett & Wanner, II.4; beta = 0.04), in binary logarithms of single precision.
         const float logError = 0.5f * std::log2(std::max(static_cast<float>(errorSquared), 1e-20f));
         const float factor = 0.9f * std::exp2(0.04f * previousLogError - 0.17f * logError);
         previousLogError = std::max(logError, -13.3f); // log2(1e-4)

@@ -41,10 +41,10 @@ std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, 
 {
     const std::size_t count = slopes.size();
     Vector step(count, 0.0);
-    Vector right(residual.begin(), residual.end()); // r + J du of what is held
+    Vector right(residual.begin(), residual.end()); // r + J du of the held parameters
     std::vector<std::size_t> loose(count);
     std::iota(loose.begin(), loose.end(), std::size_t{0});
-    // A parameter without any effect stands still.
+    // A parameter without effect is not changed.
     std::erase_if(loose, [&](std::size_t k) { return product(slopes[k], slopes[k]) == 0.0; });
     while (!loose.empty()) {
         std::vector<Vector> normal;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One step of damped least squares between bounds (Levenberg 1944, Marquardt 1963): du that makes
+// One step of damped least squares between bounds (Levenberg 1944, Marquardt 1963): du minimises
 //
 //   |r + J du|^2 + lambda sum_k (J^T J)_kk du_k^2
 //
-// least. What would leave its bounds is held on the bound, and the rest found anew; so the result is within the bounds,
-// and the least one for what is not held.
+// A parameter that would leave its bounds is held on the bound, and the others are found again without it.
 #pragma once
 
 #include <span>

@@ -144,7 +144,7 @@ private:
         return {};
     }
 
-    /// The first point of the branch lies within the step.
+    /// Whether the first point of the branch lies within the step.
     static bool passes(const BranchPoint& first, const BranchPoint& from, double step)
     {
         const Vector way = joined(first.x, first.p) - joined(from.x, from.p);
@@ -153,8 +153,8 @@ private:
                first.tangent.dot(from.tangent) > 0.9;
     }
 
-    /// Where a function changes its sign within a step, by Illinois' regula falsi with bisections; its sign there is
-    /// that before the change, so that a point at the end of a branch lies where the branch holds.
+    /// Where a function changes its sign within a step, by the Illinois method with bisections. The sign at the result
+    /// is that before the change, so that the end of a branch lies where the branch is valid.
     Change locate(const BranchPoint& from, const BranchPoint& next, double step, const Function& f)
     {
         const bool positive = f(from) > 0.0;
@@ -163,7 +163,7 @@ private:
         for (int k = 0; k < mostLocations && high - low > options_.locatedTo && fLow != 0.0; ++k) {
             double s = low + (high - low) * fLow / (fLow - fHigh);
             if (k % 3 == 2 || !(s > low && s < high)) s = 0.5 * (low + high);
-            // Next to one end, a little further in: so the other end comes as near.
+            // Near one end, a little further in, so that the bracket shrinks from the other end.
             s = std::clamp(s, low + 0.5 * options_.locatedTo, high - 0.5 * options_.locatedTo);
             const std::optional<BranchPoint> point = stepFrom(from, s);
             if (!point) break;
@@ -193,7 +193,7 @@ private:
         if (problem_.tests) point.tests = problem_.tests(point.x, point.p);
     }
 
-    /// A point next to a bound of p goes to the bound itself.
+    /// Moves a point near a bound of p to the bound.
     void moveToBound(Change& change)
     {
         const double p = change.at.p;
@@ -202,7 +202,7 @@ private:
         Vector x = change.at.x;
         if (!(change.s > 0.0) || !solveAt(problem_, x, bound, options_.tolerance)) return;
         if ((x - change.at.x).norm() > 100.0 * options_.locatedTo)
-            return; // at a fold there may be none, and another one farther on
+            return; // near a fold there may be no solution at the bound, or only another one
         if (const std::optional<BranchPoint> there = pointAt(joined(x, bound), change.at.tangent)) change.at = *there;
     }
 
@@ -227,7 +227,7 @@ private:
         return first;
     }
 
-    /// Adds what is found within a step, and its end or that of the branch within it, which is told as true.
+    /// Adds the marks within a step and its end. True where the branch ends within the step.
     bool addStep(Branch& branch, const BranchPoint& from, BranchPoint next, double step)
     {
         const std::optional<Change> end = endWithin(from, next, step);

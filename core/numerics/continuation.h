@@ -5,12 +5,11 @@
 //
 //   F(y) = 0,   t . (y - y_0) = s
 //
-// has a regular Jacobian at folds too, where dF/dx has none. Arclength counts x and p alike: give both in units in
-// which they are of order one. Along the branch the signs of dp/ds (folds) and of test functions are watched, and each
-// change is located on the branch itself. Two changes within one step are missed; `longestStep` bounds that.
+// has a regular Jacobian also at folds, where dF/dx is singular. Arclength counts x and p alike: both must be given in
+// units in which they are of order one. Changes of the sign of dp/ds (folds) and of test functions are located on the
+// branch. Two changes within one step (at most `longestStep`) are missed.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,9 +29,8 @@ struct ContinuationProblem {
 
     /// False where F is not defined.
     std::function<bool(const Eigen::VectorXd& x, double p, Linearised& at)> linearise;
-    Values
-        tests{}; // whose changes of sign are of interest; asked at points of the branch, and where a change is located
-    Values guards{}; // > 0 where the branch holds; it ends where one of them becomes zero
+    Values tests{};  // their changes of sign are located; evaluated at points of the branch and for each location
+    Values guards{}; // > 0 where the branch is valid; it ends where one of them becomes zero
 };
 
 struct ContinuationOptions {
@@ -52,40 +50,40 @@ struct BranchPoint {
 
 struct BranchMark {
     std::size_t point = 0; // of the branch
-    int test = -1;         // which test changes its sign; -1: dp/ds does, a fold
+    int test = -1;         // the test that changes its sign; -1: dp/ds, a fold
     bool fold() const { return test < 0; }
 };
 
 enum class BranchEnd : std::uint8_t {
     Bound,      // p has reached `lower` or `upper`
     Guard,      // a guard has become zero
-    Closed,     // the branch has come back to where it began
+    Closed,     // the branch has returned to its first point
     NoSolution, // not even at its beginning
-    Lost,       // no step leads on, however short: F is not defined there, or not smooth
+    Lost,       // no step is short enough: F is not defined there, or not smooth
     TooLong,    // mostPoints
     Stopped
 };
 
 struct Branch {
-    std::vector<BranchPoint> points; // with those of the marks, and the end itself
+    std::vector<BranchPoint> points; // with the marks and the end
     std::vector<BranchMark> marks;
     BranchEnd end = BranchEnd::NoSolution;
-    int guard = -1; // which one ends it
+    int guard = -1; // the one that ends it
 };
 
 /// Newton's method at a fixed p; false where it does not converge.
 bool solveAt(const ContinuationProblem& problem, Eigen::VectorXd& x, double p, double tolerance);
 
-/// From the solution next to (x, p), to where p first rises (`rising`) or falls. `goOn` may be empty.
+/// Starts at the solution near (x, p), in the direction in which p rises (`rising`) or falls. `goOn` may be empty.
 Branch followBranch(const ContinuationProblem& problem, Eigen::VectorXd x, double p, bool rising,
                     const ContinuationOptions& options, const std::function<bool()>& goOn = {});
 
 /// Zero where two eigenvalues of a real matrix sum to zero: the product of all sums of two of them, in units of the
 /// largest magnitude (bialternate product; Guckenheimer, Myers & Sturmfels 1997). A complex pair that crosses the
-/// imaginary axis changes its sign, and so do two real ones that pass opposite values (a neutral saddle):
-/// isCrossingPair tells them apart.
+/// imaginary axis changes its sign, and so do two real ones that pass opposite values (a neutral saddle);
+/// isCrossingPair distinguishes the two.
 double hopfTest(const Eigen::VectorXcd& eigenvalues);
-/// Whether the two whose sum is next to zero are a complex pair.
+/// Whether the two eigenvalues with the smallest sum are a complex pair.
 bool isCrossingPair(const Eigen::VectorXcd& eigenvalues);
 
 } // namespace touchdown

@@ -11,7 +11,6 @@
 // All have E >= |c|/2, so that no node is pulled the wrong way: pressures stay positive and do not overshoot.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 

@@ -2,9 +2,9 @@
 //
 // `cvode`: variable-order Adams methods of SUNDIALS (Hindmarsh et al. 2005) with its root finding, for comparison.
 //
-// The mode is frozen until a root is returned, then the solver starts anew. CVODE looks for changes of sign
-// between steps only, so a contact that touches and leaves within one step can be missed. SUNDIALS is an optional
-// dependency; without it TOUCHDOWN_HAVE_CVODE is not defined and `haveCvode` is false.
+// The mode is frozen until a root is returned, then the solver restarts. CVODE looks for changes of sign between steps
+// only, so a contact that touches and leaves within one step can be missed. SUNDIALS is optional: without it
+// TOUCHDOWN_HAVE_CVODE is not defined and `haveCvode` is false.
 #pragma once
 
 #include "core/numerics/adaptive.h"
@@ -50,8 +50,7 @@ Eigen::Map<State> map(N_Vector v)
 
 } // namespace cvode
 
-/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates at its start and whenever SUNDIALS
-/// does.
+/// Integrates from `start` over [0, until]; recorder as in adaptive.h. Allocates.
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
                                  const AdaptiveOptions& options, Recorder& recorder)
@@ -117,7 +116,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
     CVodeSetMaxNumSteps(cv, -1);
     CVodeSetStopTime(cv, until);
 
-    // CVODE's own counts begin anew at each switch.
+    // CVODE resets its counts at each switch.
     const auto count = [&] {
         long evaluations = 0;
         long failures = 0;
@@ -151,8 +150,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
             result.end = IntegrationEnd::Stopped;
             break;
         }
-        // A guard that turns back at once where it has just switched crosses unseen: CVODE looks for roots a little
-        // after a restart.
+        // CVODE looks for roots a little after a restart, so a guard that turns back at once crosses unseen.
         std::array<int, guardEnds> found{};
         if (flag == CV_ROOT_RETURN) {
             CVodeGetRootInfo(cv, found.data());
@@ -183,8 +181,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
 
 inline constexpr bool haveCvode = false;
 
-/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called, so never
-/// defined.
+/// Declared for `if constexpr (haveCvode)`, which looks the name up in either configuration; never called.
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateCvode(const System& system, Start<System> start, double until,
                                  const AdaptiveOptions& options, Recorder& recorder);

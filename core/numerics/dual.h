@@ -78,7 +78,7 @@ double valueOf(const Dual<N>& number)
     return number.value;
 }
 
-/// condition ? a : b, number by number, so that loops with it run on vectors.
+/// condition ? a : b for the value and each derivative, so that loops with it run on vectors.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 template <std::size_t N>
 Dual<N> select(bool condition, const Dual<N>& a, const Dual<N>& b)
@@ -87,5 +87,35 @@ Dual<N> select(bool condition, const Dual<N>& a, const Dual<N>& b)
     for (std::size_t k = 0; k < N; ++k) result.by[k] = condition ? a.by[k] : b.by[k];
     return result;
 }
+
+template <typename Number>
+inline constexpr std::size_t derivatives = 0;
+template <std::size_t N>
+inline constexpr std::size_t derivatives<Dual<N>> = N;
+
+/// Numbers side by side, part by part, as loops on vectors need them.
+template <typename Number>
+struct Lanes {
+    static constexpr std::size_t parts = 1 + derivatives<Number>;
+    double* part[parts];
+
+    Lanes(double* first, std::size_t apart)
+    {
+        for (std::size_t n = 0; n < parts; ++n) part[n] = first + n * apart;
+    }
+    Number get(std::size_t k) const
+    {
+        Number number(part[0][k]);
+        if constexpr (parts > 1)
+            for (std::size_t n = 1; n < parts; ++n) number.by[n - 1] = part[n][k];
+        return number;
+    }
+    void set(std::size_t k, const Number& number) const
+    {
+        part[0][k] = valueOf(number);
+        if constexpr (parts > 1)
+            for (std::size_t n = 1; n < parts; ++n) part[n][k] = number.by[n - 1];
+    }
+};
 
 } // namespace touchdown

@@ -2,10 +2,9 @@
 //
 // Where a step leaves the intervals of its mode.
 //
-// A guard's course over a step is a polynomial in Bernstein form; it lies within the hull of its coefficients.
-// If no coefficient leaves the interval then no point of the step does, so a contact that touches and leaves
-// again within one step is not missed. Otherwise the first crossing is found by halving down to one change of sign, and
-// Newton's iteration.
+// A guard is a polynomial in Bernstein form over a step and lies within the hull of its coefficients. If no coefficient
+// leaves the interval, no point of the step does, so a contact that touches and leaves within one step is not missed.
+// Otherwise the first crossing is found by halving down to one change of sign, then by Newton's iteration.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +17,8 @@
 
 namespace touchdown {
 
-/// The first place in [0, 1] where the polynomial with these Bernstein coefficients goes from >= 0 to below
-/// zero, to the last bit. A c[0] below zero counts as a crossing at 0, unless the caller has cleared it.
+/// The first place in [0, 1] where the polynomial with these Bernstein coefficients falls from >= 0 to below zero, to
+/// the last bit. A c[0] below zero counts as a crossing at 0, unless the caller has cleared it.
 std::optional<double> firstDescent(const std::array<double, 5>& coefficients);
 
 /// A guard leaving its interval.
@@ -29,9 +28,10 @@ struct Crossing {
     bool upper = false; // through the upper end
 };
 
-/// Counts switches; many within one period of the motion is chattering, not motion.
+/// Detects chattering: many switches within one period of the motion.
 class ChatterWatch {
 public:
+    ChatterWatch() { times_.fill(-std::numeric_limits<double>::infinity()); }
     /// True when this switch is the 65th within `period`, the shortest time scale of the motion where it happens [s].
     bool tooMany(double time, double period)
     {
@@ -44,15 +44,11 @@ public:
     static constexpr std::size_t most = 64; // switches within one period
 
 private:
-    std::array<double, most> times_ = [] {
-        std::array<double, most> a;
-        a.fill(-std::numeric_limits<double>::infinity());
-        return a;
-    }();
+    std::array<double, most> times_;
     std::size_t next_ = 0;
 };
 
-/// The mode of a run and its intervals, and how far round-off may carry a guard beyond them.
+/// The mode of a run and its intervals, and the round-off with which a guard is compared with them.
 template <SwitchedSystem System>
 class GuardWatch {
 public:
@@ -70,7 +66,7 @@ public:
             intervals_[static_cast<std::size_t>(i)] = system_.interval(i, mode);
     }
 
-    /// How far inside the interval's end the state is [unit of q]; negative outside.
+    /// Distance of the state from the interval's end [unit of q]; negative outside.
     double inside(const State& y, int guard, bool upper) const
     {
         const double value = system_.guards(y.template head<half>())[guard];
@@ -97,8 +93,7 @@ public:
         return few * size;
     }
 
-    /// How near to the boundary a state can be placed at this time [s]: to its own round-off, and that of the time
-    /// [unit of q].
+    /// How near to the boundary a state can be placed at this time [s], by round-off of state and time [unit of q].
     double resolution(const State& y, int guard, double time) const
     {
         constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
@@ -125,7 +120,7 @@ public:
                 std::array<double, 5> inside;
                 for (std::size_t k = 0; k < 5; ++k)
                     inside[k] = upper ? interval.upper - g[k][i] : g[k][i] - interval.lower;
-                // On the boundary, as after a switch: in unless it moves out.
+                // On the boundary, as after a switch: inside unless it moves out.
                 if (const double start = inside[0]; std::abs(start) <= resolution(c[0], i, time))
                     for (double& distance : inside) distance -= start;
                 const std::optional<double> at = firstDescent(inside);
@@ -135,8 +130,7 @@ public:
         return found;
     }
 
-    /// Enters the mode beyond a crossing at `time` [s] and state y, and reports it; false if the switches follow each
-    /// other without end.
+    /// Enters the mode beyond a crossing at `time` [s] and state y, and reports it; false if it chatters.
     template <class Recorder>
     bool cross(double time, int guard, bool upper, const State& y, Recorder& recorder)
     {
@@ -155,9 +149,8 @@ private:
 
 /// Shortens a step that begins at `time` [s] until it ends on a crossing to round-off.
 ///
-/// `take(h)` repeats the step with length h and returns its end state; `h` starts at the crossing of the dense
-/// output. Newton's iteration on the length, kept within a bracket. Returns the end state, and false in
-/// `crossed` when the step, taken anew, only grazes the boundary from inside.
+/// `take(h)` repeats the step with length h and returns its end state; `h` starts at the crossing of the dense output.
+/// Newton's iteration on the length within a bracket. `crossed` becomes false where the step only grazes the boundary.
 template <SwitchedSystem System, class Take>
 typename System::State endOnCrossing(const GuardWatch<System>& watch, const Crossing& crossing, double time,
                                      double fullLength, double& h, bool& crossed, Take&& take)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fixed-step methods: `rk4` with switches found by looking at the state, as the paper's program does it, and
-// `rk4-events`, `newmark` with a frozen mode within the step and switches located.
+// Fixed-step methods: `rk4`, which checks the state for switches once per step, as the paper's program does, and
+// `rk4-events` and `newmark` with a frozen mode within the step and located switches.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace touchdown {
 
 struct FixedStepOptions {
     double step = 1e-8;     // [s]
-    double tunnelled = 0.5; // energy made in a step across a wall, of the energy before it, that ends the run [-]
+    double tunnelled = 0.5; // spurious energy of a step across a wall, of the energy before it, that ends the run [-]
 };
 
 /// Number of steps to `until`; the last one may be shorter.
@@ -25,7 +25,7 @@ inline long long stepCount(double until, double step)
     return std::max(1LL, static_cast<long long>(std::ceil(until / step * (1.0 - 1e-12))));
 }
 
-/// True when a step from y0 to y1 crossed a wall with energy that the step itself made.
+/// Whether a step from y0 to y1 crossed a wall with energy that the step itself produced.
 template <SwitchedSystem System>
 bool madeItsWay(const System& system, const typename System::State& y0, typename System::Mode mode0,
                 const typename System::State& y1, typename System::Mode mode1, double h, double share)
@@ -35,8 +35,8 @@ bool madeItsWay(const System& system, const typename System::State& y0, typename
     return !(std::abs(system.energy(y1) - before - work) <= share * before);
 }
 
-/// Classical Runge-Kutta; every stage picks its law by where it is, the hysteresis branch changes between steps.
-/// Cheap, and of order 1 across a switch. Recorder as in adaptive.h.
+/// Classical Runge-Kutta; each stage selects its law by its own state, the hysteresis branch changes between steps.
+/// Order 1 across a switch. Recorder as in adaptive.h.
 template <SwitchedSystem System, class Recorder>
 IntegrationResult integrateNaively(const System& system, Start<System> start, double until,
                                    const FixedStepOptions& options, Recorder& recorder)
@@ -113,8 +113,8 @@ private:
     std::array<typename System::State, 4> k_;
 };
 
-/// Any one-step method with a frozen mode, its switches located by repeating the step up to them. After a switch
-/// the rest of the step follows, so that the grid of times is kept. Recorder as in adaptive.h.
+/// Any one-step method with a frozen mode; a step is repeated up to a switch. After a switch the rest of the step
+/// follows, so that the times stay on the grid. Recorder as in adaptive.h.
 template <SwitchedSystem System, class Stepper, class Recorder>
 IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<System> start, double until,
                                  const FixedStepOptions& options, Recorder& recorder)

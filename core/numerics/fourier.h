@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// What all users of FFTW's plans share.
 #pragma once
 
 #include <mutex>
@@ -8,6 +6,10 @@
 namespace touchdown {
 
 /// FFTW executes plans on any thread, but makes and destroys them on one at a time: hold this around both.
-std::mutex& fourierPlanner();
+inline std::mutex& fourierPlanner()
+{
+    static std::mutex mutex;
+    return mutex;
+}
 
 } // namespace touchdown

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted; for real and
-// complex unknowns. What the preconditioner gave is kept (as in Saad 1993), so that the solution needs none of it anew.
-// Vectors of any storage: what is outside the unknowns must stay zero.
+// complex unknowns. The preconditioned vectors are kept (Saad 1993). Entries of the vectors that are no unknowns, as
+// the rings of padded arrays, must stay zero.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -15,12 +14,14 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/vector_clones.h"
+
 namespace touchdown {
 
 struct GmresOptions {
     double tolerance = 1e-3; // of the residual's norm, against that of the right-hand side [-]
     int maximumIterations = 60;
-    std::function<bool()> goOn{}; // asked at each iteration; false ends the solution where it is
+    std::function<bool()> goOn{}; // asked at each iteration; false ends the solution
 };
 struct GmresResult {
     int iterations = 0;
@@ -38,7 +39,7 @@ public:
           basis_(static_cast<std::size_t>(restart) + 1),
           preconditioned_(basis_.size() - 1)
     {
-        // Memory that is never used costs nothing: the system hands it out when it is first touched.
+        // Not initialised: the system provides memory only when it is first written.
         for (auto* vectors : {&basis_, &preconditioned_})
             for (auto& vector : *vectors) vector = std::make_unique_for_overwrite<T[]>(size);
         const std::size_t m = static_cast<std::size_t>(restart);
@@ -47,8 +48,7 @@ public:
         right_.resize(m + 1);
     }
 
-    /// Solves A x = b. `apply(v, out)`: out = A v; `precondition(v, out)`: out = approximately A^-1 v. x holds the
-    /// first guess.
+    /// Solves A x = b from the guess x. `apply(v, out)`: out = A v; `precondition(v, out)`: out = about A^-1 v.
     template <typename Apply, typename Precondition>
     GmresResult solve(Apply&& apply, Precondition&& precondition, std::span<const T> b, std::span<T> x,
                       const GmresOptions& options)
@@ -95,15 +95,10 @@ private:
     }
 
     static double norm(std::span<const T> v) { return std::sqrt(std::abs(product(v, v))); }
-    /// Of the conjugate of a with b. Eight sums side by side: a single one would wait for itself at each number.
+    /// Of the conjugate of a with b.
     static T product(std::span<const T> a, std::span<const T> b)
     {
-        std::array<T, 8> sums{};
-        std::size_t i = 0;
-        for (; i + 8 <= a.size(); i += 8)
-            for (std::size_t k = 0; k < 8; ++k) sums[k] += conjugate(a[i + k]) * b[i + k];
-        for (; i < a.size(); ++i) sums[0] += conjugate(a[i]) * b[i];
-        return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+        return sumInLanes(a.size(), [&](std::size_t i) { return conjugate(a[i]) * b[i]; });
     }
     static T conjugate(const T& value)
     {
@@ -160,7 +155,7 @@ private:
         below = -sine_[j] * old + cosine_[j] * below;
     }
 
-    /// x += what is preconditioned of the basis, times the least-squares solution.
+    /// x += preconditioned basis times the least-squares solution.
     void combine(std::size_t used, std::span<T> x)
     {
         const std::size_t m = static_cast<std::size_t>(restart_);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Alternating-direction zebra line relaxation of a monotone five-point operator: every second line along x at once,
-// then those between, then the same along y (Brandt 1977; Wesseling 1992). Each line is a tridiagonal system. Padded
-// arrays.
+// Alternating-direction zebra line relaxation of a monotone five-point operator: every second line along x, then those
+// between, then the same along y (Brandt 1977; Wesseling 1992). Each line is a tridiagonal system. Padded arrays.
 #pragma once
 
 #include <array>
@@ -13,8 +12,7 @@
 
 namespace touchdown {
 
-/// What the faces across an axis pass: F = c (v1 + v2)/2 - E (v2 - v1), E >= |c|/2; padded arrays by face [any one
-/// unit].
+/// Flow through the faces across an axis: F = c (v1 + v2)/2 - E (v2 - v1), E >= |c|/2; padded [any one unit].
 struct MonotoneFaces {
     std::span<const double> effective, convection; // E, c
 };
@@ -25,8 +23,7 @@ public:
 
     /// A: the net outflow of the cells through these faces, plus `diagonal` times the `weight` of each.
     void setOperator(const std::array<MonotoneFaces, 2>& faces, std::span<const double> weight, double diagonal);
-    /// Brings v, zero in its rings, nearer to A v = b by a sweep along x and one along y. Cells that nothing passes get
-    /// zero.
+    /// Improves v (zero rings) towards A v = b by a sweep along x and one along y. Cells without flow get zero.
     void sweep(std::span<const double> b, std::span<double> v) const;
     /// out = b - A v.
     void residual(std::span<const double> b, std::span<const double> v, std::span<double> out) const;

@@ -66,6 +66,23 @@ TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, 
     }
 }
 
+/// Rows of the lines along y of a factored operator.
+template <typename Number>
+TOUCHDOWN_VECTOR_CLONES void forwardRowAlone(std::size_t count, std::size_t up, const Number* centre,
+                                             const Number* south, Number* v)
+{
+    const Number* below = v - up;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) v[k] = centre[k] * v[k] - south[k] * below[k];
+}
+template <typename Number>
+TOUCHDOWN_VECTOR_CLONES void backwardRowAlone(std::size_t count, std::size_t up, const Number* north, Number* v)
+{
+    const Number* above = v + up;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) v[k] -= north[k] * above[k];
+}
+
 /// The residual of b in a row, by itself or added to what is there.
 template <bool add, typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void setResidual(std::size_t count, std::size_t up, const Real* west, const Real* east,
@@ -146,6 +163,31 @@ template <typename T>
 void Multigrid<T>::give(std::span<T> v) const
 {
     convert(v.size(), 1.0, levels_.front().value.data(), v.data());
+}
+
+template <typename T>
+void Multigrid<T>::solveByFactors()
+{
+    Level& level = levels_.front();
+    const PaddedGrid& pad = level.pad;
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    // A few lines along x, and at once these rows of the lines along y, while they are at hand.
+    const auto solve = [&]<std::size_t lines>(int first) {
+        const std::size_t from = pad.at(0, first);
+        solveLines<lines>(n, up, up, &level.west[from], &level.east[from], &level.pivot[0][from], &level.right[from],
+                          &level.value[from]);
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = from + k * up; // below the first row the ring holds zero
+            forwardRowAlone(n, up, &factorCentre_[at], &factorSouth_[at], &level.value[at]);
+        }
+    };
+    int first = 0;
+    for (; first + 3 < pad.ny; first += 4) solve.template operator()<4>(first);
+    for (; first < pad.ny; ++first) solve.template operator()<1>(first);
+    for (int j = pad.ny - 2; j >= 0; --j) {
+        const std::size_t at = pad.at(0, j);
+        backwardRowAlone(n, up, &factorNorth_[at], &level.value[at]);
+    }
 }
 
 template <typename T>

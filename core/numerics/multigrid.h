@@ -2,13 +2,13 @@
 //
 // Multigrid for linear convection and diffusion on cells, with alternating-direction line sweeps (Brandt 1977;
 // Wesseling 1992): the preconditioner of the film's linear systems. Two cells along each axis make one of the next
-// coarser level. A coarse face's conductance is that of the fine paths it stands for, in series along and side by side
-// across; its convection is the fine faces' sum, and the exponential scheme joins the two anew. So coarse levels stay
-// monotone whatever the Peclet number, and jumps of the conductance are averaged as nature does.
+// coarser level. The conductance of a coarse face is that of the fine paths it replaces, in series along and in
+// parallel across. Its convection is the sum over the fine faces. The exponential scheme combines the two, so coarse
+// levels are monotone at any Peclet number.
 //
-// Unknowns may be complex (films that oscillate): then the diagonal carries an imaginary part. Real ones are kept in
-// single precision inside, which is half the memory to pass over, and all that something approximate needs; a power of
-// two keeps the operator within its range.
+// Unknowns may be complex (films that oscillate); then the diagonal is complex too. Real ones are stored in single
+// precision, which is enough for a preconditioner and halves the memory traffic; a power of two keeps the operator
+// within its range.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 
 namespace touchdown {
 
-/// What a face does: F = c (v1 + v2)/2 - E (v2 - v1); padded arrays by face [any one unit].
+/// Flow through a face: F = c (v1 + v2)/2 - E (v2 - v1); padded arrays by face [any one unit].
 struct FaceOperator {
-    std::span<const double> diffusion;  // K: what remains of E without convection, >= 0
+    std::span<const double> diffusion;  // K = E without convection, >= 0
     std::span<const double> effective;  // E >= |c|/2
     std::span<const double> convection; // c
 };
 
-/// What multigrid keeps: of numbers, and of the real ones among them.
+/// Types in which multigrid stores numbers, and those of them that are always real.
 template <typename T>
 struct MultigridNumbers {
     using Number = T;
@@ -50,9 +50,9 @@ public:
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
     /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D
-    /// (D + X)^-1 b (Beam & Warming 1976). Good where D leads; a third of the work of a sweep. v has zero rings.
+    /// (D + X)^-1 b (Beam & Warming 1976). Good where D dominates; a third of the work of a sweep. v has zero rings.
     void solveFactors(std::span<const T> b, std::span<T> v);
-    /// v = approximately A^-1 b by these factors, then the coarser levels: the residual is rough.
+    /// v = approximately A^-1 b by these factors, then by the coarser levels.
     void halfCycle(std::span<const T> b, std::span<T> v);
 
 private:
@@ -66,7 +66,7 @@ private:
         std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
         std::vector<Number> value, right;
     };
-    /// What a level's stencil is made of; of the finest, the caller's.
+    /// The operator from which a level's stencil is computed; of the finest level, the caller's.
     struct Source {
         std::array<FaceOperator, 2> faces;
         std::span<const T> mass; // extra diagonal; may be empty

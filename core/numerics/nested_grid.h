@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Grids that lie within each other: the coarser one has every second line of the finer, and its last. Fields in padded
-// arrays; the outline and the rings around it belong to no cell.
+// Nested grids: the coarser one has every second line of the finer one, and its last. Fields are padded arrays.
 #pragma once
 
 #include <span>

@@ -6,7 +6,8 @@
 //   a1 = a(q1, v1)
 //
 // Order 2 for gamma = 1/2, else 1. beta = 1/4, gamma = 1/2: the average acceleration, unconditionally stable for
-// linear systems. Needs System::jacobian(y, mode), the derivatives of the acceleration by the state.
+// linear systems. Of the system it needs derivative(y, mode), scale() and jacobian(y, mode), the derivatives of the
+// acceleration by the state.
 #pragma once
 
 #include <cmath>
@@ -24,7 +25,7 @@ struct NewmarkOptions {
     int mostIterations = 25;
 };
 
-template <SwitchedSystem System>
+template <class System>
 class NewmarkStepper {
 public:
     using State = typename System::State;
@@ -44,23 +45,24 @@ public:
         const State scale = system_.scale();
         Vector a1 = a0;
         double previous = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < options_.mostIterations; ++i) {
+        const auto setEnd = [&] {
             y1.template head<half>() =
                 y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
             y1.template tail<half>() = y.template tail<half>() + h * ((1.0 - gamma) * a0 + gamma * a1);
+        };
+        for (int i = 0; i < options_.mostIterations; ++i) {
+            setEnd();
             const Vector residual = a1 - acceleration(y1, mode);
             const auto j = system_.jacobian(y1, mode);
             const Square newton = Square::Identity() - beta * h * h * j.template leftCols<half>() -
                                   gamma * h * j.template rightCols<half>();
             const Vector change = newton.inverse() * residual;
             a1 -= change;
-            // The residual is quadratic in the change; stop when that cannot move the state by round-off.
+            // The residual is quadratic in the change: stop where it moves the state by less than round-off.
             const double moved = (gamma * h * change).cwiseQuotient(scale.template tail<half>()).cwiseAbs().maxCoeff();
             if (!std::isfinite(moved)) return false;
             if (moved <= 1e-13 || (moved <= 1e-10 && moved >= 0.5 * previous)) {
-                y1.template head<half>() =
-                    y.template head<half>() + h * y.template tail<half>() + h * h * ((0.5 - beta) * a0 + beta * a1);
-                y1.template tail<half>() = y.template tail<half>() + h * ((1.0 - gamma) * a0 + gamma * a1);
+                setEnd();
                 return y1.allFinite();
             }
             previous = moved;

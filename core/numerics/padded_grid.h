@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Storage of a field on nx x ny cells with two rings of cells around it, so that a stencil of five cells along each
-// axis needs no case for the border. A face has the index of the cell on its upper side: along x between at - 1 and at,
-// along y between at - stride and at.
+// Storage of a field on nx x ny cells with two rings of cells around it, so that stencils of up to five cells along
+// each axis need no special cases at the border. A face has the index of the cell on its upper side: along x between
+// at - 1 and at, along y between at - stride and at.
 #pragma once
 
 #include <cstddef>

@@ -23,8 +23,8 @@ double quantumOf(double largest, double step)
     return lost <= finest ? finest : std::exp2(std::ceil(std::log2(lost)));
 }
 
-/// One axis and how far the surface has moved along it. Positions and the shift are rounded each for itself: what a
-/// position becomes must not depend on how far a surface has gone that stands where it stood.
+/// One axis and the displacement of the surface along it. Positions and the shift are rounded separately: a position
+/// must not depend on the distance that a surface has moved by whole periods.
 struct Axis {
     double step = 0.0;    // [m]
     int points = 0;       // of the period
@@ -95,7 +95,7 @@ Weights integralWeights(double t)
     return {quartic(1.0 - t), before, 1.0 - quartic(1.0 - t) - before - behind - quartic(t), behind, quartic(t)};
 }
 
-/// What one axis contributes: five points of the period, and how often the sum of a whole period is added.
+/// Contribution of one axis: five points of the period, and how often the sum of a whole period is added.
 struct Taps {
     std::array<std::size_t, 5> index{};
     Weights weight{};
@@ -210,14 +210,8 @@ void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double sh
     }
 }
 
-void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const
-{
-    std::vector<double> work;
-    addMeans(grid, shiftX, shiftY, out, work);
-}
-
-// First along each row of the map that a line across meets, from line to line of the columns, then across those: a
-// map's rows are met again and again where it is narrower than the grid.
+// First along each row of the map, from line to line of the columns, then across the rows: rows are used several times
+// where the map is narrower than the grid.
 void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
                               std::vector<double>& work) const
 {
@@ -225,7 +219,7 @@ void PeriodicSpline::addMeans(const CellGrid& grid, double shiftX, double shiftY
     if (out.empty()) return;
     const Axis axisX(dx_, nx_, farthest(grid.x.front(), grid.x.back()), shiftX);
     const Axis axisY(dy_, ny_, farthest(grid.y.front(), grid.y.back()), shiftY);
-    // Turns count from the first line, so that a surface that has come round returns the same bits.
+    // Turns count from the first line, so that a surface that has moved by whole periods returns the same bits.
     const std::int64_t turnX = placeOf(grid.x.front(), axisX).turn;
     const std::int64_t turnY = placeOf(grid.y.front(), axisY).turn;
     const auto columns = static_cast<std::size_t>(nx_), rows = static_cast<std::size_t>(ny_);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cubic spline through values on the points (i dx, j dy), periodic with (nx dx, ny dy) (Unser 1999). What is kept
-// are the running sums of its coefficients,
+// The cubic spline through values on the points (i dx, j dy), periodic with (nx dx, ny dy) (Unser 1999). The running
+// sums of its coefficients are stored:
 //
 //   S_ij = sum of c_kl, k <= i, l <= j,     W(x, y) = dx dy sum of S_ij B(x/dx - i) B(y/dy - j),
 //
-// with B the quartic B-spline between 2 cells before and 3 behind: W is the spline's integral over x and y. A value is
-// its mixed derivative, the mean over a rectangle of any size a second difference: both cost the same few terms, and
-// one array holds it all.
+// with B the quartic B-spline from 2 cells before to 3 behind: W is the spline's integral over x and y. A value is the
+// mixed derivative of W, and the mean over a rectangle of any size is a second difference: both cost the same few
+// terms.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
-#include "core/numerics/uniform_grid.h"
 
 namespace touchdown {
 
@@ -26,9 +25,7 @@ public:
     double value(double x, double y) const;
     /// Adds the values at the grid's centres, moved by the shift, to `out`.
     void addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// Adds the means over the grid's cells.
-    void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// The same; allocates nothing once `work` has served for this spline.
+    /// Adds the means over the grid's cells; allocates nothing once `work` has served for this spline.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
                   std::vector<double>& work) const;
 
@@ -36,7 +33,7 @@ public:
     int ny() const { return ny_; }
     double dx() const { return dx_; }
     double dy() const { return dy_; }
-    /// No value is larger or smaller: the extremes of the coefficients.
+    /// Bounds of all values: the extremes of the coefficients.
     double upperBound() const { return upper_; }
     double lowerBound() const { return lower_; }
 

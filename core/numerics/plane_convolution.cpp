@@ -13,9 +13,8 @@
 namespace touchdown {
 namespace {
 
-// Columns are transformed by blocks that stay in the cache from the forward transform to the inverse. A block is 64
-// bytes wide, so that every row of it and every row of the field's transform is aligned alike, as FFTW asks of one
-// plan.
+// Columns are transformed in blocks that stay in the cache. A block is 64 bytes wide, so that all its rows and those of
+// the field's transform have the same alignment, as one FFTW plan requires.
 constexpr int block = 4;
 
 // w_k *= kernel_k for the block's rows k and my - k, to which the even kernel gives the same values.

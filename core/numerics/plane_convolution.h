@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Convolution of a real field with a real kernel that is even along x and along y, by FFT. The field of nx x ny values,
-// row by row, is a part of a domain of mx x my values that repeats in both directions; the rest of the domain is zero,
-// and only rows that can hold something are transformed. With m >= 2 n - 1 no repetition is seen (zero-padding: exact).
+// row by row, is part of a domain of mx x my values that repeats in both directions. The rest of the domain is zero.
+// With m >= 2 n - 1 the repetition has no effect (zero-padding: exact).
 #pragma once
 
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace touchdown {
 
@@ -24,14 +23,12 @@ public:
     PlaneConvolution(PlaneConvolution&&) noexcept;
     PlaneConvolution& operator=(PlaneConvolution&&) noexcept;
 
-    /// Sets the kernel by its transform, real and even: mx/2 + 1 values of wave numbers along x for each of my/2 + 1
-    /// along y.
+    /// Sets the kernel by its transform, real and even: mx/2 + 1 wave numbers along x for each of my/2 + 1 along y.
     void setTransform(std::span<const double> transform);
     /// out = kernel * in, each nx ny long; may be the same array. Allocates nothing.
     void apply(std::span<const double> in, std::span<double> out);
 
-    /// Transform, as setTransform() takes it, of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my
-    /// even.
+    /// Transform for setTransform() of an even kernel given at the distances 0..mx/2, 0..my/2; mx and my even.
     static void transformKernel(std::span<double> kernel, int mx, int my);
 
 private:

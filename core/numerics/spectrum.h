@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace touchdown {
@@ -35,8 +34,7 @@ struct Spectrum {
     bool empty() const { return frequency.empty(); }
 };
 
-/// Keeps FFTW's plan, window and work arrays, so that spectra of one shape can be repeated cheaply.
-/// Objects may be used on different threads, one thread each.
+/// Keeps FFTW's plan, window and work arrays for spectra of one length. One thread at a time for each object.
 class WelchEstimator {
 public:
     explicit WelchEstimator(const WelchOptions& options);
@@ -53,16 +51,14 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
-/// One-off.
 Spectrum welch(std::span<const double> signal, double interval, const WelchOptions& options = {});
 
 /// A local maximum of a spectrum.
 struct Peak {
     double frequency = 0.0; // [Hz], between bins by a parabola through the logarithms
-    double amplitude = 0.0; // of the sine that would show so [unit]
+    double amplitude = 0.0; // of a sine with that peak [unit]
 };
-/// The `most` largest peaks, largest first, that stand out of their surroundings by at least `prominence` (a ratio of
-/// powers).
+/// The `most` largest peaks, largest first, that exceed their surroundings by at least `prominence` (ratio of powers).
 std::vector<Peak> findPeaks(const Spectrum& spectrum, SpectrumScaling scaling, std::size_t most = 5,
                             double prominence = 10.0);
 

@@ -28,28 +28,15 @@ double rungeKuttaGrowth(Complex z)
     return std::abs((y + combine<tableau.b, stages>(1.0, k))[0]);
 }
 
-/// q" = -w^2 q - 2 zeta w q': the SwitchedSystem for Newmark's stepper.
+/// q" = -w^2 q - 2 zeta w q', for Newmark's stepper.
 struct Oscillator {
     using State = Eigen::Vector2d;
-    struct Mode {
-        bool operator==(const Mode&) const = default;
-    };
-    static constexpr int guardCount = 1;
+    struct Mode {};
     double w = 1.0, zeta = 0.0;
 
     State derivative(const State& y, Mode) const { return {y[1], -w * w * y[0] - 2.0 * zeta * w * y[1]}; }
-    State naiveDerivative(const State& y, Mode mode) const { return derivative(y, mode); }
     Eigen::Matrix<double, 1, 2> jacobian(const State&, Mode) const { return {-w * w, -2.0 * zeta * w}; }
-    Mode naiveMode(const State&, Mode mode) const { return mode; }
-    Eigen::Matrix<double, 1, 1> guards(const Eigen::Matrix<double, 1, 1>& q) const { return q; }
-    Eigen::Matrix<double, 1, 1> guardSizes(int) const { return Eigen::Matrix<double, 1, 1>::Ones(); }
-    Interval interval(int, Mode) const { return {}; }
-    Mode beyond(Mode mode, int, bool) const { return mode; }
     State scale() const { return {1.0, std::max(w, 1e-6)}; }
-    bool isWall(int) const { return false; }
-    double period(const State&, Mode) const { return 1.0; }
-    double energy(const State&) const { return 0.0; }
-    double power(const State&, Mode) const { return 0.0; }
 };
 
 /// The spectral radius.

@@ -19,7 +19,6 @@
 //                  film follows
 #pragma once
 
-#include <array>
 #include <complex>
 #include <functional>
 #include <vector>

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <concepts>
-#include <cstddef>
 
 #include <Eigen/Core>
 
@@ -21,53 +20,29 @@ namespace touchdown {
 template <class S>
 concept SwitchedSystem = requires(const S& system, const typename S::State& y, typename S::Mode mode, int guard)
 {
-    {
-        S::guardCount
-        } -> std::convertible_to<int>;
+    requires std::convertible_to<decltype(S::guardCount), int>;
     /// dy/dt by the smooth law of a mode, whether or not y is inside its intervals.
-    {
-        system.derivative(y, mode)
-        } -> std::same_as<typename S::State>;
+    requires std::same_as<decltype(system.derivative(y, mode)), typename S::State>;
     /// dy/dt with every law chosen by y itself, and only the branch of a hysteresis taken from the mode.
-    {
-        system.naiveDerivative(y, mode)
-        } -> std::same_as<typename S::State>;
+    requires std::same_as<decltype(system.naiveDerivative(y, mode)), typename S::State>;
     /// The mode of y, when the branch was that of `mode` until now.
-    {
-        system.naiveMode(y, mode)
-        } -> std::same_as<typename S::Mode>;
+    requires std::same_as<decltype(system.naiveMode(y, mode)), typename S::Mode>;
     /// Guard values of the positions in y [unit of q]; linear, so they apply to velocities as well.
-    {system.guards(y.template head<S::State::RowsAtCompileTime / 2>())};
+    system.guards(y.template head<S::State::RowsAtCompileTime / 2>());
     /// Sizes of a guard's coefficients: |guard(q)| <= guardSizes . |q|, for its round-off.
-    {
-        system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>())
-        } -> std::convertible_to<double>;
-    {
-        system.interval(guard, mode)
-        } -> std::same_as<Interval>;
+    system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>());
+    requires std::same_as<decltype(system.interval(guard, mode)), Interval>;
     /// The mode beyond the upper or lower end of a guard's interval.
-    {
-        system.beyond(mode, guard, true)
-        } -> std::same_as<typename S::Mode>;
+    requires std::same_as<decltype(system.beyond(mode, guard, true)), typename S::Mode>;
     /// Typical size of each component of y, against which an adaptive method's tolerance counts.
-    {
-        system.scale()
-        } -> std::same_as<typename S::State>;
+    requires std::same_as<decltype(system.scale()), typename S::State>;
     /// True when crossing the guard means to climb a potential wall, which an inaccurate step may jump.
-    {
-        system.isWall(guard)
-        } -> std::same_as<bool>;
+    requires std::same_as<decltype(system.isWall(guard)), bool>;
     /// Shortest time scale of the motion near y [s].
-    {
-        system.period(y, mode)
-        } -> std::same_as<double>;
+    requires std::same_as<decltype(system.period(y, mode)), double>;
     /// Energy [J], and the power that is not its own [W]: dE/dt = power.
-    {
-        system.energy(y)
-        } -> std::same_as<double>;
-    {
-        system.power(y, mode)
-        } -> std::same_as<double>;
+    requires std::same_as<decltype(system.energy(y)), double>;
+    requires std::same_as<decltype(system.power(y, mode)), double>;
 };
 
 /// A step's dense output: polynomials of degree 4 in Bernstein form, so that their values lie between the

@@ -5,9 +5,29 @@
 // all give the same bits. Sanitizers come too late for the start-up choice, so that they see the default alone.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOUCHDOWN_VECTOR_CLONES __attribute__((flatten, target_clones("avx512f", "avx2", "default")))
 #else
 #define TOUCHDOWN_VECTOR_CLONES
 #endif
+
+namespace touchdown {
+
+/// Sum of term(k), k < count. Eight sums side by side: a single one would wait for itself at each number, and the order
+/// would depend on the width of vectors.
+template <typename Term>
+auto sumInLanes(std::size_t count, const Term& term)
+{
+    std::array<decltype(term(count)), 8> sums{};
+    const std::size_t whole = count / 8 * 8;
+    for (std::size_t i = 0; i < whole; i += 8)
+        for (std::size_t k = 0; k < 8; ++k) sums[k] += term(i + k);
+    for (std::size_t i = whole; i < count; ++i) sums[0] += term(i);
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+} // namespace touchdown

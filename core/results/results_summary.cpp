@@ -36,12 +36,11 @@ void writeEvents(const Hdf5Group& file, const std::vector<RunEvent>& events)
     group.put("name", names, "1", "What happened");
 }
 
-void writePeaks(const Hdf5Group& summary, const std::vector<Quantity>& quantities,
-                const std::vector<SpectrumPeak>& peaks)
+void writePeaks(const Hdf5Group& summary, const std::vector<Quantity>& quantities, const std::vector<Peak>& peaks)
 {
     const Hdf5Group group = summary.create("peaks");
     std::vector<double> frequencies, amplitudes;
-    for (const SpectrumPeak& peak : peaks) {
+    for (const Peak& peak : peaks) {
         frequencies.push_back(peak.frequency);
         amplitudes.push_back(peak.amplitude);
     }

@@ -16,22 +16,13 @@ namespace touchdown {
 
 std::string reasonNotToRun(const Case& c)
 {
-    switch (c.model) {
-    case ModelKind::Springs: break;
-    case ModelKind::Contact: {
-        // A file may have changed since the case was read.
-        const std::vector<InputProblem> problems = diskFileProblems(c);
-        if (!problems.empty()) return problems.front().text();
-        if (usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
-        return {};
-    }
-    case ModelKind::Film: {
-        const std::vector<InputProblem> problems = diskFileProblems(c);
-        return problems.empty() ? std::string() : problems.front().text();
-    }
-    }
-    if (c.run.integrator == IntegratorKind::Cvode && !haveCvode)
-        return "this program was built without SUNDIALS, so the integrator cvode is missing";
+    if (c.model == ModelKind::Springs)
+        return c.run.integrator == IntegratorKind::Cvode && !haveCvode
+                   ? "this program was built without SUNDIALS, so the integrator cvode is missing"
+                   : "";
+    // A file may have changed since the case was read.
+    if (const auto problems = diskFileProblems(c); !problems.empty()) return problems.front().text();
+    if (c.model == ModelKind::Contact && usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
     return {};
 }
 

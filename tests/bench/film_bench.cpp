@@ -164,7 +164,7 @@ void partRow(const std::string& name, Case c, int repeats)
     MovingFilm moving(c, steady(c));
     GasFilm& film = moving.film;
     FilmLoads& loads = moving.loads;
-    GasFilm::AttitudeWork work(film);
+    AttitudeWork work(film.gaps());
     const std::vector<double>& p = moving.pressure;
     std::vector<double> residual(p.size());
     std::array<std::vector<double>, 3> columns;

@@ -12,6 +12,7 @@
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/film/gas_film.h"
+#include "core/physics/slider/recess.h"
 
 namespace touchdown::test {
 
@@ -19,7 +20,7 @@ struct FilmProblem {
     FilmGaps gaps;
     GasFilm film;
     FilmLoads loads;
-    GasFilm::AttitudeWork attitudeWork;
+    AttitudeWork attitudeWork;
     std::vector<double> p; // padded [Pa]
 
     FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid,
@@ -27,7 +28,7 @@ struct FilmProblem {
         : gaps(Recess(surface, length, width), std::move(grid)),
           film(gaps, setting),
           loads(film),
-          attitudeWork(film),
+          attitudeWork(gaps),
           p(gaps.pad.size(), film.ambient())
     {
         film.setAttitude(attitude);

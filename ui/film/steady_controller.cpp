@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "core/simulation/static_state/steady_progress.h"
+#include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adhesive pressure between two smooth surfaces at the gap g. It is local: each point depends on the gap above it
-// only. Pressure is positive when it pushes the surfaces apart, so attraction is negative.
+// Adhesive pressure between two smooth surfaces, a function of the local gap g. Pressure is positive where it pushes
+// the surfaces apart, so attraction is negative.
 //
-//   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where elastic contact
-//                   alone repels. A reading of the improved intermolecular model that Chen & Bogy cite as their
-//                   reference [8], whose equations were not available. Its integral over g from 0 is -dgamma.
-//   van-der-waals   f = -A/(6 pi g^3) + B/(45 pi g^9), with a repulsion of its own
+//   lennard-jones   f = -(8 dgamma/(3 z0)) [s^3 - s^9], s = z0/(g + z0), g >= 0: zero at g = 0, where only elastic
+//                   contact repels. Our reading of the improved intermolecular model, reference [8] of Chen & Bogy,
+//                   whose equations were not available. Its integral over g from 0 is -dgamma.
+//   van-der-waals   f = -A/(6 pi g^3) + B/(45 pi g^9)
 //   electrostatic   f = -eps0 V^2/(2 (g + z0)^2), alone or added to either of them
 //
-// All are finite at every gap. The surfaces cannot overlap: a gap below zero counts as zero. The van der Waals law is
-// continued along its tangent at gaps below half the gap at which its pressure vanishes. With B = 0 there is no such
-// gap; then the attraction is held at its value at z0.
+// All are finite at every gap; a gap below zero counts as zero. Below half the gap at which its pressure vanishes, the
+// van der Waals law continues along its tangent. With B = 0, the attraction below z0 is that at z0.
 #pragma once
 
 #include <cstdint>
@@ -64,11 +63,10 @@ public:
         }
     };
     const Shifted& shifted() const { return shifted_; }
-    /// Whether that is all of it.
+    /// Whether that is the whole law.
     bool isShifted() const { return kind_ != AdhesionKind::VanDerWaals; }
 
-    /// Where the attraction is largest [m]. Nearer than there the law is stable by itself, df/dg <= 0; farther away it
-    /// softens.
+    /// Where the attraction is largest [m]: df/dg <= 0 below this gap, df/dg > 0 (softening) above it.
     double peakGap() const { return peakGap_; }
     /// The largest attraction, -f(peakGap) [Pa].
     double peakAttraction() const { return peakAttraction_; }

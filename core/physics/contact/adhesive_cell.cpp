@@ -76,9 +76,8 @@ AdhesiveCell::Tangent AdhesiveCell::tangent(double gap, double pressure, double 
     if (v >= farLine_) return {State::Far, std::max(gap, law_.peakGap()), offset - law_.peakAttraction(), 0.0};
     if (v <= -c * ceiling_) return {State::Flowed, gap, ceiling_ + offset, 0.0};
     if (v <= -c * closed_) return {State::Contact, 0.0, pressure, 0.0};
-    // g - c f(g) = v, whose left side rises with a slope from 1 upwards: Newton's method within bounds, from the gap
-    // there is. What is returned lies on the law however far from the root; close to the solution one step is exact to
-    // rounding.
+    // g - c f(g) = v, whose left side rises with a slope of at least 1: Newton's method within bounds, from the present
+    // gap. The result is always on the law; close to the solution one step is exact to rounding.
     double lower = 0.0, upper = law_.peakGap();
     double g = std::clamp(gap, lower, upper);
     AdhesionLaw::Sample f = law_.sample(g);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The law of one cell of an adhesive contact: which total pressure q goes with which gap g.
+// The law of one cell of an adhesive contact: total pressure q against gap g.
 //
 //   contact   g = 0, f(0) <= q <= f(0) + H: the contact pressure p = q - f(0) is between zero and the hardness
-//   near      0 < g < g_peak: q = f(g), which falls with the gap: stable by itself
-//   far       g >= g_peak: q = f(g), which softens: only the half-space holds the cell
+//   near      0 < g < g_peak: q = f(g) falls with the gap: stable by itself
+//   far       g >= g_peak: q = f(g) softens: only the half-space holds the cell
 //   flowed    g < 0, q = f(0) + H: the softer body has flowed
 //
-// The energy's part beyond g_peak is concave. Replaced by its tangent at a gap g_0 it becomes a law that falls
-// everywhere: q = f(g) + d up to g_peak and constant beyond, where d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its
-// energy lies nowhere below the true one, and touches it at g_0.
+// The energy is concave beyond g_peak. There it is replaced by its tangent at a gap g_0, which gives a law that falls
+// everywhere: q = f(g) + d up to g_peak and constant beyond, d = f(g_0) - f(g_peak) for g_0 > g_peak, else 0. Its
+// energy is nowhere below the true energy and equals it at g_0.
 //
-// A pair (g, q) that is not on that law is judged by v = g - c q, c the cell's own compliance: with all other cells at
+// For a pair (g, q) that is not on the law, v = g - c q decides, c the cell's own compliance: with all other cells at
 // rest the cell moves along g - c q = v, which meets the law once.
 #pragma once
 
@@ -29,11 +29,11 @@ class AdhesiveCell {
 public:
     enum class State : std::uint8_t { Contact, Near, Far, Flowed };
 
-    /// The law's tangent at its point for (g, q): q = pressure - stiffness (g - gap).
+    /// The tangent at the law's point for (g, q): q = pressure - stiffness (g - gap).
     struct Tangent {
         State state;
         double gap;       // [m]
-        double pressure;  // total, q [Pa]; in contact the one that was given
+        double pressure;  // total, q [Pa]; in contact the given one
         double stiffness; // -dq/dg >= 0 [Pa/m]; unused in contact, where it is infinite
     };
 
@@ -54,11 +54,11 @@ public:
                   Tangents& out) const;
     void offsets(std::span<const double> gap, std::span<double> offset) const;
 
-    /// phi(g), and for a gap that flowed into the body also the work against q [J/m^2].
+    /// phi(g); for a gap below zero also the work of flow against q [J/m^2].
     double energy(double gap) const;
-    /// The gap that goes with a total pressure on the offset law [m]: zero in contact, g_peak for all pressures below.
+    /// The gap of a total pressure on the offset law [m]: zero in contact, g_peak below the lowest pressure.
     double gapUnder(double pressure, double offset) const;
-    /// The pressures that the offset law takes [Pa].
+    /// Range of pressures of the offset law [Pa].
     double lowest(double offset) const { return offset - law_.peakAttraction(); }
     double highest(double offset) const { return offset + ceiling_; }
 

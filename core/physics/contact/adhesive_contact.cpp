@@ -21,8 +21,10 @@ std::string sentence(const char* format, Values... values)
     return text;
 }
 
-constexpr double nearMinimum = 0.2; // error below which Newton's method is tried [-]
-constexpr int mostNewtonIterations = 12;
+constexpr double nearMinimum = 0.2;      // error below which Newton's method is tried [-]
+constexpr int mostNewtonIterations = 12; // more are needed where it is nearly singular: a cell is about to snap
+constexpr double newtonShare = 0.03;     // to which the linear system is solved
+constexpr double mostSoftening = 0.9;    // of a cell against its own compliance, that its preconditioner knows [-]
 constexpr int longestPause = 8;
 
 /// The grid, and as many cells beside it as a fast transform needs.
@@ -33,8 +35,7 @@ UniformGrid fastGrid(const UniformGrid& grid)
     return {fast(grid.nx), fast(grid.ny), grid.dx, grid.dy, grid.x0, grid.y0};
 }
 
-/// The most that pressures between -1 and 1 Pa displace a cell [m/Pa]: the sum of the sizes of the influence
-/// coefficients.
+/// Largest displacement of a cell by pressures between -1 and 1 Pa [m/Pa]: the sum of |influence coefficients|.
 double reachOf(HalfSpace& space)
 {
     std::vector<double> field(space.grid().cells(), space.edges() == HalfSpaceEdges::Free ? 1.0 : 0.0);
@@ -220,6 +221,85 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
             least = wasAhead ? reached : presentEnergy();
         }
     }
+}
+
+// Whether a cell softens by more than the half-space alone would hold it with all others at rest: no minimum is there.
+bool AdhesiveContact::snaps() const
+{
+    for (std::size_t i = 0; i < present_.size(); ++i)
+        if (tangents_.state[i] == AdhesiveCell::State::Far &&
+            cell_.law().derivative(tangents_.gap[i]) >= space_->ownStiffness())
+            return true;
+    return false;
+}
+
+// Newton's method on the law of adhesion itself. With the law's tangents at the present gaps, D = -dq/dg,
+//
+//   contact   C dq = -g
+//   near      C dq + dq/D = (q_law - q)/D + g_law - g
+//   far       dq - f' C dq = q_law - q,   f' > 0: the attraction falls with the gap
+//
+// by GMRES, preconditioned as the descent, and on cells that soften by the own compliance. Starts from the tangents of
+// linearise(), whose error is given. Returns whether the error was halved; if not, the solution is as it was.
+bool AdhesiveContact::newtonStep(double error)
+{
+    using enum AdhesiveCell::State;
+    const std::size_t n = offset_.size();
+    const double c = cell_.compliance();
+    for (std::size_t i = 0; i < n; ++i) {
+        softening_[i] = 0.0;
+        if (weight_[i] > 0.0) {
+            residual_[i] /= c;
+            continue;
+        }
+        residual_[i] = tangents_.pressure[i] - now_.total[i];
+        if (tangents_.state[i] != Far) continue;
+        const double slope = cell_.law().derivative(tangents_.gap[i]);
+        softening_[i] = std::max(slope, 0.0);
+    }
+    const auto apply = [&](std::span<const double> v, std::span<double> out) {
+        space_->displace(v, out);
+        countIteration();
+        for (std::size_t i = 0; i < n; ++i)
+            out[i] = weight_[i] > 0.0 ? (out[i] + v[i] / tangents_.stiffness[i]) / c : v[i] - softening_[i] * out[i];
+    };
+    const auto preconditioned = [&](std::span<const double> in, std::span<double> out) {
+        precondition(in, out);
+        for (std::size_t i = 0; i < n; ++i) {
+            if (weight_[i] > 0.0)
+                out[i] *= c;
+            else
+                out[i] = in[i] / (1.0 - std::min(softening_[i] * c, mostSoftening));
+        }
+    };
+    std::fill(change_.begin(), change_.end(), 0.0);
+    const double tolerance = std::max(newtonShare, 0.3 * options_.tolerance / error);
+    gmres_->solve(apply, preconditioned, residual_, change_,
+                  {.tolerance = tolerance, .maximumIterations = mostNewtonIterations});
+
+    totalBefore_ = now_.total;
+    displacementBefore_ = now_.displacement;
+    for (std::size_t i = 0; i < n; ++i)
+        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]),
+                                                      cell_.highest(offset_[i]))
+                                         : now_.total[i] + change_[i];
+    displace();
+    double curvature = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double moved = now_.displacement[i] - displacementBefore_[i];
+        // In contact what remains of the gap is closed, against no law.
+        const double stiffness = tangents_.state[i] == Contact ? 0.0
+                                 : weight_[i] > 0.0            ? tangents_.stiffness[i]
+                                                               : -softening_[i];
+        curvature += moved * ((now_.total[i] - totalBefore_[i]) + stiffness * moved);
+    }
+    if (curvature > 0.0) {
+        setOffsets();
+        if (linearise() < 0.5 * error) return true;
+    }
+    now_.total = totalBefore_;
+    now_.displacement = displacementBefore_;
+    return false;
 }
 
 double AdhesiveContact::presentEnergy() const

@@ -6,24 +6,24 @@
 //
 //   Pi(g) = 1/2 (g - s) K (g - s) + sum phi(g) dA,   K = C^-1, f = -dphi/dg, under g >= 0,
 //
-// which has many minima, for phi is concave beyond the largest attraction. Wanted is the one into which the energy
-// falls from the last solution: cells snap in and off when their minimum ceases to exist, and not before.
+// which has many minima, as phi is concave beyond the largest attraction. Wanted is the minimum that a descent from the
+// last solution reaches: cells snap in and off only when their minimum ceases to exist.
 //
 // Descent: the concave part of phi is replaced by its tangent at the present gaps (adhesive_cell.h), which lies above
-// it, so that the minimum of the convex rest has less energy (majorise and minimise; the concave-convex procedure of
-// Yuille & Rangarajan 2003). That minimum is sought in q, whose energy is convex with bounds: Newton's method on the
-// cells between their bounds, the steps by conjugate gradients, one convolution each, preconditioned by the stiffness
-// of a periodic half-space about as large as the grid; a step past the least energy on its way is cut to it. While the
-// descent continues without slowing, as when a crack runs, the tangents are taken ahead of the present gaps; where that
-// raises the energy it is taken back.
+// it, so that the minimum of the convex rest has less energy (concave-convex procedure, Yuille & Rangarajan 2003). That
+// minimum is found in q, whose energy is convex with bounds, by Newton's method on the cells between their bounds. Each
+// Newton step is solved by conjugate gradients, one convolution per iteration, preconditioned by the stiffness of a
+// periodic half-space about as large as the grid, and is cut at the least energy along it. While the descent does not
+// slow down, as when a crack runs, the tangents are taken ahead of the present gaps; where that raises the energy it is
+// undone.
 //
-// Near the minimum the descents converge slowly, by cells that almost snap. There Newton's method on the law itself
-// takes over (adhesive_contact_newton.cpp): a step that does not halve the error, or that has no positive curvature and
-// so leads to a saddle, is taken back, and the descent continues.
+// Near the minimum the descent converges slowly because of cells that almost snap. There Newton's method on the law
+// itself takes over. A step that does not halve the error, or has no positive curvature and so leads to a saddle, is
+// undone, and the descent continues.
 //
-// With no adhesion acting it is ElasticContact. Far away the undeformed gap counts: when nothing adheres, no gap is
-// below that of the largest attraction f_max and the deformation by f(s) could change no pressure by more than
-// tolerance f_max.
+// Without adhesion it is ElasticContact. Where nothing adheres, no gap is below that of the largest attraction f_max
+// and the deformation by f(s) would change no pressure by more than tolerance f_max, the gap is the undeformed one
+// ("far").
 #pragma once
 
 #include <functional>
@@ -40,12 +40,12 @@
 namespace touchdown {
 
 struct AdhesiveContactOptions {
-    /// The largest deviation of a pressure from the law, against the largest pressure, and of a gap from s + C (p + f),
-    /// of the fields that are returned, against the largest displacement [-].
+    /// Largest deviation of a pressure from the law against the largest pressure, and of a gap from s + C (p + f)
+    /// against the largest displacement [-].
     double tolerance = 1e-8;
     int maximumIterations = 50000;
     double hardness = 0.0;        // H [Pa], cap of p; 0: none
-    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, which has not converged then
+    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, unconverged
 };
 
 struct AdhesiveContactSummary {
@@ -55,22 +55,21 @@ struct AdhesiveContactSummary {
     double error = 0.0;         // as the tolerance measures it [-]
     double contactForce = 0.0;  // of p, >= 0 [N]
     double adhesionForce = 0.0; // of f [N]
-    /// What the energy fell by beyond the work done on the way from the last solution [J], that work taken by the
-    /// trapezoidal rule: what a snap sets free.
+    /// Energy released since the last solution beyond the work done on the way (trapezoidal rule) [J], as by a snap.
     double energyDrop = 0.0;
-    /// The energy fell by more than a smooth way explains: by a fourth of the change of pressure times that of
-    /// separation, where a constant stiffness gives nothing and the end of a branch a sixth.
+    /// The released energy exceeds a fourth of (change of pressure)(change of separation): more than on a smooth way. A
+    /// constant stiffness releases none, the end of a branch a sixth.
     bool jumped = false;
     std::string message; // a sentence, when not converged
 };
 
-/// Holds its last solution, from which the next one descends. The first one descends from the undeformed surfaces.
+/// Each solution starts from the last one, the first from the undeformed surfaces.
 class AdhesiveContact {
 public:
     AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options = {});
 
     /// At the given separation [m] of the undeformed surfaces, one value for each cell. Allocates nothing after the
-    /// first call unless it fails. Refused input leaves the last solution as it is.
+    /// first call unless it fails. Invalid input leaves the last solution unchanged.
     AdhesiveContactSummary solve(std::span<const double> separation);
 
     std::span<const double> pressure() const { return elastic_ ? elastic_->pressure() : pressure_; } // p [Pa]
@@ -79,12 +78,13 @@ public:
     /// Of the last solution with adhesion: of the half-space and of the surfaces' attraction, zero far away [J].
     double energy() const { return now_.energy; }
     const AdhesionLaw& law() const { return cell_.law(); }
+    /// Otherwise it is purely elastic: `adhesion()` is zero, and no solution remembers another.
+    bool adheres() const { return !elastic_; }
     HalfSpace& space() { return elastic_ ? elastic_->space() : *space_; }
 
     /// Forgets the last solution.
     void reset();
-    /// Keeps the last solution, in place of what was kept before; recall() returns to it, so that the next solve()
-    /// starts there.
+    /// Stores the last solution; recall() returns to it, so that the next solve() starts there.
     void remember() { kept_ = now_; }
     void recall() { now_ = kept_; }
 
@@ -127,7 +127,7 @@ private:
     AdhesiveContactOptions options_;
     AdhesiveCell cell_;
     double reach_;                         // the most that pressures up to 1 Pa displace [m/Pa]
-    double freeScale_;                     // z0, to which changes of a gap are small or large [m]
+    double freeScale_;                     // z0, the scale of changes of a gap [m]
     Solution now_, kept_, before_, lower_; // lower_: the one of least energy on the descent
     std::vector<double> pressure_, attraction_, gap_;
     // Of the descent: the law's tangents at the present gaps s + C q, and the change that is made with them.

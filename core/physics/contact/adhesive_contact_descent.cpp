@@ -4,7 +4,6 @@
 #include "core/physics/contact/adhesive_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -75,15 +74,9 @@ TOUCHDOWN_VECTOR_CLONES Deviation deviate(Cells cells, Present at, Law law, doub
     return result;
 }
 
-/// Eight sums side by side: a single one would wait for itself at each number.
 double product(std::span<const double> a, std::span<const double> b)
 {
-    std::array<double, 8> sums{};
-    std::size_t i = 0;
-    for (; i + 8 <= a.size(); i += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
-    for (; i < a.size(); ++i) sums[0] += a[i] * b[i];
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+    return sumInLanes(a.size(), [&](std::size_t k) { return a[k] * b[k]; });
 }
 
 } // namespace
@@ -123,8 +116,7 @@ double AdhesiveContact::linearise()
     return std::max(deviation.ofPressure / deviation.pressure, deviation.ofGap / gapScale);
 }
 
-// How far the gaps on the law are from what the pressures on the law displace, beyond the rounding of the gaps
-// themselves.
+// Distance of the gaps on the law from the displacements by the pressures on the law, less the rounding of the gaps.
 double AdhesiveContact::imbalance()
 {
     for (std::size_t i = 0; i < work_.size(); ++i) work_[i] = tangents_.pressure[i] - now_.total[i];
@@ -209,9 +201,8 @@ void AdhesiveContact::solveTangents()
     for (int k = 0; k < mostGradientSteps && square > enough && !spent(); ++k) {
         space_->displace(direction_, image_);
         countIteration();
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < n; ++i)
             image_[i] = weight_[i] > 0.0 ? image_[i] + direction_[i] / tangents_.stiffness[i] : 0.0;
-        }
         const double curvature = product(direction_, image_);
         if (!(curvature > 0.0)) break;
         const double length = square / curvature;
@@ -249,8 +240,7 @@ void AdhesiveContact::precondition(std::span<const double> in, std::span<double>
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = weight_[i] * (work_[i] + mean / reach_);
 }
 
-// The energy that is convex in q has the slope g - g_law(q). Where it rises at the end of the step, the step ends at
-// its least.
+// The energy, convex in q, has the slope g - g_law(q). A step at whose end it rises is cut at its minimum.
 bool AdhesiveContact::cutStep()
 {
     const std::size_t n = offset_.size();

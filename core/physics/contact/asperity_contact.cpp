@@ -127,8 +127,8 @@ AsperityContact::Derivatives AsperityContact::deep(double t) const
     const double wc = criticalInterference_;
     const double spread = upperEnd * sigma_;
     if (mean + spread < wc) {
-        // E[w^n] = mean^n (1 + sum over even k of binomial(n, k) (k - 1)!! t^-k), asymptotic; four terms leave 1e-11 at
-        // t = -16.
+        // E[w^n] = mean^n (1 + sum over even k of binomial(n, k) (k - 1)!! t^-k), asymptotic; error of four
+        // terms 1e-11 at t = -16.
         const auto moment = [&](double n) {
             double term = 1.0, sum = 1.0;
             for (int k = 2; k <= 8; k += 2) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), per unit of area. d is the
-// separation of the flat and the disk's mean plane. The summits' mean plane lies higher by y_s
-// (Asperities::planeHeight; for a Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is
-// pressed by w = z - (d - y_s). With the density phi of Gaussian heights,
+// separation of the flat and the disk's mean plane. The summits' mean plane is higher by y_s (Asperities::planeHeight;
+// of a Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is pressed by w = z - (d - y_s).
+// With the density phi of Gaussian heights,
 //
 //   p = eta int P(w) phi(z) dz over w > 0, likewise the contacts (P -> 1), their area (P -> A) and energy.
 //
@@ -14,19 +14,17 @@
 //                          at w_c from 2/3 to 1 of K H A; p does not jump. It depends on d alone: neither their model
 //                          nor this one describes unloading after plastic flow.
 //
-// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s. The polynomials meet
-// the energy and its first three derivatives at both ends, so p = -dW/dd and the stiffness -dp/dd hold exactly, and p
-// is smooth. The error is below 1e-9 of p or p(0), whichever is larger. To the left of the table every summit is
-// pressed deep: all are elastic or all flow, and the moments of w are known. Where w_c lies there and only some
-// summits flow, the integral itself is evaluated (5 us).
+// Pressure, stiffness and energy come from one table of polynomials in t = (d - y_s)/sigma_s. They match the energy and
+// its first three derivatives at both ends, so p = -dW/dd and the stiffness -dp/dd hold exactly. The error is below
+// 1e-9 of p or p(0), whichever is larger. Left of the table all summits are elastic or all flow, and the moments of w
+// are known. Where only some of them flow there, the integral is evaluated (5 us).
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "core/physics/contact/asperities.h"
-#include "core/physics/contact/elastic_pair.h"
+#include "core/physics/contact/contact_bodies.h"
 
 namespace touchdown {
 
@@ -37,9 +35,9 @@ public:
 
     double pressure(double separation) const;  // p >= 0 [Pa]
     double stiffness(double separation) const; // -dp/dd >= 0 [Pa/m]
-    /// W = the work of pressing from afar [J/m^2]; stored, but for what flow takes.
+    /// W, the work of pressing from afar [J/m^2]; stored, except the part that plastic flow dissipates.
     double energy(double separation) const;
-    double contactArea(double separation) const; // real over nominal [-]; summits are taken one by one: it may pass 1
+    double contactArea(double separation) const;    // real over nominal [-], summed over summits: it may exceed 1
     double contactDensity(double separation) const; // [1/m^2]
     /// Nothing touches from this separation on [m].
     double reach() const { return planeHeight_ + upperEnd * sigma_; }
@@ -85,8 +83,7 @@ private:
     std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
 
-/// y_s of an isotropic Gaussian surface with these summits [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy
-/// 1987).
+/// y_s of an isotropic Gaussian surface [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy 1987).
 inline double isotropicPlaneHeight(const Asperities& asperities)
 {
     return 0.045944 / (asperities.density * asperities.radius);

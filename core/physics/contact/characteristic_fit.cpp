@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <cstdio>
 #include <vector>
 
-#include "core/physics/contact/multi_asperity_curve.h"
+#include "core/physics/contact/multi_asperity.h"
 
 namespace touchdown {
 
@@ -34,8 +33,7 @@ Scales scalesOf(const MultiAsperityCurve& curve)
     return scales;
 }
 
-/// The jump of the largest change of F_m, or where |F_m| first passes half its largest value; `otherwise` where it has
-/// none.
+/// The jump with the largest change of F_m, or where |F_m| first passes half its largest value, or `otherwise`.
 double turningPlace(const MultiAsperity& model, const std::vector<MultiAsperityJump>& jumps,
                     const std::vector<MultiAsperityPoint>& way, double largest, double otherwise)
 {
@@ -138,19 +136,14 @@ Errors compare(const MultiAsperityCurve& curve, const OnoYamane& p, const Scales
     return errors;
 }
 
-std::string shown(double value)
+std::string shown(const char* format, double value)
 {
-    std::ostringstream text;
-    text << std::setprecision(3) << value;
-    return text.str();
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
 }
-std::string nanometres(double length) { return shown(1e9 * length) + " nm"; }
-std::string percent(double share)
-{
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
-    return text.str();
-}
+std::string nanometres(double length) { return shown("%.3g nm", 1e9 * length); }
+std::string percent(double share) { return shown("%.1f %%", 100.0 * share); }
 
 /// How far d goes while |F_m| goes from a tenth to nine tenths of its largest value [m].
 double spreadOfAdhesion(const std::vector<MultiAsperityPoint>& way, double largest)

@@ -32,7 +32,7 @@ struct CharacteristicFit {
     CharacteristicError contact;  // of F_cr, against its largest value on the way
     CharacteristicError adhesion; // of F_m, against the largest adhesion
     bool describes = false;
-    std::string message; // a sentence: how well, or what the five parameters cannot say of this model
+    std::string message; // a sentence: the quality, or what the five parameters cannot describe
 };
 
 /// From beyond the model's reach, or from `start` if that is farther, to `closest`, which is less [m].

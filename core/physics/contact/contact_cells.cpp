@@ -50,8 +50,7 @@ constexpr int neighbours = 12;
 constexpr int columnOf[neighbours + 1] = {-2, -1, 0, 1, 2, -2, -1, 0, 1, 2, -2, -1, 0};
 constexpr int rowOf[neighbours + 1] = {-2, -2, -2, -2, -2, -1, -1, -1, -1, -1, 0, 0, 0};
 
-// The last row of L^-1 with A = L L^T over the cells of the set and the cell itself: y/sqrt(y_last) with A y = (0, ..,
-// 0, 1).
+// The last row of L^-1, A = L L^T over the set and the cell itself: y/sqrt(y_last) with A y = (0, .., 0, 1).
 std::array<double, neighbours + 4> inverseRow(unsigned set, std::span<const double> compliance)
 {
     int member[neighbours + 1];

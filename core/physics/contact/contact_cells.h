@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cells of a contact whose pressure is sought, as runs of neighbours in the order of storage, and what conjugate
-// gradients do on them alone. Fields are those of the whole grid; sums are taken in an order that depends on the cells
-// only.
+// The cells of a contact whose pressure is unknown, as runs of neighbours in the order of storage, and the operations
+// of conjugate gradients on them. Arrays are those of the whole grid; the order of sums depends only on the cells.
 //
 // Preconditioner: the factorised sparse approximate inverse of the cells' compliances (Kolotilina & Yeremin 1993), M =
-// G^T G. Row i of G serves cell i and those of the twelve cells before it, at most two rows and two columns away, that
-// take part: it is the last row of the inverse Cholesky factor of their compliances. These depend on distances alone,
-// so that rows are looked up by which of the twelve take part. The array counts as one line, so that neighbours reach
-// round the ends of rows: there cells are coupled that are apart, which costs nothing but a little of its worth; M is
-// positive definite whatever the cells.
+// G^T G. Row i of G couples cell i and the unknown ones among the twelve cells before it, at most two rows and two
+// columns away: it is the last row of the inverse Cholesky factor of their compliances. These depend on distances only,
+// so rows are looked up by the set of unknown neighbours. Neighbours reach round the ends of rows, where the coupled
+// cells are not near each other: this makes M slightly less effective. M is positive definite for any set of cells.
 #pragma once
 
 #include <array>
@@ -30,8 +28,8 @@ public:
     void add(std::size_t cell);
     std::size_t count() const { return count_; }
 
-    /// Values that a field given to precondition() needs before its first cell and after its last; there and wherever
-    /// no cell is, it must be zero.
+    /// Number of values that the array given to precondition() needs before its first and after its last cell. It must
+    /// be zero there and at all other cells.
     std::size_t margin() const { return margin_; }
     /// out = M in. Returns the sum of out.
     double precondition(const double* in, double* out);

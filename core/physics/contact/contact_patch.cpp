@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/physics/slider/recess.h"
@@ -167,9 +166,7 @@ ContactPatch spherePatch(double length, double width, double cell, double radius
         for (int i = 0; i < grid.nx; ++i) {
             const double x = grid.x(i) - 0.5 * grid.nx * grid.dx;
             const double y = grid.y(j) - 0.5 * grid.ny * grid.dy;
-            patch
-                .height[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(i)] =
-                (x * x + y * y) / (2.0 * radius);
+            patch.height[grid.at(i, j)] = (x * x + y * y) / (2.0 * radius);
         }
     return patch;
 }

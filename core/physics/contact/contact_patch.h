@@ -6,19 +6,19 @@
 //   flat      a rectangle, height 0
 //   sphere    the paraboloid r^2/(2 R) over a rectangle around its lowest point
 //   slider    the regions of an air bearing surface at a given pitch and roll that lie within `reach` of its lowest
-//             point, h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines. The
-//             pieces of a line between two breaks of the recess are smooth. They are boxed, and boxes are merged
-//             where their distance is less than the length of the smaller one.
+//             point, h = pitch (L - x) - roll (y - W/2) + recess - the same there. They are found on scan lines, whose
+//             pieces between two breaks of the recess are smooth. Regions become boxes; boxes are merged where their
+//             distance is less than the length of the smaller one.
 //
-// Each patch is solved as if it were alone: the load F on one patch lowers the disk at a distance r by F/(pi E* r)
-// (Boussinesq; Johnson 1985, equation 3.22a), which is neglected.
+// Each patch is solved separately: the displacement F/(pi E* r) that the load F on one patch causes at a distance r
+// (Boussinesq; Johnson 1985, equation 3.22a) is neglected.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "core/numerics/uniform_grid.h"
+#include "core/numerics/cell_grid.h"
 #include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
@@ -40,7 +40,7 @@ struct SliderPatches {
 };
 
 /// `surface` is valid, length and width of the slider positive, cell > 0, reach >= 0; at most `mostCells` along or
-/// across a patch. `goOn` is asked at each line and row; where it says false there are no patches.
+/// across a patch. `goOn` is asked at each line and row; if it returns false there are no patches.
 SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll,
                             double cell, double reach, int mostCells, const std::function<bool()>& goOn = {});
 

@@ -6,8 +6,7 @@
 //   F = mu N tanh(v/v_r)   on the slider, in the direction in which the disk runs
 //   M = -(b/2) F           about the mass centre, nose up: friction presses the nose down
 //
-// N is the real contact force alone: adhesion does not rub. v_r > 0 makes the sign smooth where the disk starts and
-// stops; at |v| > 10 v_r, F is mu N to 1e-8.
+// N is the real contact force without adhesion. v_r > 0 smooths the sign at v = 0; at |v| > 10 v_r, F is mu N to 1e-8.
 #pragma once
 
 #include <cmath>
@@ -23,7 +22,7 @@ struct CoulombFriction {
     {
         return coefficient * contactForce * std::tanh(slidingVelocity / regularisingSpeed);
     }
-    /// Moment, nose down, per contact force where the slider slides for good [m].
+    /// Moment, nose down, per contact force in full sliding [m].
     double noseDown() const { return arm * coefficient; }
     double pitchMoment(double contactForce, double slidingVelocity) const // [N m]
     {

@@ -242,8 +242,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const std::size_t cells = pressure_.size();
     double approach = 0.0;
     if (load) {
-        // The mean, from one of them on: what all have in common, a pad far away, must not cost digits of where they
-        // differ.
+        // The mean of the differences from one of them, so that a large common part costs no digits.
         double first = 0.0, beyondFirst = 0.0, atLeast = -infinity, atMost = infinity;
         std::size_t between = 0;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -279,8 +278,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
         worst = std::max(worst, std::abs(gap_[i]));
         cells_.add(i);
     }
-    // Where the displacement is nearly the same everywhere, as under a uniform pressure that repeats, a cell's own is
-    // the measure.
+    // Where the displacement is nearly uniform, as under a uniform periodic pressure, a cell's own is the scale.
     const double scale = std::max(extremes.highest - extremes.lowest, 0.1 * extremes.peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;

@@ -4,20 +4,20 @@
 // g = s + u(p), s the separation of the undeformed surfaces. With a hardness H: p <= H, and where p = H the gap may be
 // negative: there the softer body has flowed (elastic - perfectly plastic, Almqvist et al. 2007).
 //
-// The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). Conjugate gradients
-// on FFT convolutions, as of Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that spare most
-// convolutions. Theirs change the cells in contact at every step and convolve twice for it; here a few steps are taken
-// on the same cells, and then cells whose pressure left the bounds are fixed there and cells whose gap has the wrong
-// sign are freed (primal-dual active sets, Hintermueller, Ito & Kunisch 2002). The steps are preconditioned
-// (contact_cells.h). If the energy rises often, changes that raise it are cut to the point of least energy on their
-// way, and replaced by a short step along the gradient where there is none.
+// The solution has the least energy p.(u/2 + s) of all pressures between the bounds (Kalker 1977). It is found by
+// conjugate gradients on FFT convolutions, after Polonsky & Keer (1999; Stanley & Kato 1997), with three changes that
+// save most convolutions. Their method changes the cells in contact at each step and needs two convolutions for it.
+// Here a few steps are taken on the same cells; then cells whose pressure left the bounds are fixed there and cells
+// whose gap has the wrong sign are freed (primal-dual active sets, Hintermueller, Ito & Kunisch 2002). The steps are
+// preconditioned (contact_cells.h). If the energy rises often, changes that raise it are cut to the point of least
+// energy, or replaced by a short step along the gradient where there is no such point.
 //
-// It starts from the last solution, at a given separation from the point of least energy on the line through the last
-// two. Without a last solution it starts from the one on a grid of cells twice as large, and so on, where their numbers
-// are even and not below sixteen.
+// Each solution starts from the last one; at a given separation, from the point of least energy on the line through the
+// last two. The first starts from the solution on a grid of cells twice as large, and so on, where the numbers of cells
+// are even and at least sixteen.
 //
-// A given load is held by a sum of pressures that no step changes; the approach is the mean gap of the cells that bear
-// less than H, as Polonsky & Keer's.
+// Under a given load the sum of pressures is kept in each step. The approach is the mean gap of the cells whose
+// pressure is below H, as in Polonsky & Keer.
 #pragma once
 
 #include <functional>
@@ -34,12 +34,11 @@ namespace touchdown {
 
 struct ElasticContactOptions {
     /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements, or a tenth of what the highest pressure displaces on its cell alone [-]. The load is held to 1e-9
-    /// of itself.
+    /// displacements, or a tenth of the highest pressure's displacement of its own cell [-]. The load's error is 1e-9.
     double tolerance = 1e-8;
     int maximumIterations = 2000;
     double hardness = 0.0;        // H [Pa]; 0: none
-    std::function<bool()> goOn{}; // asked at each step, also on coarser grids; false ends the solution where it is
+    std::function<bool()> goOn{}; // asked at each step, also on coarser grids; false ends the solution
 };
 
 struct ElasticContactSummary {
@@ -51,23 +50,22 @@ struct ElasticContactSummary {
     std::string message;   // a sentence, when not converged
 };
 
-/// Holds the pressure of its last solution, from which the next one starts.
 class ElasticContact {
 public:
     explicit ElasticContact(HalfSpace space, const ElasticContactOptions& options = {});
 
     /// At the given separation [m] of the undeformed surfaces, one value for each cell, negative where they overlap.
-    /// Costs nothing where no separation is negative. Allocates nothing unless it fails. A periodic half-space gives no
-    /// way to its mean pressure: without a hardness the separation's mean must be positive.
+    /// Allocates nothing unless it fails. The mean pressure does not displace a periodic half-space: without a hardness
+    /// the separation's mean must be positive.
     ElasticContactSummary solve(std::span<const double> separation);
-    /// At a given load [N], > 0: finds the uniform approach by which the separation must change, too.
+    /// At a given load [N], > 0: also finds the uniform approach by which the separation must change.
     ElasticContactSummary solveLoad(std::span<const double> separation, double load);
 
     std::span<const double> pressure() const { return pressure_; } // [Pa]
     std::span<const double> gap() const { return gap_; }           // of the deformed surfaces [m]
     double contactArea() const;                                    // [m^2]
     HalfSpace& space() { return space_; }
-    /// Forgets the last solution: the next starts from nothing.
+    /// Forgets the last solution.
     void reset();
 
 private:

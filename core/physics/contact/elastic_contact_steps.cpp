@@ -32,8 +32,7 @@ TOUCHDOWN_VECTOR_CLONES void mix(std::span<double> to, double part, std::span<co
 
 } // namespace
 
-// Along p + t dp, dp the last change, the energy is least at t = -(s + u).dp/(dp.du). What leaves the bounds by it does
-// as in a step of conjugate gradients.
+// Along p + t dp, dp the last change, the energy is least at t = -(s + u).dp/(dp.du). Pressures may leave the bounds.
 void ElasticContact::extrapolate(std::span<const double> separation, bool follows)
 {
     double part = 0.0;
@@ -57,9 +56,8 @@ void ElasticContact::extrapolate(std::span<const double> separation, bool follow
     }
 }
 
-// Preconditioned conjugate gradients for g = 0 on the cells, bounds left aside: r = -g, z = M r; with a load, z - l M 1
-// so that its sum is zero, and r - l: l closes in on what the approach lacks. Returns whether the numbers stayed
-// finite.
+// Preconditioned conjugate gradients for g = 0 on the cells without bounds: r = -g, z = M r; with a load, z - l M 1 so
+// that its sum is zero, and r - l, l the correction of the approach. Returns whether all numbers are finite.
 bool ElasticContact::step(bool load, int mostIterations)
 {
     std::fill(residual_.begin(), residual_.end(), 0.0);
@@ -156,8 +154,7 @@ bool ElasticContact::project(std::optional<double> total)
     return changed;
 }
 
-// Between the pressure before the step and after, energy changes by t a + t^2 b/2, with a = g.dp, b = dp.du; t = 1 is
-// kept unless it raises it.
+// Along the step the energy changes by t a + t^2 b/2, a = g.dp, b = dp.du; t = 1 is kept unless it raises the energy.
 void ElasticContact::descend(std::optional<double> total)
 {
     double slope = 0.0, curvature = 0.0;

@@ -10,11 +10,10 @@
 // repeats in both directions, u = 2 p/(E* k) for the wave number k (Johnson 1985, section 13.2; Stanley & Kato 1997),
 // and the mean pressure displaces nothing.
 //
-// The inverse, pressure that holds a given displacement, acts on stiffnessGrid(). Periodic: that is the grid, p = E* k
-// u/2. Free: the padded grid, whose first columns and rows are the grid. Where the pressure that stress() returns
-// vanishes outside the grid, it is the pressure of displace(); the displacement outside the grid is then whatever makes
-// it vanish there (a repeated padded domain, so that beyond the grid it is no displacement of the half-space). All
-// factors are positive.
+// The inverse, the pressure of a given displacement, acts on stiffnessGrid(). Periodic: the grid itself, p = E* k u/2.
+// Free: the padded grid, whose first columns and rows are the grid; the padded domain repeats, so that the displacement
+// outside the grid is not that of the half-space. Where the pressure of stress() vanishes outside the grid, stress() is
+// the inverse of displace(). All factors are positive.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +21,8 @@
 #include <optional>
 #include <span>
 
+#include "core/numerics/cell_grid.h"
 #include "core/numerics/plane_convolution.h"
-#include "core/numerics/uniform_grid.h"
 
 namespace touchdown {
 
@@ -33,7 +32,7 @@ enum class HalfSpaceEdges : std::uint8_t { Free, Periodic };
 class HalfSpace {
 public:
     /// `modulus` E* [Pa], positive; the grid has at least one cell. `goOn` is asked at each row of influence
-    /// coefficients; where it says false nothing is displaced.
+    /// coefficients; if it returns false, all displacements are zero.
     HalfSpace(const UniformGrid& grid, double modulus, HalfSpaceEdges edges = HalfSpaceEdges::Free,
               const std::function<bool()>& goOn = {});
 
@@ -49,7 +48,7 @@ public:
     }
     /// Displacement of a cell's centre by unit pressure on it alone [m/Pa].
     double ownCompliance() const { return ownCompliance_; }
-    /// The most that pressure displaces, whatever its shape, in the mean of squares [m/Pa].
+    /// Largest ratio of displacement to pressure in the mean of squares, over all pressures [m/Pa].
     double largestCompliance() const { return largestCompliance_; }
 
     const UniformGrid& stiffnessGrid() const { return stiffnessGrid_; }

@@ -50,8 +50,7 @@ struct MultiAsperity::Path {
         return 1.0 + (pressing - gathering) / model.bulkStiffness_;
     }
 
-    /// |zeta - y_s| <= this [m] wherever d'(s) can be negative: there phi((zeta - y_s)/sigma_s) > sigma_s k_b/(largest
-    /// adhesion).
+    /// |zeta - y_s| <= this [m] where d'(s) may be negative: phi((zeta - y_s)/sigma_s) > sigma_s k_b/max |F_m|.
     double foldingHeight() const
     {
         const double peak =
@@ -59,14 +58,12 @@ struct MultiAsperity::Path {
         return peak > 1.0 ? std::min(farthest, std::sqrt(2.0 * std::log(peak))) * model.sigma_ : 0.0;
     }
 
-    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it says true. Pieces end at the
-    /// bend; in the folding zone they are short against sigma_s, so that d'(s) changes its sign at most once in a
-    /// piece, but for folds too shallow to count.
+    /// Calls visit(a, b) with the pieces of the way ahead up to `end`, in order, until it returns true. Pieces end at
+    /// the bend; in the folding zone they are so short that d'(s) has at most one zero, except in shallow folds.
     template <typename Visit>
     void walk(double end, Visit visit) const;
 
-    /// The place in the piece from a to b where d'(s) turns negative: a minimum of d on the way in, a maximum on the
-    /// way out.
+    /// Where d'(s) becomes negative between a and b: a minimum of d on the way in, a maximum on the way out.
     double fold(double a, double b) const
     {
         for (int i = 0; i < 200; ++i) {
@@ -257,6 +254,45 @@ std::optional<MultiAsperityJump> MultiAsperity::nextJump(const MultiAsperityStat
         return true;
     });
     return jump;
+}
+
+MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, double closest, int points)
+{
+    assert(start > closest && points > 1);
+    MultiAsperityCurve curve;
+    MultiAsperityState state = model.start(start);
+    const auto follow = [&](double from, double to, std::vector<MultiAsperityPoint>& way,
+                            std::vector<MultiAsperityJump>& jumps) {
+        const PadMotion motion = to < from ? PadMotion::Towards : PadMotion::Away;
+        const auto passed = [&](double place, double d) {
+            return motion == PadMotion::Towards ? d < place : d > place;
+        };
+        const auto add = [&](double d) { way.push_back({d, state, model.forces(state)}); };
+        auto jump = model.nextJump(state, motion);
+        for (int i = 0; i < points; ++i) {
+            const double d = i + 1 == points ? to : from + (to - from) * i / (points - 1);
+            for (; jump && passed(jump->padSeparation, d); jump = model.nextJump(state, motion)) {
+                state = jump->from;
+                add(jump->padSeparation);
+                state = jump->to;
+                add(jump->padSeparation);
+                jumps.push_back(*jump);
+            }
+            state = model.advance(state, d);
+            add(d);
+        }
+    };
+    follow(start, closest, curve.towards, curve.touchDowns);
+    follow(closest, start, curve.away, curve.takeOffs);
+
+    for (const auto* way : {&curve.towards, &curve.away}) {
+        for (std::size_t i = 1; i < way->size(); ++i) {
+            const MultiAsperityPoint& a = (*way)[i - 1];
+            const MultiAsperityPoint& b = (*way)[i];
+            curve.work -= 0.5 * (a.forces.total() + b.forces.total()) * (b.padSeparation - a.padSeparation);
+        }
+    }
+    return curve;
 }
 
 } // namespace touchdown

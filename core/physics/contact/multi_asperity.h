@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Multi-asperity contact and meniscus adhesion with bulk deformation, after Ono and Yamane as Chen & Bogy describe
-// them: forces as functions of the spacing, given the asperities' radius, density and height deviation, the pad's area
-// and the lubricant's surface energy; the contact area does not change; menisci alone adhere. The equations were not
-// available: these are a reading.
+// Multi-asperity contact and meniscus adhesion with bulk deformation, after Ono and Yamane as described by Chen & Bogy:
+// forces as functions of the spacing for given radius, density and height deviation of the asperities, area of the pad
+// and surface energy of the lubricant; the area is constant, only menisci adhere. Our reading, as the equations were
+// not available:
 //
 //   s = d + F_c/k_b                    local separation of pad and the disk's mean plane; the bulk gives way to F_c
 //   F_c = F_cr + F_m
@@ -11,18 +11,19 @@
 //   F_m = -eta A Q((zeta - y_s)/sigma_s) 2 pi R gamma (1 + cos theta), Q(x) the share of Gaussian heights above x
 //   k_b = 1.0566 E* sqrt(A)            mean displacement of a square under uniform pressure (Love 1929)
 //
-// Heights are above the disk's mean plane, those of the summits lie about y_s. A summit of height z wets when its gap s
-// - z falls to the film's thickness t and dries when it passes the bridge's length h_b. So the wetted ones are always
-// those above one height zeta, which s drags along with play:
+// Heights are above the disk's mean plane, those of the summits about y_s. A summit of height z wets when its gap s - z
+// falls to the film's thickness t, and dries when it exceeds the bridge's length h_b. So the wetted summits are those
+// above one height zeta, which follows s with play:
 //
 //   zeta <- min(max(zeta, s - h_b), s - t).
 //
-// (s, zeta) is the whole state. d moves s quasi-statically: s follows until the spacing is met. Where menisci gather
-// faster than the bulk can bear, d(s) folds, and s jumps at fixed d: touch-down on the way in, take-off on the way out.
+// The state is (s, zeta). s follows d quasi-statically. Where menisci form faster than the bulk stiffness can balance,
+// d(s) folds, and s jumps at fixed d: touch-down on the way in, take-off on the way out.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/physics/contact/asperity_contact.h"
 
@@ -76,7 +77,7 @@ public:
     double bulkStiffness() const { return bulkStiffness_; } // k_b [N/m]
     /// With every summit wetted [N].
     double largestAdhesion() const { return meniscusForce_; }
-    /// From this pad separation on there is no force, whatever came before [m].
+    /// Beyond this pad separation there is no force in any state [m].
     double reach() const;
 
 private:
@@ -93,5 +94,22 @@ private:
     double bulkStiffness_ = 0.0; // k_b [N/m]
     double meniscusForce_ = 0.0; // eta A 2 pi R gamma (1 + cos theta) [N]
 };
+
+/// One point of the curve of a pad that moves in and out.
+struct MultiAsperityPoint {
+    double padSeparation = 0.0; // d [m]
+    MultiAsperityState state;
+    MultiAsperityForces forces;
+};
+
+/// In from `start` to `closest` and back out, `points` evenly spaced ones each way; a jump adds its two ends at one d.
+struct MultiAsperityCurve {
+    std::vector<MultiAsperityPoint> towards, away;
+    std::vector<MultiAsperityJump> touchDowns, takeOffs;
+    /// Work lost on the way in and out: the area of the loop F_c(d) [J].
+    double work = 0.0;
+};
+
+MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, double closest, int points = 401);
 
 } // namespace touchdown

@@ -60,4 +60,15 @@ ContactBranch OnoYamaneLaw::nextBranch(ContactBranch previous, double d) const
     return previous;
 }
 
+std::string switchName(ContactRegion before, ContactRegion now)
+{
+    switch (now) {
+    case ContactRegion::Apart: return "take-off";
+    case ContactRegion::Pressed: return before == ContactRegion::Apart ? "touch-down" : "pressed again";
+    case ContactRegion::Lifting: return before == ContactRegion::Pressed ? "lifting" : "pressed on menisci";
+    case ContactRegion::Bridged: return "held by menisci";
+    }
+    return {};
+}
+
 } // namespace touchdown

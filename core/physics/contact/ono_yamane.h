@@ -12,13 +12,13 @@
 // The shape on the take-off branch is a reading of Fig. 3; the paper gives no equation for it.
 // d >= d_e selects the touch-down branch, d <= d_s the take-off branch; between them the branch is kept.
 //
-// Inside one region F_cr and F_m are affine in d, so that a step that stays in its region sees a
-// smooth force, and the whole law is a table of four rows.
+// Inside one region F_cr and F_m are affine in d: the law is a table of four rows, and smooth within a region.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "core/numerics/interval.h"
 
@@ -27,7 +27,7 @@ namespace touchdown {
 enum class TakeOffShape : std::uint8_t { Constant, Linear };
 enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
 
-/// The five parameters, the friction coefficient and where the pad is.
+/// The five parameters, the friction coefficient and the position of the pad.
 struct OnoYamane {
     double meniscusForce = 10e-3;      // f_m  [N], largest adhesion, >= 0
     double contactStiffness = 5.0e6;   // k_c  [N/m], >= 0
@@ -39,13 +39,16 @@ struct OnoYamane {
     TakeOffShape takeOffShape = TakeOffShape::Constant;
 };
 
-/// Where the separation is, and on which branch.
+/// Branch and range of the separation.
 enum class ContactRegion : std::uint8_t {
     Apart,   // touch-down branch above d_s: no force
     Pressed, // d <= d_s: asperities pressed, menisci formed
     Lifting, // take-off branch, asperities still pressed
     Bridged, // take-off branch, held by menisci alone
 };
+
+/// A change of the region as an event: "touch-down".
+std::string switchName(ContactRegion before, ContactRegion now);
 
 /// constant + slope d.
 struct AffineForce {
@@ -65,7 +68,7 @@ public:
     double contactForce(ContactRegion region, double d) const { return row(region).contact.at(d); }
     /// Adhesion force F_m <= 0 [N].
     double adhesionForce(ContactRegion region, double d) const { return row(region).adhesion.at(d); }
-    /// Elastic energy stored in the pressed asperities, what F_cr would do on lifting [J].
+    /// Elastic energy of the pressed asperities: the work of F_cr on lifting [J].
     double storedEnergy(ContactRegion region, double d) const;
 
     /// The separations between which the region's law holds [m].
@@ -83,7 +86,7 @@ public:
     {
         return region == ContactRegion::Apart ? ContactBranch::TouchDown : ContactBranch::TakeOff;
     }
-    /// The branch at separation d after `previous`: what the paper's program asks once per step.
+    /// The branch at separation d after `previous`, evaluated once per step in the paper's program.
     ContactBranch nextBranch(ContactBranch previous, double d) const;
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 /// A gaussian ends at nine standard deviations, where it is below 1e-17 of its height.
 constexpr double gaussianReach = 3.0;
-/// Points across the base from which means are taken, and the fewest across what a cell has of a bump.
+/// Sample points across the base for means, and the fewest across the part of a bump in a cell.
 constexpr double pointsAcrossBase = 16.0;
 constexpr int fewestPoints = 4;
 
@@ -36,8 +36,7 @@ Bumps::Bumps(const DiskSurface& surface)
     for (std::size_t i = 0; i < surface.bumpHeights.size(); ++i)
         bumps_.push_back({surface.bumpHeights[i], 0.5 * surface.bumpLengths[i], 0.5 * widths[i], surface.bumpX[i],
                           surface.bumpY[i]});
-    // Where bumps meet, all that meet one of them add up to no more than the sum of their heights. A bump longer than
-    // half the track meets its own copies.
+    // Bound: the sum of the heights that overlap one of them. A bump longer than half the track overlaps its copies.
     const auto copies = [&](const Bump& b) {
         return std::ceil(2.0 * reach_ * b.halfLength / track_) * std::ceil(2.0 * reach_ * b.halfWidth / trackWidth_);
     };

@@ -2,18 +2,17 @@
 //
 // Single bumps and pits on the disk, periodic with the track. With r = 1 on the ellipse of the base,
 //
-//   ellipsoid   h sqrt(1 - r^2), half an ellipsoid; its flank is upright at the base;
+//   ellipsoid   h sqrt(1 - r^2), half an ellipsoid, vertical at the base;
 //   cosine      h (1 + cos(pi r))/2;
 //   gaussian    h exp(-4.5 r^2): the base is six standard deviations long and wide.
 //
-// Where bumps overlap they add.
+// Bumps that overlap add up.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
-#include "core/numerics/uniform_grid.h"
 #include "core/physics/disk/disk_surface.h"
 
 namespace touchdown {
@@ -30,7 +29,7 @@ public:
     /// Adds the means over the grid's cells.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
 
-    /// Nothing is higher or lower [m]: the most that bumps which meet can add up to.
+    /// Bounds of the height [m], from the sums of overlapping bumps.
     double highest() const { return highest_; }
     double lowest() const { return lowest_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surface of the disk as it is asked for: w(x, y), its height above its mean plane, in the disk's own coordinates.
+// The specification of the disk's surface: w(x, y), its height above its mean plane, in the disk's coordinates.
 #pragma once
 
 #include <cstdint>

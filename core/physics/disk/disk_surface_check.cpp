@@ -9,7 +9,7 @@ namespace touchdown {
 
 namespace {
 
-/// Periods of fewer correlation lengths would repeat before the heights have forgotten where they began.
+/// In shorter periods the heights at both ends are correlated.
 constexpr double correlationLengthsInPeriod = 8.0;
 /// A multiple of the cell as people write it, "1 mm" of "0.25 um", is off by rounding only.
 constexpr double wholeness = 1e-6;
@@ -104,7 +104,7 @@ private:
     {
         if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) add(key, "must all be finite");
     }
-    /// What the surface repeats with, or what is looked at of one that does not.
+    /// The period of the surface, or the sampled part of a surface that does not repeat.
     bool sampledTrack()
     {
         const bool along = positive("track", s_.track);
@@ -165,27 +165,17 @@ private:
     const DiskSurface& s_;
 };
 
+bool has(const DiskSurface& s, DiskSurfaceKind kind, bool isGiven)
+{
+    return s.kind == kind || (s.kind == DiskSurfaceKind::Combined && isGiven);
+}
+
 } // namespace
 
-bool hasWaves(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Waves || (s.kind == DiskSurfaceKind::Combined && !s.waveAmplitudes.empty());
-}
-
-bool hasRoughness(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Rough || (s.kind == DiskSurfaceKind::Combined && s.rms != 0.0);
-}
-
-bool hasFile(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::File || (s.kind == DiskSurfaceKind::Combined && !s.file.empty());
-}
-
-bool hasBumps(const DiskSurface& s)
-{
-    return s.kind == DiskSurfaceKind::Bumps || (s.kind == DiskSurfaceKind::Combined && !s.bumpHeights.empty());
-}
+bool hasWaves(const DiskSurface& s) { return has(s, DiskSurfaceKind::Waves, !s.waveAmplitudes.empty()); }
+bool hasRoughness(const DiskSurface& s) { return has(s, DiskSurfaceKind::Rough, s.rms != 0.0); }
+bool hasFile(const DiskSurface& s) { return has(s, DiskSurfaceKind::File, !s.file.empty()); }
+bool hasBumps(const DiskSurface& s) { return has(s, DiskSurfaceKind::Bumps, !s.bumpHeights.empty()); }
 
 std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface)
 {

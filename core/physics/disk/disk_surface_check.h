@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with a disk surface, as sentences that name lengths in micrometres. The file is not looked at.
+// Problems of a disk surface, as sentences with lengths in micrometres. The file is not read.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ inline constexpr std::size_t mostWaves = 1000;
 inline constexpr std::size_t mostBumps = 10000;
 
 struct DiskSurfaceProblem {
-    std::string key;      // the field, as it is called under [disk.surface]: "correlation_length"
-    std::string sentence; // "must be at least 0.25 um, one cell of the map"; the key stands before it
+    std::string key;      // the field's name under [disk.surface]: "correlation_length"
+    std::string sentence; // follows the key: "must be at least 0.25 um, one cell of the map"
 };
 
-/// Of the parts that the kind uses; empty for a surface that DiskTopography can make.
+/// Of the parts that the kind uses; empty for a surface that DiskTopography accepts.
 std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface);
 
-/// Which parts a surface has; `combined` has all that are given.
+/// The parts of a surface; `combined` has all that are given.
 bool hasWaves(const DiskSurface& surface);
 bool hasRoughness(const DiskSurface& surface);
 bool hasFile(const DiskSurface& surface);

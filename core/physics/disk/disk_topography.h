@@ -3,19 +3,18 @@
 // The disk's surface as film, contact patch and plots sample it. w(x, y) [m] above the mean plane, in the disk's
 // coordinates, is the sum of
 //
-//   waves      analytic, without end;
+//   waves      analytic, unbounded;
 //   maps       generated or measured, each with its mean removed: a periodic cubic spline through the points, which
 //              lie at multiples of the cell from x = y = 0. w has two continuous derivatives, also where the map
 //              repeats. Halfway between points a wave of 2, 3, 4, 8, 16 cells keeps 0, 0.875, 0.972, 0.9988, 0.99994
 //              of its amplitude;
-//   bumps      analytic, periodic with the track; they stand on the mean plane and do not move it.
+//   bumps      analytic, periodic with the track; they do not change the mean plane.
 //
-// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same
-// bits, wherever the points lie. For this the positions, and separately the shift, are rounded to 2^-30 of a cell, or
-// to the floating-point spacing at their size, if that is larger.
+// A surface that has moved by (sx, sy) is w(x - sx, y - sy). A map that has moved by whole cells returns the same bits.
+// For this the positions, and separately the shift, are rounded to 2^-30 of a cell, or to the floating-point spacing at
+// their size, if that is larger.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -23,7 +22,6 @@
 
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/periodic_spline.h"
-#include "core/numerics/uniform_grid.h"
 #include "core/physics/disk/bumps.h"
 #include "core/physics/disk/disk_surface.h"
 #include "core/physics/disk/height_map.h"
@@ -31,15 +29,13 @@
 
 namespace touchdown {
 
-/// Does not change after construction: any number of threads may read it. Nothing but the constructor and what takes
-/// work space allocates.
+/// Constant after construction: any number of threads may read it. Functions without work space do not allocate.
 class DiskTopography {
 public:
     /// Flat.
     DiskTopography() : DiskTopography(DiskSurface{}) {}
     /// `surface` without problems (core/physics/disk/disk_surface_check.h); `file` for the kinds that read one.
-    /// Generates the roughness, which takes time and memory: 8 bytes a cell of the map. `goOn` is asked meanwhile;
-    /// where it says false there is no roughness.
+    /// Generates the roughness, 8 bytes per cell; if `goOn`, asked meanwhile, returns false there is none.
     explicit DiskTopography(const DiskSurface& surface, std::optional<HeightMap> file = {},
                             const std::function<bool()>& goOn = {});
 
@@ -49,20 +45,19 @@ public:
     double height(double x, double y) const;
     /// w at the centres of the grid's cells, of the surface moved by the shift [m]. `out`: grid.cells() long.
     void heights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// The mean of w over each cell, for cells of any width: of waves and maps exact but for rounding, of bumps to
-    /// 0.5 % of their height. What is shorter than a cell is averaged out, not aliased into a height that is not there.
+    /// The mean of w over each cell, for cells of any width: exact to rounding for waves and maps, for bumps to 0.5 %
+    /// of their height. Waves shorter than a cell are averaged, not aliased.
     void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
-    /// The same, again and again: `work` is allocated by the first call.
+    /// The same for repeated calls: the first one allocates `work`.
     void cellMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out,
                    std::vector<double>& work) const;
 
-    /// No w is higher, or lower [m]. True bounds, a little beyond the extremes themselves: adequate to rule contact
-    /// out.
+    /// Bounds of w [m], a little beyond the extremes.
     double highest() const { return highest_; }
     double lowest() const { return lowest_; }
 
-    /// One period of the surface, the cells' centres on the points of its map: what plots and statistics look at. The
-    /// finest map's where there are two; of waves alone, the asked track with the asked cell.
+    /// One period of the surface for plots and statistics, the cells' centres on the points of its finest map; without
+    /// a map, the given track with the given cell.
     UniformGrid period() const { return period_; }
     /// Whether all of it repeats with period(): waves do not in general.
     bool repeats() const { return repeats_; }

@@ -4,6 +4,7 @@
 // Y sin phi: size omega sqrt(a^2 + b^2), local skew psi = phi - atan(b/a), (U, V) = size (cos psi, -sin psi).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace touchdown {
@@ -26,6 +27,15 @@ struct DiskMotion {
 };
 
 /// The disk's velocity under the point (x, y) of a slider of this length and width [m].
-Velocity diskVelocity(const DiskMotion& disk, double length, double width, double x, double y);
+inline Velocity diskVelocity(const DiskMotion& disk, double length, double width, double x, double y)
+{
+    // With the angles of the header expanded, size cos psi = omega (R cos phi - Y) and -size sin psi = omega (X - R sin
+    // phi): omega x r of a rigid disk.
+    const bool rotating = disk.field == VelocityField::Rotating;
+    const double fromCentreX = rotating ? 0.5 * length - x : 0.0; // X
+    const double fromCentreY = rotating ? 0.5 * width - y : 0.0;  // Y
+    return {disk.speed * (disk.radius * std::cos(disk.skew) - fromCentreY),
+            disk.speed * (fromCentreX - disk.radius * std::sin(disk.skew))};
+}
 
 } // namespace touchdown

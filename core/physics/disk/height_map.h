@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A measured surface: heights on equally spaced points. Where it repeats it is continuous: a closed one, whose last row
-// or column is the first one again (a whole turn of the disk), repeats as it is; any other is followed by its mirror
-// image.
+// A measured surface: heights on equally spaced points. It repeats continuously: directly if it is closed, i.e. the
+// last row or column is the first one again (a whole turn of the disk); otherwise followed by its mirror image.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 namespace touchdown {

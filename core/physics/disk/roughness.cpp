@@ -81,8 +81,7 @@ double reachOf(RoughnessSpectrum spectrum)
     return spectrum == RoughnessSpectrum::Gaussian ? gaussianReach : exponentialReach;
 }
 
-/// The autocovariance at a distance x, y, of the surface that repeats with the periods px (0: does not) and py; all in
-/// correlation lengths.
+/// The autocovariance at a distance x, y of a surface with periods px (0: none) and py; all in correlation lengths.
 double repeatedCorrelation(RoughnessSpectrum spectrum, double x, double y, double px, double py)
 {
     const double reach = reachOf(spectrum);
@@ -126,7 +125,7 @@ void powerOfSelfAffine(const DiskSurface& s, Array& map)
         }
 }
 
-/// A mode of the half spectrum and how often it stands in the whole one.
+/// A mode of the half spectrum and its number of copies in the whole one.
 struct Mode {
     int mirrored;  // row of its conjugate in the same column; only in the first and the last one both are in the half
     bool real;     // is its own conjugate
@@ -171,8 +170,7 @@ double correction(int seed, Array& map, const GoOn& goOn)
     return std::clamp(missing / weighted, -0.5 / largest, 1.0 / largest);
 }
 
-/// From the power of each mode to one realisation of its amplitude: complex and normal; the transform of something
-/// real.
+/// From the power of each mode to one realisation of its amplitude, complex and normal, of a real surface.
 void drawAmplitudes(int seed, Array& map, const GoOn& goOn)
 {
     const double alpha = correction(seed, map, goOn);

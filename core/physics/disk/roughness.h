@@ -49,8 +49,7 @@ public:
     /// numbers of the period about q. The limits are those of a chi-square variable with 2 modes (sum C)^2/sum C^2
     /// degrees of freedom, the sums over the waves across that share q (its quantiles after Wilson & Hilferty 1931).
     RequestedPsd profile(double q, int modes = 1) const;
-    /// C at a wave vector of that size [m^4]: of the self-affine spectrum as made, of the others without what is
-    /// folded.
+    /// C at a wave vector of that size [m^4]; without folding.
     double density(double q) const;
 
 private:

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/numerics/uniform_grid.h"
+#include "core/numerics/cell_grid.h"
 #include "core/physics/disk/disk_topography.h"
 
 namespace touchdown {
@@ -16,7 +16,7 @@ namespace touchdown {
 struct ProfilePsd {
     std::vector<double> waveNumber; // q [rad/m], ascending, > 0
     std::vector<double> density;    // [m^3], the mean of all rows
-    std::vector<int> modes;         // how many wave numbers of the period stand behind the value
+    std::vector<int> modes;         // number of wave numbers of the period in the value
 };
 
 struct SurfaceStatistics {
@@ -30,16 +30,14 @@ struct SurfaceStatistics {
     ProfilePsd psd;
 };
 
-/// Of heights on the cells of `grid`, row by row. `periodic`: they repeat in both directions; else the spectrum is
-/// taken with a Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are
-/// alike.
+/// Of heights on the cells of `grid`, row by row. `periodic`: they repeat in both directions; else the spectrum has a
+/// Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are equal.
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic);
 
-/// Of one period of a surface; row by row, so that it is not in memory twice. `goOn` is asked at each; where it says
-/// false the statistics mean nothing.
+/// Of one period of a surface. If `goOn`, asked at each row, returns false the statistics are invalid.
 SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn = {});
 
-/// The density averaged over bins of equal ratio, at most `perDecade` of them in each decade: for plots.
+/// For plots: the density averaged over bins of equal ratio, at most `perDecade` in each decade.
 ProfilePsd averaged(const ProfilePsd& psd, int perDecade);
 
 } // namespace touchdown

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
-#include "core/numerics/uniform_grid.h"
 #include "core/physics/disk/disk_surface.h"
 
 namespace touchdown {

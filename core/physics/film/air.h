@@ -7,6 +7,9 @@
 //   p = 101325 (1 - 0.0065 z / 288.16)^5.256                standard atmosphere, z in metres
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 namespace touchdown {
 
 struct Air {
@@ -19,6 +22,15 @@ struct Air {
 inline constexpr Air establishedStandardAir{101325.0, 1.8372e-5, 68.6e-9};
 
 /// Altitude [m], -1000 to 20000; temperature [K], above 0.
-Air airAt(double altitude, double temperature);
+inline Air airAt(double altitude, double temperature)
+{
+    constexpr double gasConstant = 8.31446261815324; // [J/(mol K)]
+    constexpr double avogadro = 6.02214076e23;       // [1/mol]
+    constexpr double moleculeDiameter = 3.65e-10;    // d [m]
+    const double t = temperature;
+    const double p = 101325.0 * std::pow(1.0 - 0.0065 * altitude / 288.16, 5.256);
+    const double area = std::numbers::sqrt2 * std::numbers::pi * moleculeDiameter * moleculeDiameter;
+    return {p, 1.458e-6 * t * std::sqrt(t) / (t + 110.4), gasConstant * t / (area * avogadro * p)};
+}
 
 } // namespace touchdown

@@ -10,6 +10,8 @@
 // the real part of the logarithm, so that the energy can become negative.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace touchdown {
@@ -29,7 +31,12 @@ struct AirSpring {
         return stiffness * staticSpacing * staticSpacing * (z - 2.0 * staticSpacing) / (z * z * z);
     }
     /// [J]; finite and >= 0 when held, for any z.
-    double potential(double z, PotentialBelowCutoff below = PotentialBelowCutoff::Held) const;
+    double potential(double z, PotentialBelowCutoff below = PotentialBelowCutoff::Held) const
+    {
+        if (stiffness == 0.0) return 0.0;
+        const double ratio = staticSpacing / (below == PotentialBelowCutoff::Held ? std::max(z, cutoff) : z);
+        return stiffness * staticSpacing * staticSpacing * (ratio - std::log(std::abs(ratio)) - 1.0);
+    }
 };
 
 } // namespace touchdown

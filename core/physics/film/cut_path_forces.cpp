@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the pressure between two cell centres adds to the cells' own, and the shear of its gradient. Profile of a
-// constant flow F (path_flow.h), from the downstream end with pressure p2: where a piece of length l begins downstream
-// the pressure is a p2 + b F,
+// Excess of the pressure between two cell centres over the cells' own, and the shear of its gradient. Profile of a
+// constant flow F (path_flow.h), from the downstream end with pressure p2: the pressure is a p2 + b F at the downstream
+// end of a piece of length l,
 //
-//   its mean over the piece a phi p2 + (b phi + r chi) F,   at the other end a <- a exp(-q), b <- b exp(-q) + r phi,
+//   a phi p2 + (b phi + r chi) F in the mean over it,   at its other end a <- a exp(-q), b <- b exp(-q) + r phi,
 //
-// and at the upstream end it is p1, which tells F. The excess is the sum of l mean less what the two sides have at the
-// cells' pressures; the shear is -(h/2)(p2 - p1) times the width, h weighted by resistance.
+// and p1 at the upstream end, which gives F. The excess is the sum of l mean less that of the cells' pressures; the
+// shear is -(h/2)(p2 - p1) times the width, h weighted by resistance.
 #include <algorithm>
 
 #include "core/numerics/vector_clones.h"
-#include "core/physics/film/cut_path_lanes.h"
 #include "core/physics/film/cut_paths.h"
+#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/flow_table.h"
+#include "core/physics/film/path_flow.h"
 
 namespace touchdown {
 

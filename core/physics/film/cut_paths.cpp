@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/numerics/vector_clones.h"
-#include "core/physics/film/cut_path_lanes.h"
+#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/flow_table.h"
+#include "core/physics/film/path_flow.h"
 
 namespace touchdown {
 

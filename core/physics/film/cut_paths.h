@@ -9,12 +9,13 @@
 #include <span>
 #include <vector>
 
-#include "core/numerics/dual.h"
-#include "core/physics/film/film_gaps.h"
-#include "core/physics/film/flow_table.h"
-#include "core/physics/film/path_flow.h"
-
 namespace touchdown {
+
+class FlowTable;
+struct Attitude;
+struct FilmGaps;
+template <typename Number>
+struct PathFlow;
 
 /// What the pressure between the two cells of a cut face does to the slider.
 template <typename Number>

@@ -2,11 +2,11 @@
 #include "core/physics/film/film_energy.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 
 #include "core/numerics/vector_clones.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -32,18 +32,6 @@ inline double logarithm(double x)
     return k * log2 + 2.0 * (s + s * z * series);
 }
 
-/// Eight sums side by side, whatever the width of vectors.
-template <typename Term>
-double sum(std::size_t count, const Term& term)
-{
-    std::array<double, 8> sums{};
-    const std::size_t whole = count / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += term(i + k);
-    for (std::size_t i = whole; i < count; ++i) sums[0] += term(i);
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
 TOUCHDOWN_VECTOR_CLONES void setLogs(std::size_t count, const double* p, double ambient, double* log, double* inverse)
 {
     const double perAmbient = 1.0 / ambient;
@@ -57,14 +45,14 @@ TOUCHDOWN_VECTOR_CLONES void setLogs(std::size_t count, const double* p, double 
 TOUCHDOWN_VECTOR_CLONES double storedEnergy(std::size_t count, const double* p, const double* log, const double* volume,
                                             double ambient)
 {
-    return sum(count, [=](std::size_t k) { return volume[k] * (p[k] * log[k] - p[k] + ambient); });
+    return sumInLanes(count, [=](std::size_t k) { return volume[k] * (p[k] * log[k] - p[k] + ambient); });
 }
 
 /// Of what the cells store, with ln(p/p0).
 TOUCHDOWN_VECTOR_CLONES double storedPower(std::size_t count, const double* p, const double* log, const double* volume,
                                            const double* history, double perTime)
 {
-    return sum(count, [=](std::size_t k) { return log[k] * (perTime * volume[k] * p[k] - history[k]); });
+    return sumInLanes(count, [=](std::size_t k) { return log[k] * (perTime * volume[k] * p[k] - history[k]); });
 }
 
 /// Of a row of faces, `step` cells from the ones below to the ones above.
@@ -73,7 +61,7 @@ TOUCHDOWN_VECTOR_CLONES double dissipation(std::size_t count, std::size_t step, 
                                            const double* log, const double* inverse, double ambient)
 {
     const double perAmbient = 1.0 / ambient;
-    return sum(count, [=](std::size_t k) {
+    return sumInLanes(count, [=](std::size_t k) {
         const double *p2 = p + k, *p1 = p2 - step, *log2 = log + k, *inverse2 = inverse + k;
         const double ratio = perAmbient * *p1 * *inverse2, reciprocal = perAmbient * *p2 * *(inverse2 - step),
                      x = *(log2 - step) - *log2;
@@ -87,12 +75,13 @@ TOUCHDOWN_VECTOR_CLONES double dissipation(std::size_t count, std::size_t step, 
 TOUCHDOWN_VECTOR_CLONES double work(std::size_t count, const double* p1, const double* p2, const double* from,
                                     const double* to, const double* area, double ambient)
 {
-    return sum(count, [=](std::size_t k) { return (0.5 * (p1[k] + p2[k]) - ambient) * area[k] * (to[k] - from[k]); });
+    return sumInLanes(count,
+                      [=](std::size_t k) { return (0.5 * (p1[k] + p2[k]) - ambient) * area[k] * (to[k] - from[k]); });
 }
 TOUCHDOWN_VECTOR_CLONES double work(std::size_t count, const double* p1, const double* p2, const double* from,
                                     const double* to, double ambient)
 {
-    return sum(count, [=](std::size_t k) { return (0.5 * (p1[k] + p2[k]) - ambient) * (from[k] - to[k]); });
+    return sumInLanes(count, [=](std::size_t k) { return (0.5 * (p1[k] + p2[k]) - ambient) * (from[k] - to[k]); });
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/physics/film/cross_feed.h"
+#include "core/physics/slider/recess.h"
 
 namespace touchdown {
 
@@ -30,6 +30,11 @@ public:
     }
 
     Sampler(const Recess& recess, FilmGaps& gaps) : recess_(recess), gaps_(gaps) {}
+
+    double at(int axis, double along, double across) const
+    {
+        return axis == 0 ? recess_.at(along, across) : recess_.at(across, along);
+    }
 
     /// A path along `axis` from `start` to `end`, across a face from `low` to `high` at `face`: adds its rows, unless
     /// it is so gentle that one number stands for it: small change over its length and width, and no jump.
@@ -87,10 +92,6 @@ private:
         return static_cast<std::uint32_t>(container.size());
     }
 
-    double at(int axis, double along, double across) const
-    {
-        return axis == 0 ? recess_.at(along, across) : recess_.at(across, along);
-    }
     void breaks(int axis, double across, double from, double to)
     {
         breaks_.clear();
@@ -147,9 +148,8 @@ private:
         return highest - lowest < alikeShare * std::max(0.0, lowest) + alikeRange;
     }
 
-    /// Makes pieces of the samples: one of neighbours on one side of the face that are alike, from the face outwards.
-    /// Its gap h resists as they do in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second
-    /// order.
+    /// Joins similar neighbouring samples on one side of the face to pieces, from the face outwards, with the gap h of
+    /// their resistance in series: the mean of h^-3 is that of mean(h) - 2 variance(h)/mean(h), to second order.
     void joinSamples()
     {
         const auto above =
@@ -188,8 +188,7 @@ private:
         a.recess -= 2.0 * share * (1.0 - share) * difference * difference / gap(a.recess);
     }
 
-    /// Makes one of the face's rows where the pieces of all are alike: side by side they let through the mean of h^3,
-    /// that of mean(h) + variance(h)/mean(h).
+    /// Joins the face's rows where their pieces are similar: the mean of h^3 is that of mean(h) + variance(h)/mean(h).
     void joinRows(std::size_t firstRow, double pathLength)
     {
         const std::size_t count = gaps_.rows.size() - firstRow;
@@ -291,14 +290,13 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
                 const bool smooth =
                     axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
                 if (smooth || !sampler.divideFace(axis, start, end, lines[line], low, high)) {
-                    f.recess[at] = axis == 0 ? recess.at(f.pathMid[line], middle) : recess.at(middle, f.pathMid[line]);
+                    f.recess[at] = sampler.at(axis, f.pathMid[line], middle);
                     f.rise[at] = meanRecess[at] - meanRecess[before];
                     if (Sampler::isStep(std::min(meanRecess[at], meanRecess[before]),
                                         std::max(meanRecess[at], meanRecess[before]))) {
                         // A ramp, or an edge at the very end of the path, which is beside it.
                         const double inset = 1e-6 * f.pathLength[line];
-                        f.rise[at] = axis == 0 ? recess.at(end - inset, middle) - recess.at(start + inset, middle)
-                                               : recess.at(middle, end - inset) - recess.at(middle, start + inset);
+                        f.rise[at] = sampler.at(axis, end - inset, middle) - sampler.at(axis, start + inset, middle);
                     }
                     continue;
                 }
@@ -311,7 +309,7 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
         for (int i = 0; i < pad.nx; ++i)
             if (stepped[pad.at(i, j)]) steppedCells.push_back(pad.at(i, j));
     setCutCells();
-    setCrossFeed(*this);
+    setCrossFeed();
 }
 
 /// A cell is the upper half of the path below it and the lower half of the one above.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The recess of a surface as the film's cells see it. A path runs from one cell centre to the next, across their face;
-// flow through it meets the gaps on its way in series, and paths side by side in parallel. Where the recess is smooth,
-// one sample in the middle stands for the whole face. Where an edge or a wall meets it, the face is divided into rows,
-// each row at its breaks into pieces, exactly where the recess jumps: this is what makes the load converge on grids
-// that ignore the rails.
+// The recess of a surface on the film's cells. A path runs from one cell centre to the next, across their face; the
+// gaps along it act in series, and neighbouring paths in parallel. Where the recess is smooth, one sample in the middle
+// represents the face. Where an edge or a wall meets it, the face is divided into rows, and each row at its breaks into
+// pieces, exactly where the recess jumps: so the load converges also on grids that ignore the rails.
 #pragma once
 
 #include <array>
@@ -15,21 +14,21 @@
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/padded_grid.h"
 #include "core/physics/slider/attitude.h"
-#include "core/physics/slider/recess.h"
 
 namespace touchdown {
+
+class Recess;
 
 /// Gaps of flying sliders are some ten nanometres above the recess [m].
 inline constexpr double typicalLift = 20e-9;
 
 /// A part of a row in which the recess hardly changes.
 struct GapPiece {
-    double extent; // length along the path [m]; of a cell's piece, its area [m^2]
-    double recess; // [m]
-    double x, y;   // where it was taken [m]
-    double start;  // of a path's piece, from the face [m]; none lies on both sides
-    double lead = 0.0,
-           feed = 0.0; // of the flow across, the part between face and start, along the piece; as lengths [m]
+    double extent;                 // length along the path [m]; of a cell's piece, its area [m^2]
+    double recess;                 // [m]
+    double x, y;                   // where it was taken [m]
+    double start;                  // of a path's piece, from the face [m]; none lies on both sides
+    double lead = 0.0, feed = 0.0; // of the flow across: between face and start, along the piece; as lengths [m]
 };
 
 /// A face that an edge or a wall meets, or such a cell (whose pieces are one row).
@@ -43,7 +42,7 @@ struct GapRow {
 };
 
 struct FilmGaps {
-    /// `goOn` is asked at each row; where it says false the rest is missing, and it is of no use.
+    /// `goOn` is asked at each row; if it returns false the result is incomplete and invalid.
     FilmGaps(const Recess& recess, CellGrid grid, const std::function<bool()>& goOn = {});
 
     CellGrid grid;
@@ -74,6 +73,8 @@ struct FilmGaps {
 
 private:
     void setCutCells();
+    /// Sets lead and feed of the pieces of paths (cross_feed.cpp).
+    void setCrossFeed();
 };
 
 } // namespace touchdown

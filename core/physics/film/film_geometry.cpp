@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/numerics/vector_clones.h"
+#include "core/physics/disk/disk_velocity.h"
+#include "core/physics/film/path_flow.h"
 
 namespace touchdown {
 
@@ -174,12 +176,7 @@ void FilmGeometry::setVolumes()
         }
         volume_[place.at] = volume;
     }
-    std::array<double, 8> sums{}; // side by side: one after the other each addition would wait for the last
-    const std::size_t whole = volume_.size() / 8 * 8;
-    for (std::size_t at = 0; at < whole; at += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += volume_[at + k];
-    for (std::size_t at = whole; at < volume_.size(); ++at) sums[0] += volume_[at];
-    totalVolume_ = ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+    totalVolume_ = sumInLanes(volume_.size(), [&](std::size_t at) { return volume_[at]; });
 }
 
 void FilmGeometry::setVolumeSlopes(std::size_t k, double scale, std::span<const double> factor,

@@ -8,11 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/cut_paths.h"
 #include "core/physics/film/film_gaps.h"
 
 namespace touchdown {
+
+struct DiskMotion;
 
 class FilmGeometry {
 public:
@@ -24,9 +25,9 @@ public:
     const Attitude& attitude() const { return attitude_; }
 
     /// The disk's surface under each cell: mean height above the mean plane, less the deformation by contact [m];
-    /// padded, its rings are not read. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A
-    /// smooth face has the mean of its two cells' heights, and their difference in the tilt of its gap; all pieces of a
-    /// cut place have the height of their face, or of their cell.
+    /// padded, without rings. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A smooth
+    /// face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut place have
+    /// the height of their face, or of their cell.
     void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 
@@ -79,8 +80,7 @@ private:
     {
         return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y);
     }
-    /// Subtracts the disk's height from the recess of a row of faces, and its rise along their paths from the rise of
-    /// the recess. A face on the outline has the height of the cell inside.
+    /// Subtracts the disk's height and rise from those of a row of faces; on the outline, those of the cell inside.
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
     void setFaceGaps(std::size_t axis);

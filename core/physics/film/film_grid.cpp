@@ -2,7 +2,6 @@
 #include "core/physics/film/film_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -134,6 +133,20 @@ std::vector<double> slopeDensity(const CellGrid& grid, int axis, std::span<const
     return byPosition(lines, slope);
 }
 
+/// Lines on the edges; their density along an axis is density(axis, extent, extent across).
+template <typename Density>
+CellGrid gridOf(const AirBearingSurface& surface, double length, double width, int nx, int ny, const Density& density)
+{
+    const auto axis = [&](int which, double extent, double across, int n) {
+        return gradedAxis({.start = 0.0,
+                           .end = extent,
+                           .density = density(which, extent, across),
+                           .marks = edgeMarks(surface, which, extent, across)},
+                          n);
+    };
+    return {axis(0, length, width, nx), axis(1, width, length, ny)};
+}
+
 } // namespace
 
 CellGrid uniformGrid(double length, double width, int nx, int ny)
@@ -146,33 +159,25 @@ CellGrid uniformGrid(double length, double width, int nx, int ny)
 
 CellGrid gradedGrid(const AirBearingSurface& surface, double length, double width, int nx, int ny)
 {
-    const auto axis = [&](int which, double extent, double across, int n) {
-        AxisWish wish{.start = 0.0,
-                      .end = extent,
-                      .density = edgeDensity(surface, which, extent, across),
-                      .marks = edgeMarks(surface, which, extent, across)};
-        normalise(wish.density, 1.0 / 3.0);
-        for (double& d : wish.density) d = 0.5 + 0.5 * d;
-        return gradedAxis(wish, n);
-    };
-    return {axis(0, length, width, nx), axis(1, width, length, ny)};
+    return gridOf(surface, length, width, nx, ny, [&](int axis, double extent, double across) {
+        std::vector<double> density = edgeDensity(surface, axis, extent, across);
+        normalise(density, 1.0 / 3.0);
+        for (double& d : density) d = 0.5 + 0.5 * d;
+        return density;
+    });
 }
 
 CellGrid adaptedGrid(const AirBearingSurface& surface, double length, double width, int nx, int ny,
                      const KnownFilm& known)
 {
-    const auto axis = [&](int which, double extent, double across, int n) {
-        AxisWish wish{.start = 0.0,
-                      .end = extent,
-                      .density = bendDensity(known.grid, which, known.pressure, known.ambient),
-                      .marks = edgeMarks(surface, which, extent, across)};
-        normalise(wish.density, 1.0 / 3.0);
-        std::vector<double> slope = slopeDensity(known.grid, which, known.gap, known.draggedGap);
+    return gridOf(surface, length, width, nx, ny, [&](int axis, double, double) {
+        std::vector<double> density = bendDensity(known.grid, axis, known.pressure, known.ambient);
+        normalise(density, 1.0 / 3.0);
+        std::vector<double> slope = slopeDensity(known.grid, axis, known.gap, known.draggedGap);
         normalise(slope, 0.5);
-        for (std::size_t k = 0; k < bins; ++k) wish.density[k] = 0.1 + 0.45 * wish.density[k] + 0.45 * slope[k];
-        return gradedAxis(wish, n);
-    };
-    return {axis(0, length, width, nx), axis(1, width, length, ny)};
+        for (std::size_t k = 0; k < bins; ++k) density[k] = 0.1 + 0.45 * density[k] + 0.45 * slope[k];
+        return density;
+    });
 }
 
 double draggedGap(double viscosity, double speed, double length, double ambient)

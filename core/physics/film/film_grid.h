@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Grids for a slider's film: lines on the long edges of its rails, denser where edges are many or where a pressure that
-// is known bends.
+// Grids for a slider's film: lines on the long edges of its rails, denser where edges are many or where a known
+// pressure bends.
 #pragma once
 
 #include <span>

@@ -2,7 +2,6 @@
 #include "core/physics/film/film_line_multigrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace touchdown {
@@ -90,7 +89,7 @@ FilmSolution FilmLineMultigrid::solve(std::span<double> p, const FilmOptions& op
             last = now;
         } else {
             stale = true;
-            shift = longerShift(shift);
+            shift = shift == 0.0 ? 10.0 * fine.film.passage() : 8.0 * shift;
             copy(best_, fine.pressure);
             last = best;
         }
@@ -209,18 +208,10 @@ double FilmLineMultigrid::residualOf(Level& level)
     return residualNorm(level.film, level.residual);
 }
 
-double FilmLineMultigrid::longerShift(double shift) const { return shift == 0.0 ? 10.0 * passage() : 8.0 * shift; }
-
 double FilmLineMultigrid::shorterShift(double shift, double gain) const
 {
     const double next = shift * std::clamp(gain, 0.1, 0.7);
-    return next < 0.01 * passage() ? 0.0 : next;
-}
-
-double FilmLineMultigrid::passage() const
-{
-    const GasFilm& film = levels_.front().film;
-    return film.flowScale() / film.ambient() / std::max(1e-300, film.totalVolume());
+    return next < 0.01 * levels_.front().film.passage() ? 0.0 : next;
 }
 
 } // namespace touchdown

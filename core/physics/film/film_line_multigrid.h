@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The steady film at a fixed attitude by alternating-direction line sweeps with full multigrid (Brandt 1977; for air
-// bearings Lu 1997), the method of the established programs: Newton's discrete solution by another path.
+// bearings Lu 1997), the method of the established programs: another way to Newton's discrete solution.
 //
-// Every second line of a grid makes the next coarser one; each level samples the surface for itself and has its own
-// film. The pressure starts on the coarsest level and is handed on from level to level, with one V cycle on each. A
-// cycle seeks the correction v of the pressure,
+// Every second line of a grid makes the next coarser one; each level samples the surface itself and has its own film.
+// The pressure starts on the coarsest level and is passed from level to level, with one V cycle on each. A cycle finds
+// the correction v of the pressure,
 //
 //   J v = -R(p):  relax; sum the residual outflow over the coarse cells; correct there; interpolate; relax.
 //
-// Relaxation is zebra lines along x, then along y, with the derivatives of the flow that the convection scheme passes;
-// a coarse level takes its own at the mean of the finer one's pressure. One linearisation serves a whole visit of a
-// level, so that the full approximation of coarse levels comes down to their corrections; it is kept for further cycles
-// until one gains too little. Linearising at each relaxation saves no cycle and costs twice the time.
+// Relaxation is zebra lines along x, then along y, with the derivatives of the flow of the convection scheme; a coarse
+// level linearises at the mean of the finer one's pressure. A linearisation is kept for further cycles until one gains
+// too little; linearising at each relaxation saves no cycle and costs twice the time.
 //
-// What the complete flux scheme adds couples nine cells and more, and is deferred: lines solve the five-point part for
-// what the whole J leaves of the residual, several times at each relaxation. Deferred once per relaxation it takes up
-// to twice as many cycles. Coarse levels do without, with exponential fitting.
+// The correction of the complete flux scheme couples nine cells and more and is deferred: lines solve the five-point
+// part for the residual of the whole J, several times at each relaxation (once takes up to twice as many cycles).
+// Coarse levels use exponential fitting without it.
 //
-// No pressure rises or falls by more than a factor of three in a cycle, so that none becomes negative. A cycle that
-// makes things much worse is taken back, and repeated with a step in time in place of the steady state.
+// No pressure changes by more than a factor of three in a cycle, so none becomes negative. A cycle that raises the
+// residual much is undone and repeated with a step in time instead of the steady state.
 #pragma once
 
 #include <deque>
@@ -29,6 +28,7 @@
 #include "core/numerics/line_relaxation.h"
 #include "core/numerics/nested_grid.h"
 #include "core/physics/film/film_newton.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -39,7 +39,7 @@ public:
     {}
     /// `finest`: the recess as the finest grid sees it.
     FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting);
-    FilmLineMultigrid(FilmLineMultigrid&&) = default; // moved, the levels stay where they are
+    FilmLineMultigrid(FilmLineMultigrid&&) = default; // the levels keep their addresses
     FilmLineMultigrid& operator=(FilmLineMultigrid&&) = default;
 
     /// On the finest grid. A solution leaves its linearisation undetermined.
@@ -47,8 +47,7 @@ public:
     void setAttitude(const Attitude& attitude);
 
     /// Solves R(p) = 0 from the guess p (padded). `iterations` are V cycles on the finest grid, `solves` those on all.
-    /// A guess that is nearly right is kept; with another one the levels are climbed. Without convergence, p is the
-    /// best seen.
+    /// Starts from the coarsest level unless the guess is good. Without convergence, p is the best one found.
     FilmSolution solve(std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor = {});
 
 private:
@@ -57,8 +56,7 @@ private:
 
         /// At the pressure, with a step in time of 1/shift.
         void linearise(double shift);
-        /// Sweeps over the lines; as often again for each deferral of a complete flux scheme. `fromZero`: the
-        /// correction is.
+        /// Sweeps over the lines, repeated for each deferral of a complete flux scheme; `fromZero`: no correction yet.
         void relax(int sweeps, bool fromZero);
         /// residual = right - J correction.
         void leave();
@@ -77,7 +75,7 @@ private:
         std::vector<double> change;     // of the correction or of the pressure [Pa]
     };
 
-    /// From the guess, when it is nearly right, or by way of all levels, when that does not make things much worse.
+    /// Starts from the guess, or from the coarsest level where that gives a smaller residual.
     void start(std::span<const double> guess, FilmSolution& result);
     void climb(FilmSolution& result);
     /// All levels, about the finest one's pressure.
@@ -85,12 +83,9 @@ private:
     /// One V cycle: the level's correction, from zero, for its right-hand side.
     void cycle(std::size_t index);
     double residualOf(Level& level);
-    double longerShift(double shift) const;
     double shorterShift(double shift, double gain) const;
-    /// How often the disk passes the slider [1/s].
-    double passage() const;
 
-    std::deque<Level> levels_; // the finest first; films refer to their level's gaps, which stay where they are
+    std::deque<Level> levels_; // the finest first; films refer to their level's gaps
     std::vector<double> best_; // pressure on the finest level [Pa]
 };
 

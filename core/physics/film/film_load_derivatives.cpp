@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Derivatives of load and shear by the pressures and the attitude.
-#include <algorithm>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/film_loads.h"

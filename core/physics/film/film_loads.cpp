@@ -2,7 +2,6 @@
 #include "core/physics/film/film_loads.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/gas_film.h"

@@ -3,14 +3,14 @@
 // Forces and torques of a film on the slider, with their derivatives. Load: integral of the pressure above ambient. A
 // cell counts its pressure times its area; across a face that an edge or a wall meets, the excess or lack of pressure
 // in a thin layer along the motion is added. Shear: Couette mu U/(h + 2 a lambda), a = (2 - alpha)/alpha, and
-// Poiseuille
-// -(h/2) dp/dx. Torques are about the slider's centre.
+// Poiseuille -(h/2) dp/dx. Torques are about the slider's centre.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "core/numerics/dual.h"
 #include "core/physics/film/cut_paths.h"
 #include "core/physics/film/film_forces.h"
 
@@ -18,8 +18,7 @@ namespace touchdown {
 
 class GasFilm;
 
-/// Pressures (padded) [Pa] are arguments; attitude and surface are those of the film, which must last. Its functions
-/// share one work space.
+/// At given pressures (padded) [Pa] and the film's attitude and surface. All functions share one work space.
 class FilmLoads {
 public:
     explicit FilmLoads(const GasFilm& film);

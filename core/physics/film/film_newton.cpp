@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/film/gas_film.h"
+
 namespace touchdown {
 
 double residualNorm(const GasFilm& film, std::span<const double> residual)
@@ -81,9 +83,8 @@ void FilmLinearSolver::prepareTransposed()
             diagonal_[at] =
                 (x[at + 1] - x[at]) + (y[at + pad.stride()] - y[at]) + film_.storagePerTime() * film_.volumes()[at];
         }
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t at = 0; at < pad.size(); ++at) convection_[axis][at] = -faces[axis].convection[at];
-    }
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
                             FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
                            diagonal_);
@@ -116,7 +117,7 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
     film_.linearise(p, residual_);
     result.residual = residualNorm(film_, residual_);
     // A pseudo time step of the time the disk takes to pass the slider, when one is needed.
-    const double passage = film_.flowScale() / film_.ambient() / std::max(1e-300, film_.totalVolume()); // [1/s]
+    const double passage = film_.passage();
     double shift = 0.0;
     int accepted = 0, slow = 0;
     std::copy(p.begin(), p.end(), best_.begin());
@@ -132,8 +133,7 @@ FilmSolution FilmNewton::solve(std::span<double> p, const FilmOptions& options, 
         linear_.prepare(shift);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(step_.begin(), step_.end(), 0.0);
-        // As exact as Newton's own convergence deserves (Eisenstat & Walker 1996), and no more than the tolerance asks
-        // for.
+        // By the convergence of Newton's method (Eisenstat & Walker 1996), and no more exact than the tolerance.
         const double deserved = std::clamp(0.1 * std::sqrt(result.residual), 1e-4, 0.03);
         const double forcing = std::max(deserved, std::min(0.1, 0.3 * options.tolerance / result.residual));
         const GmresResult linear =

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Newton's method for the steady film at a fixed attitude, with the exact Jacobian: generalised minimal residuals,
-// preconditioned by multigrid. Where a step makes things worse, the film is led there in time instead (pseudo-transient
-// continuation, Kelley & Keyes 1998): a film at a fixed attitude always settles.
+// preconditioned by multigrid. Where a step raises the residual, the film is advanced in time instead (pseudo-transient
+// continuation, Kelley & Keyes 1998): a film at a fixed attitude always becomes steady.
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/numerics/gmres.h"
 #include "core/numerics/multigrid.h"
 #include "core/physics/film/film_stencil.h"
-#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
+
+class GasFilm;
 
 struct FilmOptions {
     double tolerance = 1e-7; // of the residual: sum of the cells' |R|, against the flow through the film [-]
@@ -30,7 +30,7 @@ struct FilmSolution {
     double residual = 0.0; // reached [-]
 };
 
-/// Told at each iteration and within its linear solution: number, residual. Return false to stop.
+/// Called at each iteration and within its linear solution: number, residual. Return false to stop.
 using FilmMonitor = std::function<bool(int, double)>;
 
 /// The linear systems of one film: multigrid and Krylov vectors, allocated once.
@@ -40,11 +40,9 @@ public:
 
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
-    /// out = J v to single precision (film_stencil.h), of what was prepared; padded, zero rings. Cells store as the
-    /// film does now.
+    /// out = J v to single precision (film_stencil.h), with the film's present storage; padded, zero rings.
     void apply(std::span<const double> v, std::span<double> out) const;
-    /// v = roughly J^-1 b, padded: along x, then along y (Multigrid::solveFactors); so, and by coarser grids; by a full
-    /// cycle.
+    /// v = approximately J^-1 b, padded: by factors along x and y; by these and coarser grids; by a full cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
     void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
     void cycle(std::span<const double> b, std::span<double> v) { multigrid_.precondition(b, v); }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/film/film_oscillation.h"
 
+#include "core/physics/film/gas_film.h"
+
 namespace touchdown {
 
 using Complex = std::complex<double>;
 
 namespace {
 
-// Fast oscillations leave waves that the disk drags along: restarted after 20 iterations, GMRES would lose them again
-// and again.
+// GMRES restarted after 20 iterations loses the waves of fast oscillations that the disk carries along.
 constexpr int restart = 50;
 
 } // namespace
@@ -21,7 +22,7 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
-    GasFilm::AttitudeWork work(film);
+    AttitudeWork work(film.gaps());
     film.attitudeColumns(p, columns_, work);
     film.attitudeStorageColumns(p, storage_, work);
     for (auto& response : response_) response.assign(film.pad().size(), Complex{});

@@ -4,10 +4,10 @@
 //
 //   (J + s S) dp + (dR/da + s T) da = 0
 //
-// J the film's Jacobian, a the attitude. S and T are what the residual answers to a rate of storage d(p V)/dt = s (V dp
-// + p dV/da da) in the cells: itself, and with the complete flux scheme what it feeds the flow along each path. The
-// dynamic stiffness is what the film answers: Z(s) = -(dF/dp dp/da + dF/da), with F any forces that depend on pressure
-// and attitude; Z(i omega) = K + i omega C.
+// J the film's Jacobian, a the attitude. S and T are the derivatives of the residual by a rate of storage d(p V)/dt = s
+// (V dp + p dV/da da) in the cells: the storage itself and, in the complete flux scheme, its part in the flow along
+// each path. The dynamic stiffness is Z(s) = -(dF/dp dp/da + dF/da), F any forces that depend on pressure and attitude;
+// Z(i omega) = K + i omega C.
 #pragma once
 
 #include <array>
@@ -17,10 +17,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/gmres.h"
+#include "core/numerics/multigrid.h"
 #include "core/numerics/small_matrix.h"
-#include "core/physics/film/film_newton.h"
+#include "core/physics/film/film_stencil.h"
 
 namespace touchdown {
+
+class GasFilm;
 
 class FilmOscillation {
 public:
@@ -28,15 +32,15 @@ public:
     FilmOscillation(const GasFilm& film, std::span<const double> p);
 
     /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces'
-    /// derivatives. `converged` turns false where a linear system was not solved. Each of the first `columns` takes
-    /// one, the others stay zero.
+    /// derivatives. `converged` becomes false where a linear system was not solved. Only the first `columns` are
+    /// computed, by one system each; the others are zero.
     ComplexMatrix3 stiffness(std::complex<double> s, const std::array<std::vector<double>, 3>& byPressure,
                              const Matrix3& byAttitude, bool& converged, std::size_t columns = 3);
-    /// What the forces answer through the pressure, F dp, to a source in the cells: (J + s S) dp + source = 0.
+    /// Response of the forces by the pressure, dF/dp dp, to a source in the cells: (J + s S) dp + source = 0.
     ComplexVector3 answer(std::complex<double> s, std::span<const std::complex<double>> source,
                           const std::array<std::vector<double>, 3>& byPressure, bool& converged);
 
-    /// Asked at each iteration; where it says false nothing converges.
+    /// Asked at each iteration; if it returns false nothing converges.
     void ask(std::function<bool()> goOn) { goOn_ = std::move(goOn); }
 
 private:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/film/gas_film.h"
+
 namespace touchdown {
 
 double fastestFilmRate(const GasFilm& film)

@@ -6,8 +6,8 @@
 //
 //   (J v)_0 = sum_k c_k (v_k - v_0) + (sum_k c_k) v_0 + u_0 + storage u passed on by faces,   u = rate V v,
 //
-// so that the error is that of conductances wrong by 1e-7 of themselves: smooth v lose no more than rough ones. The
-// rate and the volumes may differ from those of the linearisation.
+// so that the relative error of the conductances is 1e-7, for smooth v too. The rate and the volumes may differ from
+// those of the linearisation.
 #pragma once
 
 #include <array>
@@ -41,6 +41,19 @@ struct FilmStencil {
     // Work space of GasFilm::setStencil.
     std::vector<double> rows;  // slopes of four rows, by three cells each [m^2/s]
     std::vector<double> width; // of a row [1/m]
+};
+
+/// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.
+template <typename T>
+struct FaceFlows {
+    std::array<std::vector<T>, 2> flow, slope;
+    std::vector<T> stored; // empty: nothing
+    void resize(std::size_t size)
+    {
+        for (auto* pair : {&flow, &slope})
+            for (auto& field : *pair) field.assign(size, T{});
+        stored.reserve(size);
+    }
 };
 
 } // namespace touchdown

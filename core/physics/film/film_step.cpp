@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/physics/film/film_step_vectors.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -101,8 +102,7 @@ void FilmStepper::setHistory(double dt)
     film_.setStorage(perTime_, history_);
 }
 
-/// Through the last four contents over the new volumes (Lagrange's polynomials), or as many as there are; each at most
-/// doubled or halved.
+/// Lagrange's polynomial through the last contents, at most four, over the new volumes; at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;
@@ -251,8 +251,8 @@ FilmStepResult FilmStepper::step(double dt, const Attitude& attitude)
     while (result.iterations < options_.maximumIterations) {
         const double rest = solveLinear(result);
         if (age_ > 0) {
-            // What flows make of J has shrunk with the gaps since, about in proportion; what is stored is up to date.
-            // Half of it, as a power, serves best.
+            // The flows' part of J has changed about in proportion to the gaps, the storage is up to date: the square
+            // root of the ratio is best.
             scaleToVolumes(change_.size(), linearisedVolume_.data(), film_.volumes().data(), change_.data());
             setTimeError(result);
         }

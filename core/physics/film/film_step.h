@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V, and d(V p)/dt by
-// backward differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which halves
-// the error of BDF2 and takes nine tenths of its damping. The first step is one of Euler, whose error is small enough
-// for second order. Each step is solved by Newton's method from a cubic through the last four contents over the new
-// volumes, as fast motions keep the air where it is, with the Jacobian J of an earlier step. What the step adds to a
-// parabola tells the error of its discretisation in time (2/11 of it for BDF2: Milne's device), and that tells how far
-// to solve.
+// backward differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which has half
+// the error and nine tenths of the damping of BDF2. The first step is Euler's, whose error is small enough for second
+// order. Newton's method with the Jacobian J of an earlier step starts from a cubic through the last four contents over
+// the new volumes, as fast motions keep the air in place. The difference of the step from a parabola gives the error of
+// its discretisation in time (2/11 of it for BDF2: Milne's device), which sets the tolerance of the solution.
 //
-// A step ends when what its last change leaves is estimated small enough (Hairer & Wanner 1996, IV.8): the linear
-// system's rest, known from how fast its iterations contract, and kappa times the change, kappa = |second
-// change|/|first change| of a step, what is wrong with J. It grows about in proportion to J's age, also from one J to
-// the next: it is measured where a second change is needed, and now and then besides. So most steps need one residual.
+// A step ends when the estimated remaining error is small enough (Hairer & Wanner 1996, IV.8): the residual of the
+// linear system, from the contraction of its iterations, and kappa times the change, kappa = |second change|/|first
+// change| of a step, due to the old J. kappa grows about in proportion to J's age; it is measured where a second change
+// is needed, and occasionally otherwise. So most steps need one residual.
 //
-// The linear systems: half a cycle of multigrid for what is smooth, factors along x and y for the rest, which lead
-// where storage does, as in short steps; where these contract slowly, full cycles.
+// The linear systems: half a cycle of multigrid for smooth errors, factors along x and y for the rest, which dominate
+// in short steps; full cycles where these contract slowly.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +25,7 @@
 
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/film_newton.h"
-#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/attitude.h"
 
 namespace touchdown {
 
@@ -34,7 +33,7 @@ using FilmTimeMethod = BackwardRule;
 
 struct FilmStepOptions {
     FilmTimeMethod method = FilmTimeMethod::Bdf2Opt;
-    // What may be left of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
+    // Remaining error of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
     double tolerance = 1e-9;    // this
     double share = 0.3;         // and this share of the step's error of discretisation in time, up to 1e-3
     int maximumIterations = 12; // of Newton's method
@@ -45,7 +44,7 @@ struct FilmStepResult {
     int iterations = 0; // of Newton's method
     int linearisations = 0;
     int solves = 0;         // preconditioned iterations
-    double error = 0.0;     // left, estimated as `tolerance` measures it [-]
+    double error = 0.0;     // remaining, estimated as `tolerance` measures it [-]
     double timeError = 0.0; // of discretisation in time, estimated the same way; in the first steps too small [-]
 };
 
@@ -58,8 +57,7 @@ public:
     void start(std::span<const double> p);
     /// Solves for the pressures `dt` [s] after the last accepted ones, the slider at `attitude`.
     FilmStepResult step(double dt, const Attitude& attitude);
-    /// Moves the solution of the last step along to a nearby attitude, where the film's own equations change it by
-    /// `change` (padded) [Pa].
+    /// Moves the solution of the last step to a nearby attitude, where the film changes by `change` (padded) [Pa].
     void follow(const Attitude& attitude, std::span<const double> change);
     /// Makes the last step's pressures the start of the next step; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
@@ -68,10 +66,10 @@ public:
     std::span<const double> pressure() const { return p_; }
     /// How often a cell has closed since the start: its air is lost.
     long long closings() const { return closings_; }
-    /// What may be left of the last step, as `tolerance` measures it [-].
+    /// Allowed remaining error of the last step, as `tolerance` measures it [-].
     double allowed() const { return std::max(options_.tolerance, std::min(1e-3, options_.share * timeError_)); }
-    /// What the last step's error of discretisation in time, estimated, amounts to: force [N], pitch and roll torque
-    /// about the slider's centre [N m]; zero as long as there is no parabola.
+    /// Load of the last step's estimated error of discretisation in time: force [N], pitch and roll torque about the
+    /// slider's centre [N m]; zero as long as there is no parabola.
     std::array<double, 3> timeErrorLoad() const;
     /// Of the film at the last step's attitude and length, with what its cells store.
     FilmLinearSolver& linear() { return linear_; }
@@ -83,8 +81,8 @@ private:
     void linearise(FilmStepResult& result);
     /// change_ = -J^-1 residual_; its residual, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
-    /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of what they make
-    /// of the residual, which is about the change that is left; nothing where they contract too slowly.
+    /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of the
+    /// preconditioned residual, which is about the remaining change; none where they contract too slowly.
     std::optional<double> iterate(FilmStepResult& result);
     void setTimeError(const FilmStepResult& result);
     double size(std::span<const double> change) const;

@@ -9,27 +9,16 @@ namespace touchdown {
 
 TOUCHDOWN_VECTOR_CLONES double product(std::span<const double> a, std::span<const double> b)
 {
-    std::array<double, 8> sums{};
-    const std::size_t whole = a.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += a[i + k] * b[i + k];
-    for (std::size_t i = whole; i < a.size(); ++i) sums[0] += a[i] * b[i];
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+    return sumInLanes(a.size(), [&](std::size_t k) { return a[k] * b[k]; });
 }
 
 TOUCHDOWN_VECTOR_CLONES double unforeseenSquares(std::span<const double> change, std::span<const double> p,
                                                  std::span<const double> content, std::span<const double> volume)
 {
-    const auto square = [&](std::size_t k) {
+    return sumInLanes(p.size(), [&](std::size_t k) {
         const double value = volume[k] > 0.0 ? p[k] + change[k] - content[k] / volume[k] : 0.0;
         return value * value;
-    };
-    std::array<double, 8> sums{};
-    const std::size_t whole = p.size() / 8 * 8;
-    for (std::size_t i = 0; i < whole; i += 8)
-        for (std::size_t k = 0; k < 8; ++k) sums[k] += square(i + k);
-    for (std::size_t i = whole; i < p.size(); ++i) sums[0] += square(i);
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+    });
 }
 
 TOUCHDOWN_VECTOR_CLONES void setHistories(std::size_t count, const std::array<double, 3>& share, const double* volume,

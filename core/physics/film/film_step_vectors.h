@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a step of the film does cell by cell, on padded arrays of one size: pressures p [Pa], volumes V [m^3], contents
-// V p [Pa m^3].
+// Operations of a film's step cell by cell, on padded arrays of one size: pressures p [Pa], volumes V [m^3], contents V
+// p [Pa m^3].
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// Sum of a b; eight sums side by side, whatever the width of vectors.
+/// Sum of a b.
 double product(std::span<const double> a, std::span<const double> b);
 /// Sum of (p + change - content/volume)^2 where there is a volume.
 double unforeseenSquares(std::span<const double> change, std::span<const double> p, std::span<const double> content,

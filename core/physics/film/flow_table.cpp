@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <numbers>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/kinetic_flow_rate.h"
@@ -19,8 +18,7 @@ namespace {
 /// From 2^-14 to 2^20 times p0 lambda0: Kn from 16000 to 1e-6.
 constexpr int octavesBelow = 14, octavesAbove = 20;
 
-/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece that holds w, four coefficients a piece; the number of w outside the table,
-/// whose results mean nothing.
+/// c0 + c1 d + c2 d^2 + c3 d^3 of the piece of each w; returns the number of w outside the table, with invalid results.
 template <int shift>
 TOUCHDOWN_VECTOR_CLONES std::uint64_t evaluate(std::size_t n, const double* w, const double* coefficients,
                                                std::uint64_t firstPiece, std::uint64_t pieces, double* mobility,
@@ -153,8 +151,7 @@ void FlowTable::at(std::span<const double> w, std::span<const double> gap, std::
     }
 }
 
-/// Weight of the wide gap's model: 3 s^2 - 2 s^3 with s the fraction of the blend, so that G is continuously
-/// differentiable.
+/// Weight of the wide gap's model: 3 s^2 - 2 s^3, s the fraction of the blend: G is continuously differentiable.
 FlowTable::Value FlowTable::narrow(double w, double gap) const
 {
     const Value low = narrow_.at(w);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The mobility G(w) = w Q(Kn) of a film, w = p h [Pa m], Kn = lambda0 p0/w: its conductance is h^2 G/(12 mu). Tabulated
-// on the bits of w, 32 cubic pieces an octave, so that no logarithm is taken; relative error of G below 1e-7
+// on the bits of w, 32 cubic pieces per octave, without logarithms; relative error of G below 1e-7
 // (Fukui-Kaneko: 4e-9). The fit of Fukui & Kaneko is evaluated directly, with its jumps.
 //
 // G depends on the air as p0 lambda0 times a function of w/(p0 lambda0): dG/d(p0 lambda0) = (G - w dG/dw)/(p0 lambda0).

@@ -2,8 +2,56 @@
 #include "core/physics/film/gas_film.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/numerics/vector_clones.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
+
+/// Storage of a row of cells.
+TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
+                                       const double* history, double* stored)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
+}
+
+/// The flows of a row of faces less the limited corrections, and the derivatives of the corrections.
+template <bool derived>
+TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, const FaceMoments& moments,
+                                      const double* before, const double* after, FilmFaces& faces, double* out)
+{
+    const double *in = faces.flow.data() + first, *inflow = faces.inflow.data() + first;
+    const double *below = moments.below.data(), *above = moments.above.data();
+    const double *belowByMean = moments.belowByMean.data(), *aboveByMean = moments.aboveByMean.data();
+    const double *inflowByLower = moments.inflowByLower.data(), *inflowByUpper = moments.inflowByUpper.data();
+    double *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
+    double *lessBelow = faces.below.data() + first, *lessAbove = faces.above.data() + first;
+    double *ownLower = faces.ownLower.data() + first, *ownUpper = faces.ownUpper.data() + first;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double full = before[k] * below[k] + after[k] * above[k];
+        const double inverse = 1.0 / std::sqrt(inflow[k] * inflow[k] + full * full + tinySquare);
+        const double part = inflow[k] * inverse, rest = full * inverse;
+        out[k] = in[k] - full * part;
+        if constexpr (derived) {
+            const double byFull = part * part * part, byInflow = rest * rest * rest;
+            const double byMean = 0.5 * byFull * (before[k] * belowByMean[k] + after[k] * aboveByMean[k]);
+            share[k] = byFull;
+            inflowShare[k] = byInflow;
+            lessBelow[k] = byFull * below[k];
+            lessAbove[k] = byFull * above[k];
+            ownLower[k] = -byMean - byInflow * inflowByLower[k];
+            ownUpper[k] = -byMean - byInflow * inflowByUpper[k];
+        }
+    }
+}
+
+} // namespace
 
 FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
 {
@@ -48,10 +96,170 @@ double GasFilm::flowScale() const
     return 0.5 * ambient() * std::max(speed(), 1e-3) * volume / length;
 }
 
+double GasFilm::passage() const { return flowScale() / ambient() / std::max(1e-300, totalVolume()); }
+
 void GasFilm::setStorage(double perTime, std::span<const double> history)
 {
     storagePerTime_ = perTime;
     history_ = history;
+}
+
+/// The residual, with its linearisation where Number has derivatives, row by row for the cache: the faces above a row
+/// of cells give its slopes, its slopes complete the faces below it, and these the sum of the row below.
+template <typename Number>
+void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
+{
+    constexpr bool derived = !std::is_same_v<Number, double>;
+    const PaddedGrid& pad = gaps().pad;
+    const std::size_t nx = static_cast<std::size_t>(pad.nx);
+    const auto row = [&](std::vector<double>& rows, int j) {
+        return rows.data() + static_cast<std::size_t>((j + 2) % 2) * pad.stride() + PaddedGrid::rings;
+    };
+    const auto slope = [&](std::size_t axis, int j) {
+        return derived ? slope_[axis].data() + pad.at(0, j) : row(rows_.slope[axis], j);
+    };
+    const auto stored = [&](int j) { return storagePerTime_ != 0.0 ? row(rows_.stored, j) : noStorage_.data(); };
+    const auto finish = [&](std::size_t axis, int j) {
+        const std::size_t first = pad.at(0, j), count = nx + (axis == 0);
+        double* flow = row(rows_.flow[axis], j);
+        if (complete())
+            limitRow<derived>(first, count, rows_.moments[axis][static_cast<std::size_t>(j % 2)],
+                              axis == 0 ? slope(0, j) - 1 : slope(1, j - 1), slope(axis, j), faces_[axis], flow);
+        else
+            std::copy_n(&faces_[axis].flow[first], count, flow);
+    };
+    massFlow_ = 0.0;
+    setCutFlows<Number>(p);
+    setFaceRow<Number>(1, 0, p);
+    std::fill_n(slope(1, -1), nx, 0.0);
+    for (int j = 0; j <= pad.ny; ++j) {
+        const std::size_t first = pad.at(0, j);
+        if (j < pad.ny) {
+            setFaceRow<Number>(0, j, p);
+            setFaceRow<Number>(1, j + 1, p);
+            if (storagePerTime_ != 0.0)
+                setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
+            const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
+            if (complete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
+            finish(0, j);
+            massFlow_ += std::max(0.0, row(rows_.flow[0], j)[0]) + std::max(0.0, -row(rows_.flow[0], j)[nx]);
+        } else {
+            std::fill_n(slope(1, j), nx, 0.0);
+        }
+        finish(1, j);
+        if (j > 0)
+            divergence<double>(j - 1, row(rows_.flow[0], j - 1), row(rows_.flow[1], j - 1), row(rows_.flow[1], j),
+                               stored(j - 1), out);
+        if (j > 0 && j < pad.ny) continue;
+        for (std::size_t k = 0; k < nx; ++k)
+            massFlow_ += std::max(0.0, (j == 0 ? 1.0 : -1.0) * row(rows_.flow[1], j)[k]);
+    }
+}
+
+void GasFilm::residual(std::span<const double> p, std::span<double> out) { evaluate<double>(p, out); }
+
+void GasFilm::linearise(std::span<const double> p, std::span<double> out) { evaluate<ByPressure>(p, out); }
+
+void AttitudeWork::resize(std::size_t size)
+{
+    if (!flows.flow[0].empty()) return;
+    flows.resize(size);
+    flows.stored.assign(size, 0.0);
+    for (GapSlopes& axis : slopes)
+        for (auto* field : {&axis.flowByGap, &axis.flowByRise, &axis.ownByGap, &axis.ownByRise})
+            field->assign(size, 0.0);
+}
+
+/// out += derivatives by the attitude's number k of the faces' gaps and rises times those of the flow by them.
+void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<double>& byGap,
+                            const std::vector<double>& byRise, std::vector<double>& out) const
+{
+    const PaddedGrid& pad = gaps().pad;
+    const FilmGaps::Faces& paths = gaps().faces[axis];
+    const double* x = axis == 0 ? paths.pathMid.data() : centresX().data();
+    const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
+    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+        const std::size_t line = static_cast<std::size_t>(j), first = pad.at(0, j);
+        const double y = axis == 0 ? gaps().grid.centreY(j) : paths.pathMid[line];
+        const double lift = k == 0 ? 1.0 : 0.5 * gaps().width - y; // of height, of roll
+        const double *gap = byGap.data() + first, *rise = byRise.data() + first;
+        double* to = out.data() + first;
+        if (k == 1)
+            for (std::size_t i = 0; i < count; ++i) to[i] += (gaps().length - x[i]) * gap[i];
+        else
+            for (std::size_t i = 0; i < count; ++i) to[i] += lift * gap[i];
+        if (k == 1 && axis == 0)
+            for (std::size_t i = 0; i < count; ++i) to[i] -= paths.pathLength[i] * rise[i];
+        if (k == 2 && axis == 1)
+            for (std::size_t i = 0; i < count; ++i) to[i] -= paths.pathLength[line] * rise[i];
+    }
+}
+
+void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out,
+                              AttitudeWork& work) const
+{
+    work.resize(p.size());
+    auto& [row, slopes, flows, cutFlows] = work;
+    setGapSlopes(p, work);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, row.cut,
+                                    cutFlows[axis]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const std::size_t step = gaps().pad.step(static_cast<int>(axis));
+            std::fill(flows.flow[axis].begin(), flows.flow[axis].end(), 0.0);
+            addByAttitude(axis, k, slopes[axis].flowByGap, slopes[axis].flowByRise, flows.flow[axis]);
+            for (std::size_t n = 0; n < cutFlows[axis].size(); ++n) {
+                const std::size_t at = gaps().faces[axis].cut[n].at;
+                flows.flow[axis][at] = cutFlows[axis][n].A.by[k] * p[at - step] - cutFlows[axis][n].B.by[k] * p[at];
+            }
+        }
+        if (storagePerTime_ != 0.0)
+            setVolumeSlopes(k, storagePerTime_, p, flows.stored);
+        else
+            flows.stored.clear();
+        if (complete()) {
+            setSlopes(flows);
+            completeChanges(flows);
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                addByAttitude(axis, k, slopes[axis].ownByGap, slopes[axis].ownByRise, flows.flow[axis]);
+                addCutCorrections(axis, k, p, cutFlows[axis], flows.flow[axis]);
+            }
+        }
+        out[k].assign(p.size(), 0.0);
+        divergence(flows, out[k]);
+    }
+}
+
+void GasFilm::addCutCorrections(std::size_t axis, std::size_t k, std::span<const double> p,
+                                const std::vector<PathFlow<ByAttitude>>& cutFlows, std::vector<double>& out) const
+{
+    const FilmFaces& f = faces_[axis];
+    const std::size_t step = gaps().pad.step(static_cast<int>(axis));
+    for (std::size_t n = 0; n < cutFlows.size(); ++n) {
+        const std::size_t at = gaps().faces[axis].cut[n].at;
+        const PathFlow<ByAttitude>& flow = cutFlows[n];
+        const double inflow = axes()[axis].speed[at] < 0.0 ? flow.B.by[k] * p[at] : flow.A.by[k] * p[at - step];
+        out[at] -= f.share[at] * (slope_[axis][at - step] * flow.below.by[k] + slope_[axis][at] * flow.above.by[k]) +
+                   f.inflowShare[at] * inflow;
+    }
+}
+
+void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out,
+                                     AttitudeWork& work) const
+{
+    work.resize(p.size());
+    FaceFlows<double>& flows = work.flows;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (auto& flow : flows.flow) std::fill(flow.begin(), flow.end(), 0.0);
+        setVolumeSlopes(k, 1.0, p, flows.stored);
+        if (complete()) {
+            setSlopes(flows);
+            completeChanges(flows);
+        }
+        out[k].assign(p.size(), 0.0);
+        divergence(flows, out[k]);
+    }
 }
 
 } // namespace touchdown

@@ -5,86 +5,34 @@
 //   div( Q p h^3 grad p/(12 mu) - p h U/2 ) = d(p h)/dt,   p = p0 on the slider's outline.
 //
 // Finite volumes: the net outflow of each cell is R(p) = 0. The flow through a face is that along the path from one
-// cell centre to the next (core/physics/film/path_flow.h): a path that an edge or a wall crosses goes through its
-// pieces; a smooth one has the gap at its middle. The scheme selects, on smooth faces, upwind, hybrid, power law or
-// exponential fitting (convection.h); the complete flux scheme adds the change of the flow across each path along it,
-// and is second order. That correction d is limited to d/sqrt(1 + (d/F)^2), F the flow that the upstream cell alone
-// would send: a change of third order where the pressure is smooth, and no cell is emptied below zero.
+// cell centre to the next (core/physics/film/path_flow.h): through the pieces of a path that an edge or a wall crosses,
+// with the gap in the middle of a smooth one. The scheme selects, on smooth faces, upwind, hybrid, power law or
+// exponential fitting (convection.h); the complete flux scheme adds the change of the flow along each path and is
+// second order. Its correction d is limited to d/sqrt(1 + (d/F)^2), F the flow from the upstream cell alone: a change
+// of third order where the pressure is smooth, and no cell is emptied below zero.
 //
-// In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; the complete flux scheme counts
-// storage among the sources of the flow along a path.
-//
-// There is no air where the gap is closed: such faces pass nothing, and a cell without an open face keeps its pressure.
+// In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; in the complete flux scheme
+// storage is a source of the flow along a path. Closed gaps pass nothing; a cell without an open face keeps its
+// pressure.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/numerics/convection.h"
-#include "core/numerics/dual.h"
+#include "core/physics/disk/disk_velocity.h"
+#include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_geometry.h"
+#include "core/physics/film/film_stencil.h"
 #include "core/physics/film/flow_table.h"
-#include "core/physics/film/path_flow.h"
 
 namespace touchdown {
-
-struct FilmStencil;
 
 struct FilmSetting {
     Air air;
     Slip slip;
     DiskMotion disk;
     ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
-};
-
-/// The flow through the faces across one axis, linearised. Padded arrays, by face.
-struct FilmFaces {
-    std::vector<double> flow;               // without the correction of the complete flux scheme [Pa m^3/s]
-    std::vector<double> inflow;             // that the upstream cell alone would send [Pa m^3/s]
-    std::vector<double> lower, upper;       // the flow's derivatives by the pressures below and above [m^3/s]
-    std::vector<double> share, inflowShare; // derivatives of the limited correction by the full one, by the inflow [-]
-    std::vector<double> below, above; // moments times share: by the slopes; zero unless the scheme is complete flux [m]
-    std::vector<double> ownLower, ownUpper; // added to `lower` and `upper` by the change of the correction [m^3/s]
-    std::vector<double> diffusion;          // K, for multigrid [m^3/s]
-    std::vector<double> effective;          // E >= |convection|/2 [m^3/s]
-    std::vector<double> convection;         // lower + upper [m^3/s]
-};
-
-/// Derivatives, by the gap in the middle of the path and by its rise along the path, of the flows through smooth faces
-/// across one axis, and of their corrections at constant slopes of the flow. Padded, by face.
-struct GapSlopes {
-    std::vector<double> flowByGap, flowByRise, ownByGap, ownByRise; // [Pa m^2/s]
-};
-
-/// Moments of the paths of a row of faces and their derivatives by the mean pressure [m], [m/Pa], and the derivatives
-/// of the inflow by the pressures [m^3/s].
-struct FaceMoments {
-    std::vector<double> below, above, belowByMean, aboveByMean, inflowByLower, inflowByUpper;
-};
-
-/// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.
-template <typename T>
-struct FaceFlows {
-    std::array<std::vector<T>, 2> flow, slope;
-    std::vector<T> stored; // empty: nothing
-    void resize(std::size_t size)
-    {
-        for (auto* pair : {&flow, &slope})
-            for (auto& field : *pair) field.assign(size, T{});
-        stored.reserve(size);
-    }
-};
-
-/// Work space for the flows through a row of faces.
-struct FaceWork {
-    explicit FaceWork(const FilmGaps& gaps);
-
-    std::vector<double> product;                     // of mean pressure and gap [Pa m]
-    std::vector<double> mobility, mobilityByProduct; // [Pa m], [-]
-    std::vector<double> mobilityByGap;               // [Pa]
-    std::vector<double> width, length, share;        // of the paths of a row where all are alike [m], [m], [-]
-    CutPaths::Work cut;
 };
 
 /// Pressures are absolute [Pa], in padded arrays whose rings hold p0; residuals are net outflows [Pa m^3/s]. Constant
@@ -100,6 +48,8 @@ public:
     const FlowTable& flowTable() const { return table_; }
     /// Flow through the film at ambient pressure: the scale of residuals [Pa m^3/s].
     double flowScale() const;
+    /// How often the disk passes the slider [1/s].
+    double passage() const;
 
     /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime
     /// zero, nothing. The history (padded) is read at each residual and must last.
@@ -116,8 +66,7 @@ public:
     double massFlow() const { return massFlow_; }
     /// The linearisation without storage, and the shares of the storage that the faces pass on.
     void setStencil(FilmStencil& out) const;
-    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, perTime any number, or that of
-    /// setStorage.
+    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, by default that of setStorage.
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
     template <typename T>
@@ -128,16 +77,6 @@ public:
     /// out = (dR/dp)^T v.
     void applyTransposedJacobian(std::span<const double> v, std::span<double> out, FaceFlows<double>& work) const;
 
-    /// Work space for the derivatives by the attitude; the first call that needs the large arrays allocates them.
-    struct AttitudeWork {
-        explicit AttitudeWork(const GasFilm& film) : row(film.gaps()) {}
-        void resize(std::size_t size);
-
-        FaceWork row;
-        std::array<GapSlopes, 2> slopes;
-        FaceFlows<double> flows;
-        std::array<std::vector<PathFlow<Dual<3>>>, 2> cutFlows; // by height, pitch, roll
-    };
     /// dR/dheight [Pa m^2/s], dR/dpitch, dR/droll [Pa m^3/s per rad] at p, the pressure of the last linearisation.
     void attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out, AttitudeWork& work) const;
     /// The derivatives of these by perTime, d^2R/(da dperTime) [Pa m^2], [Pa m^3 per rad].

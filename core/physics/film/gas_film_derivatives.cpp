@@ -133,8 +133,7 @@ template void GasFilm::setSlopes(int, const double*, const double*, const double
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
                                   std::span<double>) const;
 
-/// Row by row, so that each part finds the results of the last one in the cache: a row of cells has its slopes when the
-/// faces above are there, the faces below it are complete when it has its slopes, and the row below then has its sum.
+/// Row by row for the cache, as evaluate() in gas_film.cpp.
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {

@@ -80,8 +80,7 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothFaces(FilmFaces& faces, FaceMoments& momen
     }
 }
 
-/// Derivatives of the flows by the gap and by its change along the path; `byGap`: the mobility's own derivative by the
-/// gap.
+/// Derivatives of the flows by the gap and by its change along the path; `byGap`: that of the mobility by the gap.
 template <ConvectionScheme scheme, typename FaceRow>
 TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& faces, const double* slope,
                                              const double* byGap, const FaceRow& row)

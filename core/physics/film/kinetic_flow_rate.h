@@ -19,8 +19,7 @@ struct FlowRate {
 };
 
 /// The kinetic values for D > 0: continuously differentiable, 6 Q_P/D falls everywhere. 1e-4 <= D <= 100: the
-/// variational solution to 4e-7 of its value; below it goes into the free molecules' law, and within 100..1000 into
-/// that of slip flow.
+/// variational solution to 4e-7; the free molecules' law below, a transition to slip flow within 100..1000.
 FlowRate kineticFlowRate(double inverseKnudsen);
 
 /// The fit in three parts of Fukui & Kaneko 1988, with its jumps of 0.14 % at D = 5 and 0.27 % at D = 0.15; below D =

@@ -11,8 +11,7 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
     : length_(recess.length()), width_(recess.width())
 {
     const auto add = [&](double x, double y) { candidates_.push_back({x, y, recess.at(x, y)}); };
-    // Crown and camber bend the surface by some tens of nanometres over its length: between neighbours of this lattice
-    // by less than a thousandth of that.
+    // Crown and camber are some tens of nanometres over the length: less than a thousandth of that between neighbours.
     constexpr int lattice = 128;
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);

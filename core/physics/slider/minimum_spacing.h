@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a surface comes nearest to the mean plane of the disk. Independent of the film's grid: rails come nearest at
-// their corners and edges, or, with crown and camber, inside.
+// The point of a surface nearest to the mean plane of the disk, independent of the film's grid: at corners and edges of
+// rails or, with crown and camber, inside.
 //
-// The many thousand points that are looked at stand in blocks. None of a block's comes lower than its least recess
-// would at that corner of its box which the attitude presses down, also by rounding, for the same sum of smaller parts
-// is never larger: most blocks are passed over, and the result is that of all points.
+// Several thousand points are compared, in blocks. A block's least recess at the lowest corner of its box is a lower
+// bound of its points, also in rounded numbers; so most blocks are skipped, and the result is that of all points.
 #pragma once
 
 #include <vector>
@@ -24,16 +23,15 @@ public:
         SurfacePoint at; // [m]
     };
     Place at(const Attitude& attitude) const;
-    /// The minimum spacing at the mean place of all that comes within `depth` [m], > 0, of it, weighted from 1 at the
-    /// nearest to 0 there: unlike the nearest point itself it moves continuously with the attitude. A symmetric pad's
-    /// is in its middle.
+    /// The minimum spacing, at the mean place of all points within `depth` [m], > 0, of it, weighted from 1 at the
+    /// nearest to 0 at that depth. Unlike the nearest point it moves continuously with the attitude.
     Place bearing(const Attitude& attitude, double depth) const;
 
 private:
     struct Candidate {
         double x, y, recess; // [m]
     };
-    /// So many neighbours in the list, or the rest of it: least and greatest x and y, least recess.
+    /// Bounds of x, y and recess of `blockSize` neighbours in the list.
     static constexpr std::size_t blockSize = 16;
     struct Block {
         double x0, x1, y0, y1, recess; // [m]
@@ -43,7 +41,7 @@ private:
     {
         return c.recess + attitude.height + attitude.pitch * (length_ - c.x) - attitude.roll * (c.y - 0.5 * width_);
     }
-    /// No point of a block is lower.
+    /// A lower bound of the points of a block.
     double bound(const Block& b, const Attitude& attitude) const
     {
         return above({attitude.pitch > 0.0 ? b.x1 : b.x0, attitude.roll > 0.0 ? b.y1 : b.y0, b.recess}, attitude);

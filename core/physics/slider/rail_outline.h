@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The outline of a rail, sorted into strips of equal width across y, so that a point is compared with few edges.
-//
-// The outline belongs to the rail: a point on an edge or a corner is inside. On edges parallel to an axis that is
-// exact; on others it holds to the rounding of the cross product.
+// The outline of a rail, sorted into strips of equal width across y, so that a point is compared with few edges. A
+// point on an edge or a corner is inside: exactly on edges parallel to an axis, to the rounding of the cross product on
+// others.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +10,31 @@
 #include <vector>
 
 #include "core/physics/slider/air_bearing_surface.h"
-#include "core/physics/slider/scan_line.h"
 
 namespace touchdown {
+
+/// A box on the slider.
+struct SurfaceBox {
+    double x0, x1, y0, y1; // ends included [m]
+
+    double centreX() const { return 0.5 * (x0 + x1); }
+    double centreY() const { return 0.5 * (y0 + y1); }
+    double halfX() const { return 0.5 * (x1 - x0); }
+    double halfY() const { return 0.5 * (y1 - y0); }
+};
+
+enum class ScanAxis { X, Y };
+
+/// A line across the slider from `from` to `to` along one axis, the other coordinate fixed.
+struct ScanLine {
+    ScanAxis along;
+    double fixed;    // the other coordinate [m]
+    double from, to; // [m]
+
+    /// The component along the line of (x, y), and the one across it.
+    double runs(double x, double y) const { return along == ScanAxis::X ? x : y; }
+    double stays(double x, double y) const { return along == ScanAxis::X ? y : x; }
+};
 
 /// An edge, turned so that it runs towards larger y.
 struct OutlineEdge {

@@ -9,11 +9,9 @@ namespace touchdown {
 
 namespace {
 
-// Neighbouring walls both hold on their border, and a wall holds on its own edge, so that rounding leaves no gap
-// between.
+// Neighbouring walls overlap on their border, and a wall its own edge, so that rounding leaves no gap.
 constexpr double overlap = 1e-15; // [m]
-// Breaks on borders are kept, and a box that a kept break touches meets the wall: far above rounding, far below
-// features.
+// Breaks on borders are kept, and a box that touches a kept break meets the wall: far above rounding, below features.
 constexpr double margin = 1e-13; // [m]
 constexpr double slack = 1e-12;  // [m]
 
@@ -26,6 +24,37 @@ double spread(double sine, double cosine, double own, double neighbour)
 }
 
 } // namespace
+
+WallShape::WallShape(const WallProfile& profile)
+    : distance_(profile.distance), recess_(profile.recess), lowest_(profile.recess)
+{
+    for (std::size_t i = lowest_.size() - 1; i > 0; --i) lowest_[i - 1] = std::min(lowest_[i - 1], lowest_[i]);
+    maximum_ = *std::max_element(recess_.begin(), recess_.end());
+}
+
+std::size_t WallShape::after(double distance) const
+{
+    return static_cast<std::size_t>(std::upper_bound(distance_.begin(), distance_.end(), distance) - distance_.begin());
+}
+
+double WallShape::between(std::size_t next, double distance) const
+{
+    const double part = (distance - distance_[next - 1]) / (distance_[next] - distance_[next - 1]);
+    return recess_[next - 1] + part * (recess_[next] - recess_[next - 1]);
+}
+
+double WallShape::at(double distance) const
+{
+    const std::size_t next = after(distance);
+    return next == distance_.size() ? recess_.back() : between(next, distance);
+}
+
+double WallShape::minimumFrom(double distance) const
+{
+    if (distance <= inner()) return lowest_.front();
+    const std::size_t next = after(distance);
+    return next == distance_.size() ? lowest_.back() : std::min(between(next, distance), lowest_[next]);
+}
 
 WallSpread wallSpread(const SurfacePoint& own, const SurfacePoint& next, double turn, const WallShape& shape,
                       const WallShape* neighbour)
@@ -128,8 +157,7 @@ double RailWall::lowestOutside(const SurfaceBox& box) const
     return shape_->minimumFrom(std::max(0.0, c.n - nHalf));
 }
 
-/// A line in the coordinates of the edge: the place of the point at `from + along` is (t, n) = at0 + along (tRuns,
-/// nRuns).
+/// A line in the coordinates of the edge: the point at `from + along` is (t, n) = at0 + along (tRuns, nRuns).
 struct RailWall::Crossing {
     const ScanLine& line;
     WallSide side;

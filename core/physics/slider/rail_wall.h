@@ -12,15 +12,40 @@
 //   spread = (d'/d - 1)/sin theta + tan(theta/2)
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/physics/slider/air_bearing_surface.h"
-#include "core/physics/slider/scan_line.h"
-#include "core/physics/slider/wall_shape.h"
+#include "core/physics/slider/rail_outline.h"
 
 namespace touchdown {
+
+/// A wall profile prepared for evaluation: recess against the signed distance from the edge, linear between the points.
+/// Two points at one distance make it vertical; there the farther one counts.
+class WallShape {
+public:
+    explicit WallShape(const WallProfile& profile);
+
+    const std::vector<double>& distances() const { return distance_; } // ascending [m]
+    double inner() const { return distance_.front(); }                 // where the wall begins; negative: inside [m]
+    double outer() const { return distance_.back(); }                  // where it ends [m]
+
+    /// The recess at a distance from inner() to outer() [m].
+    double at(double distance) const;
+    /// The smallest recess at this distance and beyond [m].
+    double minimumFrom(double distance) const;
+    double maximum() const { return maximum_; } // [m]
+
+private:
+    std::size_t after(double distance) const; // the index of the first point beyond
+    double between(std::size_t next, double distance) const;
+
+    std::vector<double> distance_; // [m]
+    std::vector<double> recess_;   // [m]
+    std::vector<double> lowest_;   // the smallest recess from this point on [m]
+    double maximum_ = 0.0;         // [m]
+};
 
 /// The part of a wall outside its polygon (n >= 0), and the one inside it (n <= 0).
 enum class WallSide : std::uint8_t { Outside, Inside };
@@ -54,13 +79,13 @@ public:
 
     /// A box that holds all of the wall.
     SurfaceBox bounds() const;
-    /// False when no point of the box is in that part of the wall; may be true for a box just beside it.
+    /// False if no point of the box is in that part of the wall; may be true for a box just beside it.
     bool meets(const SurfaceBox& box, WallSide side) const;
     /// A lower bound of the recess of the outside part in the box [m].
     double lowestOutside(const SurfaceBox& box) const;
 
     /// Appends where the line crosses the borders of that part and the offset lines and arcs of the points of its
-    /// profile; the edge itself, which belongs to the outline, is left out.
+    /// profile, without the edge itself, which belongs to the outline.
     void breaks(const ScanLine& line, WallSide side, std::vector<double>& out) const;
 
 private:

@@ -82,6 +82,7 @@ struct Recess::Prepared {
     double raised(std::size_t bin, double x, double y) const;
     bool smooth(std::size_t bin, const SurfaceBox& box, int row) const;
     void breaks(std::size_t bin, const ScanLine& line, int row, std::vector<double>& out) const;
+    void breaksAlong(const ScanLine& line, std::vector<double>& out) const;
     double form(double x, double y) const;
 
     // To the nearest point of the slider. A number that is none stays so.
@@ -103,9 +104,8 @@ Recess::Prepared::Prepared(const AirBearingSurface& s, double length, double wid
     const auto add = [&](double recess) { taperEnds.push_back(taperLength - recess / taperAngle); };
     taperEnds.push_back(taperLength);
     add(parts.baseRecess);
-    for (const RailTop& top : parts.tops) {
+    for (const RailTop& top : parts.tops)
         if (top.cx == 0.0 && top.cy == 0.0) add(top.c);
-    }
     std::erase_if(taperEnds, [&](double x) { return x < 0.0 || x > taperLength; });
     std::sort(taperEnds.begin(), taperEnds.end());
     taperEnds.erase(std::unique(taperEnds.begin(), taperEnds.end()), taperEnds.end());
@@ -160,16 +160,34 @@ void Recess::Prepared::breaks(std::size_t bin, const ScanLine& line, int row, st
     for (const SurfaceBins::WallPart& part : bins.walls(bin)) parts.walls[part.wall].breaks(line, part.side, out);
 }
 
+void Recess::Prepared::breaksAlong(const ScanLine& line, std::vector<double>& out) const
+{
+    const auto before = static_cast<std::ptrdiff_t>(out.size());
+    const bool alongX = line.along == ScanAxis::X;
+    const int across = alongX ? bins.row(line.fixed) : bins.column(line.fixed);
+    const int last = alongX ? bins.column(line.to) : bins.row(line.to);
+    for (int bin = alongX ? bins.column(line.from) : bins.row(line.from); bin <= last; ++bin) {
+        const int column = alongX ? bin : across, row = alongX ? across : bin;
+        const SurfaceBox box = bins.box(column, row);
+        const ScanLine part{line.along, line.fixed, std::max(line.from, alongX ? box.x0 : box.y0),
+                            std::min(line.to, alongX ? box.x1 : box.y1)};
+        breaks(SurfaceBins::index(column, row), part, row, out);
+    }
+    if (alongX)
+        for (const double x : taperEnds)
+            if (x > line.from && x < line.to) out.push_back(x);
+    std::sort(out.begin() + before, out.end());
+    out.erase(std::unique(out.begin() + before, out.end()), out.end());
+}
+
 bool Recess::Prepared::smooth(std::size_t bin, const SurfaceBox& box, int row) const
 {
     for (const int rail : bins.rails(bin)) {
-        for (const OutlineEdge& edge : parts.outlines[static_cast<std::size_t>(rail)].edges(row)) {
+        for (const OutlineEdge& edge : parts.outlines[static_cast<std::size_t>(rail)].edges(row))
             if (edge.meets(box)) return false;
-        }
     }
-    for (const SurfaceBins::WallPart& part : bins.walls(bin)) {
+    for (const SurfaceBins::WallPart& part : bins.walls(bin))
         if (parts.walls[part.wall].meets(box, part.side)) return false;
-    }
     return true;
 }
 
@@ -192,37 +210,12 @@ double Recess::at(double x, double y) const
 
 void Recess::breaksAlongX(double y, double x0, double x1, std::vector<double>& out) const
 {
-    const Prepared& p = *prepared_;
-    const auto before = static_cast<std::ptrdiff_t>(out.size());
-    y = p.onSliderY(y);
-    const int row = p.bins.row(y);
-    const int last = p.bins.column(x1);
-    for (int column = p.bins.column(x0); column <= last; ++column) {
-        const SurfaceBox box = p.bins.box(column, row);
-        const ScanLine line{ScanAxis::X, y, std::max(x0, box.x0), std::min(x1, box.x1)};
-        p.breaks(SurfaceBins::index(column, row), line, row, out);
-    }
-    for (const double x : p.taperEnds) {
-        if (x > x0 && x < x1) out.push_back(x);
-    }
-    std::sort(out.begin() + before, out.end());
-    out.erase(std::unique(out.begin() + before, out.end()), out.end());
+    prepared_->breaksAlong({ScanAxis::X, prepared_->onSliderY(y), x0, x1}, out);
 }
 
 void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& out) const
 {
-    const Prepared& p = *prepared_;
-    const auto before = static_cast<std::ptrdiff_t>(out.size());
-    x = p.onSliderX(x);
-    const int column = p.bins.column(x);
-    const int last = p.bins.row(y1);
-    for (int row = p.bins.row(y0); row <= last; ++row) {
-        const SurfaceBox box = p.bins.box(column, row);
-        const ScanLine line{ScanAxis::Y, x, std::max(y0, box.y0), std::min(y1, box.y1)};
-        p.breaks(SurfaceBins::index(column, row), line, row, out);
-    }
-    std::sort(out.begin() + before, out.end());
-    out.erase(std::unique(out.begin() + before, out.end()), out.end());
+    prepared_->breaksAlong({ScanAxis::Y, prepared_->onSliderX(x), y0, y1}, out);
 }
 
 bool Recess::isSmooth(double x0, double x1, double y0, double y1) const

@@ -23,7 +23,7 @@
 
 namespace touchdown {
 
-/// The recess of one surface, prepared for many evaluations. Copies share what was prepared; reading is thread-safe.
+/// The recess of one surface, prepared for many evaluations. Copies share the prepared data; reading is thread-safe.
 class Recess {
 public:
     /// `length`, `width` of the slider [m], positive. The surface must be valid (finite numbers, walls that exist).
@@ -32,7 +32,7 @@ public:
     double length() const; // [m]
     double width() const;  // [m]
 
-    /// The recess at a point of the slider; a point beside it counts as the nearest one on its outline [m].
+    /// The recess at a point of the slider, or at the nearest point of its outline [m].
     double at(double x, double y) const;
 
     /// Appends, ascending, the x in (x0, x1) where the recess along the line y = const may jump or kink: edges of tops,
@@ -41,8 +41,7 @@ public:
     /// The same for the line x = const, y in (y0, y1).
     void breaksAlongY(double x, double y0, double y1, std::vector<double>& out) const;
 
-    /// True when the recess is smooth in the box (form, a ramp or the taper alone changes it): no edge, wall or end of
-    /// taper meets it. May be false for a box that is smooth, never true for one that is not.
+    /// Whether no edge, wall or end of taper meets the box; may also be false just beside one.
     bool isSmooth(double x0, double x1, double y0, double y1) const;
 
 private:

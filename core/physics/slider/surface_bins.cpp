@@ -73,9 +73,8 @@ void SurfaceBins::placeRail(const SurfaceParts& parts, int rail, std::vector<Pla
     for (int r = firstRow; r <= lastRow; ++r) {
         for (const OutlineEdge& edge : outline.edges(r)) {
             const int last = column(edge.xMax + slack);
-            for (int c = column(edge.xMin - slack); c <= last; ++c) {
+            for (int c = column(edge.xMin - slack); c <= last; ++c)
                 if (edge.meets(box(c, r))) places[index(c, r)] = Place::Crossed;
-            }
         }
         bool known = false;
         bool inside = false;
@@ -125,8 +124,8 @@ void SurfaceBins::sortWall(const SurfaceParts& parts, std::uint32_t wall, const 
     }
 }
 
-// The inside of a wall shows in its own top alone; the outside nowhere, where it is not shallower than the deepest of
-// what else the bin may show.
+// The inside of a wall is visible only in its own top; the outside only where it is shallower than the deepest other
+// part that is visible in the bin.
 void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEntry>& rails,
                              std::vector<WallEntry>& walls) const
 {
@@ -146,9 +145,8 @@ void SurfaceBins::dropHidden(const SurfaceParts& parts, const std::vector<RailEn
         const SurfaceBox b = box(static_cast<int>(bin) % columns, static_cast<int>(bin) / columns);
         deepen(bin, greatest(parts.tops[static_cast<std::size_t>(rail)], b));
     }
-    for (const auto& [bin, part] : walls) {
+    for (const auto& [bin, part] : walls)
         if (part.side == WallSide::Inside) deepen(bin, parts.walls[part.wall].shape().maximum());
-    }
     std::erase_if(walls, [&](const WallEntry& entry) {
         return entry.part.side == WallSide::Outside && entry.part.lowest >= deepest[entry.bin];
     });
@@ -171,7 +169,7 @@ void SurfaceBins::fill(const SurfaceParts& parts, const std::vector<RailEntry>& 
                   });
     }
 
-    // A rail hidden below the cover matters only to tell where its walls are outside it.
+    // A rail hidden below the cover matters only for its walls outside.
     const auto shows = [&](const RailEntry& entry) {
         if (entry.rail > bins_[entry.bin].cover) return true;
         const auto of = this->walls(entry.bin);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rails and walls sorted into equal bins over the slider, so that a point is compared with what is near it alone. The
-// lists of a bin are complete for the bin with its borders; walls that no point of the bin can show are left out.
+// Rails and walls sorted into equal bins over the slider, so that a point is compared only with those near it. The
+// lists of a bin are complete for the bin with its borders, without walls that are hidden everywhere in it.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct RailTop {
     double at(double x, double y) const { return c + cx * x + cy * y; }
 };
 
-/// All that a surface consists of. The wall shapes must not move: the walls refer to them.
+/// The parts of a surface. The wall shapes must not move: the walls refer to them.
 struct SurfaceParts {
     double length, width; // [m]
     double baseRecess;    // [m]
@@ -40,7 +40,7 @@ public:
         std::uint32_t wall;
         WallSide side;
         bool certain;  // all of the bin is outside (inside) the polygon of the wall
-        double lowest; // no point of the bin shows less of this wall; outside alone [m]
+        double lowest; // lower bound of the wall's recess in the bin; only outside [m]
     };
     struct Bin {
         int cover = -1; // the last rail that covers all of the bin; -1: none
@@ -55,8 +55,7 @@ public:
     static std::size_t index(int column, int row) { return static_cast<std::size_t>(row * columns + column); }
 
     int cover(std::size_t bin) const { return bins_[bin].cover; }
-    /// The rails whose outlines meet the bin, but for those hidden below the cover that show no wall; the last rail
-    /// first.
+    /// The rails whose outlines meet the bin, the last first, without those of which nothing is visible.
     std::span<const int> rails(std::size_t bin) const;
     /// Parts inside their polygon come first, then those outside, the lowest first.
     std::span<const WallPart> walls(std::size_t bin) const;

@@ -16,17 +16,12 @@ constexpr double touching = 1e-12; // [m] closer than this, points and lines mee
 constexpr double straight = 1e-6;  // sine of the angle below which a line runs straight on
 
 using Problems = std::vector<SurfaceProblem>;
-
-/// A rail or a wall profile, as a sentence and as a case file name it.
-struct Part {
-    std::string name; // "Rail 3"
-    std::string key;  // "abs.rail[3]"
-};
+using Indices = std::vector<std::size_t>;
 
 std::string text(std::size_t number) { return std::to_string(number); }
 
 /// "point 3", or "points 3, 4 and 7 more" for long lists; from indices.
-std::string pointList(const std::vector<std::size_t>& indices)
+std::string pointList(const Indices& indices)
 {
     constexpr std::size_t most = 5;
     const std::size_t named = indices.size() > most ? most - 1 : indices.size();
@@ -40,19 +35,28 @@ std::string pointList(const std::vector<std::size_t>& indices)
 }
 
 /// The indices below `count` for which `holds` is true.
-std::vector<std::size_t> indicesWhere(std::size_t count, const std::function<bool(std::size_t)>& holds)
+Indices indicesWhere(std::size_t count, const std::function<bool(std::size_t)>& holds)
 {
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < count; ++i) {
+    Indices indices;
+    for (std::size_t i = 0; i < count; ++i)
         if (holds(i)) indices.push_back(i);
-    }
     return indices;
 }
 
-std::string_view verb(const std::vector<std::size_t>& indices, std::string_view one, std::string_view several)
-{
-    return indices.size() == 1 ? one : several;
-}
+/// Reports problems of a rail or a wall profile.
+struct Part {
+    std::string name; // "Rail 3"
+    std::string key;  // "abs.rail[3]"
+    Problems& problems;
+
+    void add(const std::string& predicate) const { problems.push_back({key, name + predicate}); }
+    /// Of points, if there are any: "Rail 3: point 4", then the verb for one or for several points, then the rest.
+    void add(const Indices& points, const char* one, const char* several, const std::string& rest,
+             const char* before = ": ") const
+    {
+        if (!points.empty()) add(before + pointList(points) + (points.size() == 1 ? one : several) + rest);
+    }
+};
 
 double distance(const RailPoint& a, const RailPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
@@ -90,96 +94,68 @@ bool meetsItself(const std::vector<RailPoint>& points, Meeting how)
 {
     const std::size_t count = points.size();
     for (std::size_t i = 0; i + 2 < count; ++i) {
-        for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j) {
+        for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j)
             if (meeting(points[i], points[i + 1], points[j], points[(j + 1) % count]) == how) return true;
-        }
     }
     return false;
 }
 
-bool finite(const Rail& rail, const Part& part, Problems& problems)
+bool finite(const Rail& rail, const Part& part)
 {
     const auto points = indicesWhere(rail.points.size(), [&](std::size_t i) {
         return !std::isfinite(rail.points[i].x) || !std::isfinite(rail.points[i].y);
     });
-    if (!points.empty()) {
-        problems.push_back({part.key, part.name + ": " + pointList(points) +
-                                          std::string(verb(points, " has a coordinate that is no number.",
-                                                           " have coordinates that are no numbers."))});
-    }
+    part.add(points, " has a coordinate that is no number.", " have coordinates that are no numbers.", "");
     const std::size_t count = rail.kind == RailKind::Step ? 1 : 3;
     const auto recesses = indicesWhere(count, [&](std::size_t i) { return !std::isfinite(rail.recess[i]); });
-    if (!recesses.empty()) problems.push_back({part.key, part.name + ": the recess is no number."});
+    if (!recesses.empty()) part.add(": the recess is no number.");
     return points.empty() && recesses.empty();
 }
 
-void checkRail(const Rail& rail, const Part& part, std::size_t walls, Problems& problems)
+void checkRail(const Rail& rail, const Part& part, std::size_t walls)
 {
     const auto missing = indicesWhere(rail.points.size(), [&](std::size_t i) {
         const int wall = rail.points[i].wall;
         return wall < 0 || static_cast<std::size_t>(wall) > walls;
     });
-    if (!missing.empty()) {
-        problems.push_back({part.key, part.name + ": " + pointList(missing) +
-                                          std::string(verb(missing, " names", " name")) +
-                                          " a wall profile that does not exist; there " +
-                                          (walls == 1 ? "is 1." : "are " + text(walls) + ".")});
-    }
-    const bool finiteRail = finite(rail, part, problems);
-    if (rail.points.size() < 3) {
-        problems.push_back({part.key, part.name + " has " + text(rail.points.size()) +
-                                          (rail.points.size() == 1 ? " point" : " points") +
-                                          "; it needs three or more."});
-        return;
-    }
+    part.add(missing, " names", " name",
+             " a wall profile that does not exist; there " + (walls == 1 ? "is 1." : "are " + text(walls) + "."));
+    const bool finiteRail = finite(rail, part);
+    if (rail.points.size() < 3)
+        return part.add(" has " + text(rail.points.size()) + (rail.points.size() == 1 ? " point" : " points") +
+                        "; it needs three or more.");
     if (!finiteRail) return;
 
     const RailPoint& first = rail.points[0];
     const double area = std::abs(cross(first, rail.points[1], rail.points[2]));
     const double reach = std::max(distance(first, rail.points[1]), distance(first, rail.points[2]));
-    if (rail.kind == RailKind::Ramp && area <= straight * reach * reach) {
-        problems.push_back(
-            {part.key, part.name + ": the first three points lie on a line, so that no ramp goes through them."});
-    }
+    if (rail.kind == RailKind::Ramp && area <= straight * reach * reach)
+        part.add(": the first three points lie on a line, so that no ramp goes through them.");
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     double size = 0.0;
     for (const RailPoint& p : points) size = std::max(size, distance(points[0], p));
-    if (meetsItself(points, Meeting::Crossing)) {
-        problems.push_back({part.key, part.name + ": the outline crosses itself."});
-    } else if (std::abs(signedArea(points)) <= 1e-12 * size * size) {
-        problems.push_back({part.key, part.name + " has no area."});
-    }
+    if (meetsItself(points, Meeting::Crossing))
+        part.add(": the outline crosses itself.");
+    else if (std::abs(signedArea(points)) <= 1e-12 * size * size)
+        part.add(" has no area.");
 }
 
-void checkWall(const WallProfile& wall, const Part& part, Problems& problems)
+void checkWall(const WallProfile& wall, const Part& part)
 {
     const std::size_t count = wall.distance.size();
-    if (wall.recess.size() != count) {
-        problems.push_back({part.key, part.name + " has " + text(count) + " distances but " + text(wall.recess.size()) +
-                                          " recesses."});
-        return;
-    }
-    if (count < 2) {
-        problems.push_back({part.key, part.name + " has " + text(count) + (count == 1 ? " point" : " points") +
-                                          "; it needs two or more."});
-        return;
-    }
+    if (wall.recess.size() != count)
+        return part.add(" has " + text(count) + " distances but " + text(wall.recess.size()) + " recesses.");
+    if (count < 2)
+        return part.add(" has " + text(count) + (count == 1 ? " point" : " points") + "; it needs two or more.");
     const auto bad = indicesWhere(
         count, [&](std::size_t i) { return !std::isfinite(wall.distance[i]) || !std::isfinite(wall.recess[i]); });
-    if (!bad.empty()) {
-        problems.push_back({part.key, part.name + ": " + pointList(bad) +
-                                          std::string(verb(bad, " has a value that is no number.",
-                                                           " have values that are no numbers."))});
-    }
+    part.add(bad, " has a value that is no number.", " have values that are no numbers.", "");
     const auto back =
         indicesWhere(count, [&](std::size_t i) { return i > 0 && wall.distance[i] < wall.distance[i - 1]; });
-    if (!back.empty()) {
-        problems.push_back({part.key, part.name + ": the distances must ascend; " + pointList(back) +
-                                          std::string(verb(back, " lies", " lie")) + " before the point ahead of it."});
-    }
+    part.add(back, " lies", " lie", " before the point ahead of it.", ": the distances must ascend; ");
 }
 
-void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double length, double width, Problems& warnings)
+void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double length, double width)
 {
     const std::size_t count = rail.points.size();
     const auto next = [&](std::size_t i) -> const RailPoint& { return rail.points[(i + 1) % count]; };
@@ -187,24 +163,17 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
         const RailPoint& p = rail.points[i];
         return p.x < -touching || p.x > length + touching || p.y < -touching || p.y > width + touching;
     });
-    if (!outside.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(outside) +
-                                          std::string(verb(outside, " lies", " lie")) + " outside the slider."});
-    }
+    part.add(outside, " lies", " lie", " outside the slider.");
     const auto repeated =
         indicesWhere(count, [&](std::size_t i) { return distance(rail.points[i], next(i)) <= touching; });
-    if (!repeated.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(repeated) +
-                                          std::string(verb(repeated, " is", " are")) +
-                                          " repeated by the point after."});
-    }
+    part.add(repeated, " is", " are", " repeated by the point after.");
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     if (points.size() < 3) return;
     // The index in the list without repetitions would be of no use to the reader.
     const auto indexOf = [&](const RailPoint& p) {
         return static_cast<std::size_t>(std::find(rail.points.begin(), rail.points.end(), p) - rail.points.begin());
     };
-    std::vector<std::size_t> collinear, reversing;
+    Indices collinear, reversing;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const RailPoint& before = points[(i + points.size() - 1) % points.size()];
         const RailPoint& after = points[(i + 1) % points.size()];
@@ -214,26 +183,20 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
             (points[i].x - before.x) * (after.x - points[i].x) + (points[i].y - before.y) * (after.y - points[i].y);
         (along > 0.0 ? collinear : reversing).push_back(indexOf(points[i]));
     }
-    if (!collinear.empty()) {
-        warnings.push_back({part.key, part.name + ": " + pointList(collinear) +
-                                          std::string(verb(collinear, " lies", " lie")) +
-                                          " on the line between the points before and after."});
-    }
-    if (!reversing.empty()) {
-        warnings.push_back(
-            {part.key, part.name + ": at " + pointList(reversing) + " the outline turns back on itself."});
-    } else if (meetsItself(points, Meeting::Touching)) {
-        warnings.push_back({part.key, part.name + ": the outline touches itself."});
-    }
+    part.add(collinear, " lies", " lie", " on the line between the points before and after.");
+    part.add(reversing, "", "", " the outline turns back on itself.", ": at ");
+    if (reversing.empty() && meetsItself(points, Meeting::Touching)) part.add(": the outline touches itself.");
     const bool hasWalls = std::any_of(points.begin(), points.end(), [](const RailPoint& p) { return p.wall > 0; });
-    if (hasWalls && rail.kind == RailKind::Ramp) {
-        warnings.push_back({part.key, part.name + " is a ramp: its walls are not used."});
-    } else if (hasWalls && rail.recess[0] >= baseRecess) {
-        warnings.push_back({part.key, part.name + " does not rise above the base recess: its walls are not used."});
-    }
+    if (hasWalls && rail.kind == RailKind::Ramp)
+        part.add(" is a ramp: its walls are not used.");
+    else if (hasWalls && rail.recess[0] >= baseRecess)
+        part.add(" does not rise above the base recess: its walls are not used.");
 }
 
-Part railPart(std::size_t index) { return {"Rail " + text(index + 1), "abs.rail[" + text(index + 1) + "]"}; }
+Part railPart(std::size_t index, Problems& problems)
+{
+    return {"Rail " + text(index + 1), "abs.rail[" + text(index + 1) + "]", problems};
+}
 
 } // namespace
 
@@ -241,9 +204,9 @@ std::vector<SurfaceProblem> surfaceProblems(const AirBearingSurface& surface)
 {
     Problems problems;
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
-        checkRail(surface.rails[i], railPart(i), surface.walls.size(), problems);
+        checkRail(surface.rails[i], railPart(i, problems), surface.walls.size());
     for (std::size_t i = 0; i < surface.walls.size(); ++i)
-        checkWall(surface.walls[i], {"Wall profile " + text(i + 1), "abs.wall[" + text(i + 1) + "]"}, problems);
+        checkWall(surface.walls[i], {"Wall profile " + text(i + 1), "abs.wall[" + text(i + 1) + "]", problems});
     const std::pair<std::string_view, double> numbers[] = {
         {"base recess", surface.baseRecess},
         {"crown", surface.crown},
@@ -252,9 +215,8 @@ std::vector<SurfaceProblem> surfaceProblems(const AirBearingSurface& surface)
         {"taper length", surface.taperLength},
         {"taper angle", surface.taperAngle},
     };
-    for (const auto& [name, value] : numbers) {
+    for (const auto& [name, value] : numbers)
         if (!std::isfinite(value)) problems.push_back({"abs", "The " + std::string(name) + " is no number."});
-    }
     return problems;
 }
 
@@ -262,15 +224,12 @@ std::vector<SurfaceProblem> surfaceWarnings(const AirBearingSurface& surface, do
 {
     Problems warnings;
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
-        warnOfRail(surface.rails[i], railPart(i), surface.baseRecess, length, width, warnings);
+        warnOfRail(surface.rails[i], railPart(i, warnings), surface.baseRecess, length, width);
     const auto outside = indicesWhere(surface.pointsOfInterest.size(), [&](std::size_t i) {
         const SurfacePoint& p = surface.pointsOfInterest[i];
         return !(p.x >= 0.0 && p.x <= length && p.y >= 0.0 && p.y <= width);
     });
-    if (!outside.empty()) {
-        warnings.push_back({"abs", "Points of interest: " + pointList(outside) +
-                                       std::string(verb(outside, " lies", " lie")) + " outside the slider."});
-    }
+    Part{"Points of interest", "abs", warnings}.add(outside, " lies", " lie", " outside the slider.");
     return warnings;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with an air bearing surface: sentences that name the rail, the wall profile and the point, counted from
-// 1 as in the files.
+// Problems of an air bearing surface: sentences that name rail, wall profile and point, counted from 1 as in the files.
 #pragma once
 
 #include <string>
@@ -16,10 +15,10 @@ struct SurfaceProblem {
     std::string sentence; // "Rail 3 has no area."
 };
 
-/// What leaves the recess undefined; empty for a surface that can be used.
+/// Problems that leave the recess undefined; empty for a valid surface.
 std::vector<SurfaceProblem> surfaceProblems(const AirBearingSurface& surface);
 
-/// What is defined but may not be meant, on a slider of this length and width [m]; for a surface without problems.
+/// Defined but probably unintended, on a slider of this length and width [m]; for a surface without problems.
 std::vector<SurfaceProblem> surfaceWarnings(const AirBearingSurface& surface, double length, double width);
 
 } // namespace touchdown

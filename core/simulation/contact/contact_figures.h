@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What one reads off an approach and retraction curve.
+// Figures of an approach and retraction curve: pull-off force, jumps, statistics of the surface.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/recording/run_summary.h"
 

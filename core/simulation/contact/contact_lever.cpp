@@ -3,9 +3,16 @@
 
 #include <cmath>
 
-#include "core/simulation/contact/contact_model.h"
-
 namespace touchdown {
+
+CoulombFriction frictionOf(const Case& c)
+{
+    CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
+    if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
+    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity)
+        friction.coefficient = c.asperity.friction;
+    return friction;
+}
 
 ContactLever::ContactLever(const Case& c)
     : length_(c.slider.length), width_(c.slider.width), disk_(c.disk), friction_(frictionOf(c))

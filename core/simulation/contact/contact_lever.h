@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a force under the slider does about its mass centre, which lies over the slider's middle, half the thickness b
+// Torques of forces under the slider about its mass centre, which is over the slider's middle, half the thickness b
 // above its underside. A force F away from the disk at (x, y), and Coulomb friction of the real contact force N in the
-// direction (u, v) in which the disk runs under that point:
+// direction (u, v) of the disk under that point:
 //
 //   pitch torque, nose up       F (L/2 - x) - (b/2) mu N u
 //   roll torque, inner edge up  F (W/2 - y) - (b/2) mu N v
@@ -15,12 +15,14 @@
 
 namespace touchdown {
 
+/// The friction of the contact that the case names.
+CoulombFriction frictionOf(const Case& c);
+
 class ContactLever {
 public:
     explicit ContactLever(const Case& c);
 
-    /// (force, pitch torque, roll torque) of 1 N at (x, y); also the change of height there by (height of the mass
-    /// centre, pitch, roll).
+    /// (force, pitch torque, roll torque) of 1 N at (x, y); also the derivatives of the height there by q.
     Vector3 arms(double x, double y) const { return {1.0, 0.5 * length_ - x, 0.5 * width_ - y}; }
 
     struct Rubbing {

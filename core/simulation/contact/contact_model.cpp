@@ -6,6 +6,7 @@
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/contact/elastic_pad.h"
 
 namespace touchdown {
@@ -176,15 +177,6 @@ ContactRows contactRows(const Case& c)
                      {{"fitted_adhesion_force", "N", "mN", "Adhesion force of the fitted characteristic"},
                       [](S s) { return s.forces.fittedAdhesion; }}});
     return list;
-}
-
-CoulombFriction frictionOf(const Case& c)
-{
-    CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
-    if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
-    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity)
-        friction.coefficient = c.asperity.friction;
-    return friction;
 }
 
 void contactValues(const Case& c, const ContactRows& rows, const ContactForces& forces, double* values)

@@ -13,14 +13,13 @@
 
 #include "core/case/case.h"
 #include "core/physics/contact/characteristic_fit.h"
-#include "core/physics/contact/coulomb_friction.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
 
-/// What acts on the pad at one separation. What a law does not know is zero.
+/// Forces on the pad at one separation. Values that a law does not have are zero.
 struct ContactForces {
     double separation = 0.0;                          // d [m]
     double contact = 0.0;                             // >= 0, away from the disk [N]
@@ -49,11 +48,11 @@ public:
 
     /// The switches that a straight move to d [m] will pass, in their order.
     virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
-    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the path decides,
-    /// see core/physics/contact/contact_path.h.
+    /// Whether the force can jump where no switch says so, and whether it may have on the last move: the way
+    /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
-    /// Keeps the present state, in place of what was kept before; and returns to it.
+    /// Stores the present state; returns to it.
     virtual void remember() {}
     virtual void recall() {}
 
@@ -65,12 +64,9 @@ public:
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
 };
 
-/// `c` is valid and of the model "contact". `goOn` is asked within long solutions; where it returns false they end with
-/// a problem.
+/// `c` is valid, of the model "contact". If `goOn`, asked within long solutions, returns false they have a problem.
 std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
 
-/// The friction of the contact that the case names.
-CoulombFriction frictionOf(const Case& c);
 /// A state as it is recorded, and what a run of the case records of it.
 struct ContactSample {
     const ContactForces& forces;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/formats/units.h"
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 #include "core/simulation/contact/contact_figures.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/recording/run_recorder.h"
@@ -135,17 +135,17 @@ private:
             return from == d ? time : fromTime + (time - fromTime) * (separation - from) / (d - from);
         };
         bool good = true;
-        const ContactPath path{[&](double separation) {
-                                   good = move(separation, timeAt(separation)) && good;
-                                   return forces_.net();
-                               },
-                               [&] { model_->remember(); }, [&] { model_->recall(); }};
+        const TracedContact contact{[&](double separation) {
+                                        good = move(separation, timeAt(separation)) && good;
+                                        return forces_.net();
+                                    },
+                                    [&] { model_->remember(); }, [&] { model_->recall(); }};
         const double change = std::abs(forces_.net() - before);
         model_->recall();
         double at = from, force = before;
         int misses = 0;
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
-            ContactJump jump = locateJump(path, at, force, d, jumpResolution, smallestJump * largestForce_);
+            ContactJump jump = locateJump(contact, at, force, d, jumpResolution, smallestJump * largestForce_);
             if (!good) return false;
             if (jump.found)
                 takeJump(jump, timeAt);
@@ -154,9 +154,9 @@ private:
             // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on
             // this side of it, and continues from there.
             at = jump.after;
-            force = path.force(at);
+            force = contact.force(at);
             model_->remember();
-            const double ahead = std::abs(path.force(d) - force);
+            const double ahead = std::abs(contact.force(d) - force);
             if (!good) return false;
             if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return true; // it is at d
             model_->recall();
@@ -164,8 +164,7 @@ private:
         return goInShortSteps(at, force, d, change, timeAt);
     }
 
-    /// The rest of a way on which a jump was suspected and not located: a short step distinguishes a jump from a steep
-    /// way.
+    /// The rest of a way with a suspected jump that was not located: short steps distinguish it from a steep way.
     bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
     {
         for (int i = 1; i <= shortSteps; ++i) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One run of the model "contact": the pad goes from approach.start to approach.closest and back at constant speed
-// within run.duration, so slowly that nothing has inertia. Each sample is a state of its own, found from the one
-// before.
+// One run of the model "contact": the pad moves from approach.start to approach.closest and back at constant speed
+// within run.duration, without inertia. Each sample is a state found from the one before.
 #pragma once
 
 #include "core/case/case.h"

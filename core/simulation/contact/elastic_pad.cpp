@@ -9,6 +9,7 @@
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
 #include "core/formats/units.h"
+#include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
 
@@ -16,8 +17,6 @@ namespace {
 
 /// With fewer cells in the zone where adhesion lets go, edges of a contact hang on cells.
 constexpr double cellsOfZone = 2.0;
-
-HalfSpaceEdges edgesOf(const Case& c) { return c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free; }
 
 std::vector<double> lines(double first, double step, int count)
 {
@@ -29,28 +28,22 @@ std::vector<double> lines(double first, double step, int count)
 } // namespace
 
 ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn)
-    : case_(c), topography_(diskTopography(c, goOn)), modulus_(contactModulus(c.elastic.pair))
+    : case_(c),
+      topography_(diskTopography(c, goOn)),
+      velocity_(surfaceVelocity(c, topography_)),
+      modulus_(contactModulus(c.elastic.pair))
 {
-    if (c.diskSurface.motion == SurfaceMotion::Moving && !topography_.flat())
-        velocity_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
     for (ContactPatch& patch : patchesOf(c, topography_).patches) {
-        HalfSpace space(patch.grid, modulus_, edgesOf(c), goOn);
-        const std::size_t cells = patch.grid.cells();
-        std::vector<double> surface(topography_.flat() ? 0 : cells);
-        const auto add = [&](auto contact) {
-            parts_.push_back({std::move(patch), std::move(contact), std::move(surface), std::vector<double>(cells)});
-        };
-        if (c.adhesion.acts())
-            add(AdhesiveContact(std::move(space), c.adhesion,
+        HalfSpace space(patch.grid, modulus_, c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free,
+                        goOn);
+        AdhesiveContact contact(std::move(space), c.adhesion,
                                 {.tolerance = c.elastic.tolerance,
                                  .maximumIterations = c.elastic.maximumIterations,
                                  .hardness = c.elastic.hardness,
-                                 .goOn = goOn}));
-        else
-            add(ElasticContact(std::move(space), {.tolerance = c.elastic.tolerance,
-                                                  .maximumIterations = c.elastic.maximumIterations,
-                                                  .hardness = c.elastic.hardness,
-                                                  .goOn = goOn}));
+                                 .goOn = goOn});
+        const std::size_t cells = patch.grid.cells();
+        parts_.push_back({std::move(patch), std::move(contact), std::vector<double>(topography_.flat() ? 0 : cells),
+                          std::vector<double>(cells)});
     }
 }
 
@@ -82,40 +75,30 @@ void ElasticPad::solve(Part& part, double separation, double time)
         part.separation[i] = separation + part.patch.height[i] - (part.surface.empty() ? 0.0 : part.surface[i]);
 
     const double cell = part.patch.grid.cellArea();
-    const auto take = [&](const auto& summary, std::span<const double> pressure, std::span<const double> gap) {
-        forces_.iterations += summary.iterations;
-        if (!summary.converged && forces_.problem.empty()) forces_.problem = summary.message;
-        for (const double p : pressure) {
-            if (p <= 0.0) continue;
-            forces_.contact += p * cell;
-            forces_.area += cell;
-            forces_.peakPressure = std::max(forces_.peakPressure, p);
-        }
-        const double least = *std::ranges::min_element(gap);
-        // Where nothing flows, a gap below zero is what the solver's tolerance left.
-        forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
-    };
-    if (auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
-        const ElasticContactSummary summary = elastic->solve(part.separation);
-        take(summary, elastic->pressure(), elastic->gap());
-    } else if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
-        const AdhesiveContactSummary summary = adhesive->solve(part.separation);
-        take(summary, adhesive->pressure(), adhesive->gap());
-        for (const double p : adhesive->adhesion()) forces_.adhesion += p * cell;
-        jumped_ = jumped_ || summary.jumped;
+    const AdhesiveContactSummary summary = part.contact.solve(part.separation);
+    forces_.iterations += summary.iterations;
+    if (!summary.converged && forces_.problem.empty()) forces_.problem = summary.message;
+    for (const double p : part.contact.pressure()) {
+        if (p <= 0.0) continue;
+        forces_.contact += p * cell;
+        forces_.area += cell;
+        forces_.peakPressure = std::max(forces_.peakPressure, p);
     }
+    const double least = *std::ranges::min_element(part.contact.gap());
+    // Where nothing flows, a gap below zero is what the solver's tolerance left.
+    forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
+    for (const double p : part.contact.adhesion()) forces_.adhesion += p * cell;
+    jumped_ = jumped_ || summary.jumped;
 }
 
 void ElasticPad::remember()
 {
-    for (Part& part : parts_)
-        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->remember();
+    for (Part& part : parts_) part.contact.remember();
 }
 
 void ElasticPad::recall()
 {
-    for (Part& part : parts_)
-        if (auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) adhesive->recall();
+    for (Part& part : parts_) part.contact.recall();
 }
 
 void ElasticPad::observe(FieldSnapshot& snapshot) const
@@ -123,14 +106,9 @@ void ElasticPad::observe(FieldSnapshot& snapshot) const
     const Part& part = parts_.front();
     snapshot.values.clear();
     const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
-    if (const auto* elastic = std::get_if<ElasticContact>(&part.contact)) {
-        add(elastic->gap());
-        add(elastic->pressure());
-    } else if (const auto* adhesive = std::get_if<AdhesiveContact>(&part.contact)) {
-        add(adhesive->gap());
-        add(adhesive->pressure());
-        add(adhesive->adhesion());
-    }
+    add(part.contact.gap());
+    add(part.contact.pressure());
+    if (part.contact.adheres()) add(part.contact.adhesion());
     if (!part.surface.empty()) add(part.surface);
 }
 
@@ -146,8 +124,7 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
     const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
     if (c.adhesion.acts()) {
-        // What parts the surfaces works over a zone of length E* dgamma/p_max^2, dgamma = the depth of the energy
-        // (Maugis 1992).
+        // The surfaces part over a zone of length E* dgamma/p_max^2, dgamma the depth of the energy (Maugis 1992).
         const AdhesionLaw law(c.adhesion);
         const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
         if (zone < cellsOfZone * c.elastic.cell)

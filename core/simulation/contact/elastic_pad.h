@@ -5,11 +5,9 @@
 #pragma once
 
 #include <span>
-#include <variant>
 
 #include "core/physics/contact/adhesive_contact.h"
 #include "core/physics/contact/contact_patch.h"
-#include "core/physics/contact/elastic_contact.h"
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/simulation/contact/contact_model.h"
@@ -40,11 +38,10 @@ public:
     static RecordedFields fields(const Case& c);
 
 private:
-    using Contact = std::variant<ElasticContact, AdhesiveContact>;
     /// One patch and all that is solved on it.
     struct Part {
         ContactPatch patch;
-        Contact contact;
+        AdhesiveContact contact;
         std::vector<double> surface;    // w [m]; empty: flat
         std::vector<double> separation; // s [m]
         double surfaceTime = -1.0;      // of `surface` [s]

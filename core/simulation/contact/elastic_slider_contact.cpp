@@ -18,8 +18,7 @@ namespace {
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
 constexpr double farthest = 1e-6;
-/// How far the surface moves in one step, against the length over which it changes by as much as its own RMS height
-/// [-]: a wave is met 4 pi times a period.
+/// Displacement of the surface per step over the length in which it changes by its RMS height [-]: 4 pi steps a wave.
 constexpr double movedPerStep = 0.5;
 
 /// The gap at which the attraction is below a pressure [m].
@@ -65,13 +64,6 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
         parts_.push_back({SliderPatch(c, std::move(patch), surface, velocity, goOn), reach});
         parts_.back().patch.overlap(grid);
     }
-}
-
-std::size_t ElasticSliderContact::cells() const
-{
-    std::size_t count = 0;
-    for (const Part& part : parts_) count += part.patch.grid().cells();
-    return count;
 }
 
 const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, double time)

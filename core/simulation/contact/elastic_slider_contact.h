@@ -33,9 +33,6 @@ public:
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
 
-    /// Number of cells of all patches.
-    std::size_t cells() const;
-
     static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
 
 private:

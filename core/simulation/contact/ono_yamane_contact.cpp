@@ -9,17 +9,6 @@ constexpr double bearingDepth = 1e-11;
 /// By which the corners move where a stiffness is taken from two loads [m]: far below the bearing depth.
 constexpr double stiffnessStep = 1e-13;
 
-std::string switchName(ContactRegion before, ContactRegion now)
-{
-    switch (now) {
-    case ContactRegion::Apart: return "take-off";
-    case ContactRegion::Pressed: return before == ContactRegion::Apart ? "touch-down" : "pressed again";
-    case ContactRegion::Lifting: return before == ContactRegion::Pressed ? "lifting" : "pressed on menisci";
-    case ContactRegion::Bridged: return "held by menisci";
-    }
-    return {};
-}
-
 } // namespace
 
 OnoYamaneContact::OnoYamaneContact(const Case& c, const MinimumSpacing& spacing)

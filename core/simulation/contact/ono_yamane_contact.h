@@ -3,13 +3,12 @@
 // The characteristic of Ono & Yamane under a flying slider: d is the minimum spacing above the disk's mean plane, and
 // the force acts there (Chen & Bogy, section 4).
 //
-// Where many points are as near as the nearest, as along a trailing edge without roll, the place of the nearest jumps
-// from corner to corner with the slightest roll, and the torque with it. The force therefore acts at the mean of all
-// that come within a hundredth of a nanometre of it, weighted by how near they are: our choice. It moves the force by
-// no more than the pad is wide.
+// Along a trailing edge without roll the nearest point jumps from corner to corner with the slightest roll, and the
+// torque with it. The force therefore acts at the weighted mean of all points within a hundredth of a nanometre of the
+// nearest: our choice. It moves the force by no more than the width of the pad.
 //
-// The accepted region's law counts beyond the ends of its interval too, so that a step sees a smooth force; whoever
-// takes the step ends it at the switch.
+// The accepted region's law also applies beyond the ends of its interval, so that a step has a smooth force; the caller
+// ends the step at the switch.
 #pragma once
 
 #include <optional>
@@ -37,8 +36,7 @@ public:
 
     /// The region whose law acts; regions with the same law are one.
     ContactRegion region() const { return region_; }
-    /// This region's law acts from now on, wherever the pad is, until it is crossed. The lowest
-    /// region with the same law is taken.
+    /// This region's law acts from now on until it is crossed. The lowest region with the same law is taken.
     void setRegion(ContactRegion region);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What acts between a flying slider and the disk beside the air: contact, adhesion and friction, by the attitude of the
-// slider and the time that the disk's surface has moved. A law with memory (branches, snaps) continues from the state
-// that was accepted last, so that a step of time may be tried as often as it takes.
+// Contact, adhesion and friction between a flying slider and the disk, by the attitude of the slider and the time that
+// the disk's surface has moved. A law with memory (branches, snaps) continues from the last accepted state, so that a
+// time step may be tried repeatedly.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/numerics/interval.h"
+#include "core/numerics/small_matrix.h"
 #include "core/physics/slider/attitude.h"
-#include "core/simulation/contact/slider_contact_forces.h"
 #include "core/simulation/recording/field_snapshot.h"
 
 namespace touchdown {
@@ -24,43 +24,55 @@ class MinimumSpacing;
 struct Case;
 struct PaddedGrid;
 
+/// Forces of a contact on a flying slider at one attitude.
+struct SliderContactForces {
+    double contact = 0.0;      // >= 0, away from the disk [N]
+    double adhesion = 0.0;     // <= 0 [N]
+    double friction = 0.0;     // in the disk's direction [N]
+    double pitchTorque = 0.0;  // of the three about the mass centre, nose up [N m]
+    double rollTorque = 0.0;   // inner edge up [N m]
+    double area = 0.0;         // real area of contact [m^2]; zero if the law has none
+    double peakPressure = 0.0; // of contact [Pa]
+    double storedEnergy = 0.0; // elastic [J]
+    int iterations = 0;        // of the solution
+    std::string problem;       // a sentence, when it did not converge; "" when it did
+    Vector3 load() const { return {contact + adhesion, pitchTorque, rollTorque}; }
+};
+
 class SliderContact {
 public:
     virtual ~SliderContact() = default;
 
-    /// At an attitude, the disk's surface where it is at `time` [s], from the state last accepted on.
+    /// At an attitude and the position of the disk's surface at `time` [s], from the last accepted state.
     virtual const SliderContactForces& at(const Attitude& attitude, double time) = 0;
-    /// -d(force, pitch torque, roll torque)/d(height of the mass centre, pitch, roll) at the last call, roughly: it
-    /// leads Newton's method and has no part in its result.
+    /// About -d(force, pitch, roll torque)/d(height of the mass centre, pitch, roll) at the last call, for Newton.
     virtual Matrix3 stiffness() const = 0;
-    /// Whether nothing acts there at any time: then at() is cheap, and the rest need not be asked.
+    /// Whether nothing acts there at any time; then at() is cheap.
     virtual bool outOfReach(const Attitude& attitude) const = 0;
     /// The last call's state becomes the accepted one.
     virtual void accept() = 0;
 
-    /// The separation that switches the law, within the interval in which the accepted law holds; beyond an end,
-    /// cross() takes the law that holds there, and returns the switch's name: "touch-down".
+    /// The separation that switches the law, and the interval in which the accepted law holds. cross() takes the law
+    /// beyond an end and returns the switch's name: "touch-down".
     virtual double separation(const Attitude&) const { return 0.0; }
     virtual Interval interval() const { return {}; }
     virtual std::string cross(bool /*upper*/) { return {}; }
 
     /// Longest step with which a moving surface is followed while it is in reach [s].
     virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
-    /// Takes the mean by which contact presses the disk down in each cell of a film's grid off `height` (padded) [m];
-    /// false where it does nowhere.
+    /// Subtracts the disk's mean displacement by contact in each cell from `height` (padded) [m]; false if none.
     virtual bool deform(std::span<double> /*height*/) const { return false; }
 
     /// Fills the values of contactFields() at the last call.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
     /// What was assumed or left out, in sentences.
     virtual std::vector<std::string> remarks() const { return {}; }
-    /// Why the law does not hold at this attitude, in a sentence: the slider touches where nothing is modelled.
+    /// A sentence where the slider touches outside the modelled patches; else empty.
     virtual std::string problemAt(const Attitude&) const { return {}; }
 };
 
-/// `c` is valid, of the model "film"; null where nothing but air acts. The spacing and the surface must last. `pad` and
-/// `grid` are the film's. `goOn` is asked while it is made, and within long solutions; where it returns false they end
-/// with a problem.
+/// `c` is valid, of the model "film"; null if only air acts. The spacing and the surface must last. `pad` and `grid`
+/// are the film's. `goOn` is asked meanwhile and within long solutions; if it returns false they end with a problem.
 std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing,
                                                  const DiskTopography& surface, const CellGrid& grid,
                                                  const PaddedGrid& pad, const std::function<bool()>& goOn = {});

@@ -16,21 +16,13 @@ constexpr double sameState = 1e-12;
 constexpr double looserThanAlone = 1e4; // [-]
 constexpr double loosest = 1e-2;        // [-]
 
-std::variant<ElasticContact, AdhesiveContact> contactOf(const Case& c, const UniformGrid& grid,
-                                                        const std::function<bool()>& goOn)
+AdhesiveContact contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
 {
-    HalfSpace space(grid, contactModulus(c.elastic.pair), HalfSpaceEdges::Free, goOn);
-    const double tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest);
-    if (c.adhesion.acts())
-        return AdhesiveContact(std::move(space), c.adhesion,
-                               {.tolerance = tolerance,
-                                .maximumIterations = c.elastic.maximumIterations,
-                                .hardness = c.elastic.hardness,
-                                .goOn = goOn});
-    return ElasticContact(std::move(space), {.tolerance = tolerance,
-                                             .maximumIterations = c.elastic.maximumIterations,
-                                             .hardness = c.elastic.hardness,
-                                             .goOn = goOn});
+    return AdhesiveContact(HalfSpace(grid, contactModulus(c.elastic.pair), HalfSpaceEdges::Free, goOn), c.adhesion,
+                           {.tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest),
+                            .maximumIterations = c.elastic.maximumIterations,
+                            .hardness = c.elastic.hardness,
+                            .goOn = goOn});
 }
 
 } // namespace
@@ -91,29 +83,20 @@ const PatchForces& SliderPatch::solve(const Attitude& attitude, double time)
     attitude_ = attitude;
     time_ = time;
     acts_ = true;
-    const auto take = [&](const auto& summary) {
-        forces_.iterations = summary.iterations;
-        tried_ = summary.converged;
-        if (summary.converged)
-            forces_.problem.clear();
-        else
-            forces_.problem = summary.message;
-    };
-    if (auto* adhesive = std::get_if<AdhesiveContact>(&contact_)) {
-        if (!goesOn) adhesive->recall();
-        take(adhesive->solve(separation_));
-        sum(adhesive->pressure(), adhesive->adhesion(), adhesive->gap());
-        forces_.storedEnergy = adhesive->energy();
-    } else if (auto* elastic = std::get_if<ElasticContact>(&contact_)) {
-        take(elastic->solve(separation_));
-        sum(elastic->pressure(), {}, elastic->gap());
-    }
+    if (!goesOn) contact_.recall();
+    const AdhesiveContactSummary summary = contact_.solve(separation_);
+    forces_.iterations = summary.iterations;
+    forces_.problem = summary.converged ? std::string() : summary.message;
+    tried_ = summary.converged;
+    sum();
+    if (contact_.adheres()) forces_.storedEnergy = contact_.energy();
     return forces_;
 }
 
 // Forces, their rough stiffness, and the elastic energy p u/2.
-void SliderPatch::sum(std::span<const double> pressure, std::span<const double> adhesion, std::span<const double> gap)
+void SliderPatch::sum()
 {
+    const std::span<const double> pressure = contact_.pressure(), adhesion = contact_.adhesion(), gap = contact_.gap();
     const double cell = grid_.cellArea();
     double count = 0.0, peak = 0.0, energy = 0.0;
     Vector3 contact = Vector3::Zero(), attraction = Vector3::Zero();
@@ -130,10 +113,8 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
                 peak = std::max(peak, p);
                 energy += p * (gap[at] - separation_[at]);
             }
-            if (!adhesion.empty()) {
-                rowAdhesion += adhesion[at];
-                rowAdhesionPitch += pitch * adhesion[at];
-            }
+            rowAdhesion += adhesion[at];
+            rowAdhesionPitch += pitch * adhesion[at];
         }
         contact += Vector3(rowContact, rowContactPitch, roll * rowContact);
         attraction += Vector3(rowAdhesion, rowAdhesionPitch, roll * rowAdhesion);
@@ -143,8 +124,7 @@ void SliderPatch::sum(std::span<const double> pressure, std::span<const double> 
     forces_.area = count * cell;
     forces_.peakPressure = peak;
     forces_.storedEnergy = 0.5 * energy * cell;
-    // A punch as large as the contact, 2 E* a with a = sqrt(A/pi) (Johnson 1985, section 3.4), at the centre of its
-    // pressure.
+    // A punch as large as the contact, 2 E* a, a = sqrt(A/pi) (Johnson 1985, section 3.4), at its centre of pressure.
     forces_.stiffness.setZero();
     if (contact[0] > 0.0) {
         const Vector3 arms{1.0, contact[1] / contact[0], contact[2] / contact[0]};
@@ -163,10 +143,9 @@ void SliderPatch::part(const Attitude& attitude, double time)
 void SliderPatch::accept()
 {
     tried_ = false;
-    auto* adhesive = std::get_if<AdhesiveContact>(&contact_);
-    if (!adhesive || !(acts_ || remembers_)) return;
-    if (!acts_) adhesive->reset();
-    adhesive->remember();
+    if (!contact_.adheres() || !(acts_ || remembers_)) return;
+    if (!acts_) contact_.reset();
+    contact_.remember();
     remembers_ = acts_;
 }
 
@@ -192,11 +171,10 @@ void SliderPatch::overlap(const CellGrid& grid)
 void SliderPatch::deform(const PaddedGrid& pad, std::span<double> height) const
 {
     if (!acts_) return;
-    const std::span<const double> gap = std::visit([](const auto& contact) { return contact.gap(); }, contact_);
+    const std::span<const double> gap = contact_.gap();
     for (const Overlap& row : rows_)
         for (const Overlap& column : columns_) {
-            const std::size_t at = static_cast<std::size_t>(row.patch) * static_cast<std::size_t>(grid_.nx) +
-                                   static_cast<std::size_t>(column.patch);
+            const std::size_t at = grid_.at(column.patch, row.patch);
             height[pad.at(column.film, row.film)] -= row.share * column.share * (gap[at] - separation_[at]);
         }
 }
@@ -208,13 +186,9 @@ void SliderPatch::observe(FieldSnapshot& snapshot) const
     const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
     const auto addNothing = [&] { snapshot.values.emplace_back(cells, 0.0); };
     if (acts_) {
-        std::visit(
-            [&](const auto& contact) {
-                add(contact.gap());
-                add(contact.pressure());
-            },
-            contact_);
-        if (const auto* adhesive = std::get_if<AdhesiveContact>(&contact_)) add(adhesive->adhesion());
+        add(contact_.gap());
+        add(contact_.pressure());
+        if (contact_.adheres()) add(contact_.adhesion());
         if (!surface_.empty()) add(surface_);
         return;
     }
@@ -223,7 +197,7 @@ void SliderPatch::observe(FieldSnapshot& snapshot) const
     forHeights(attitude_, [&](std::size_t at, double height) { gap[at] = height - surface[at]; });
     add(gap);
     addNothing();
-    if (std::holds_alternative<AdhesiveContact>(contact_)) addNothing();
+    if (contact_.adheres()) addNothing();
     if (!surface_.empty()) add(surface);
 }
 

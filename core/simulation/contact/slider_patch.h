@@ -6,19 +6,16 @@
 //
 //   s = height + pitch (L - x) - roll (y - W/2) + recess - w(x - U t, y - V t)
 //
-// In a run of many thousand steps each is solved to 1e4 elastic.tolerance: at its default to 1e-4 of the largest
-// pressure and displacement, which leaves some 1e-5 of the force and snaps in and pulls off in the same steps as a
-// tight tolerance does.
+// Each step is solved to 1e4 elastic.tolerance: by default to 1e-4 of the largest pressure and displacement. The error
+// of the force is some 1e-5, and contacts snap in and pull off in the same steps as with a tight tolerance.
 //
-// A solution with adhesion depends on where it comes from. Each starts from the state that was accepted last, so that
-// what was tried in between leaves no trace; but for a try at the same time a picometre beside the last one, which
-// starts there.
+// A solution with adhesion depends on its start: the last accepted state, or the last try where that was at the same
+// time within a picometre.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "core/case/case.h"
@@ -76,7 +73,7 @@ private:
     template <typename Visit>
     void forHeights(const Attitude& attitude, const Visit& visit) const;
     void setSeparation(const Attitude& attitude, double time);
-    void sum(std::span<const double> pressure, std::span<const double> adhesion, std::span<const double> gap);
+    void sum();
 
     UniformGrid grid_;
     std::vector<double> recess_; // [m]
@@ -85,7 +82,7 @@ private:
     const DiskTopography& topography_;
     Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;
-    std::variant<ElasticContact, AdhesiveContact> contact_;
+    AdhesiveContact contact_;
     std::vector<double> surface_;    // w [m]; empty: flat
     std::vector<double> separation_; // s [m]
     double surfaceTime_;             // of surface_ [s]

@@ -12,9 +12,9 @@
 //   kink    the force is continuous there, and the branch continues under the next law
 //
 // These points are located to `branchesLocatedTo` of the range in arclength. One grid serves the whole range: that of
-// the static state in its middle or next to it. The difference of a branch from the result on a grid adapted at its
-// place is not larger than the error of the grid. The place where the suspension exerts its load is interpolated
-// between static states. Branches are sought at a number of values, flying and in contact; others are missed.
+// the static state in or near its middle; the difference from a grid adapted at each place is within the error of the
+// grid. The place where the suspension exerts its load is interpolated between static states. Branches are sought at a
+// number of values, flying and in contact; others are missed.
 #pragma once
 
 #include <functional>

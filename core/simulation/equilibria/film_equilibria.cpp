@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -40,8 +39,7 @@ public:
     }
 
 private:
-    /// The law is that of the take-off branch at q. False where the search gave up; where no step reduces the residual
-    /// there is no equilibrium near.
+    /// With the law of the take-off branch at q. False where the search gave up; true without an equilibrium near q.
     bool refine(Vector3 q)
     {
         if (!balance_.solve(q, goOn_)) return false;
@@ -92,10 +90,8 @@ private:
 
 SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn)
 {
-    Case still = c;
+    Case still = attitudeCase(c);
     still.diskSurface = {};
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
-        false;
     return steady(still, [&](const SteadyProgress&) { return goOn(); });
 }
 

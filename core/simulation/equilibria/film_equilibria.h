@@ -2,11 +2,11 @@
 //
 // Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the
 // static state, where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film
-// and contact (core/simulation/small_motions/film_balance.h), from the static attitude set down to several separations
-// and from attitudes that are known to be near. One that no start leads to is missed.
+// and contact (core/simulation/small_motions/film_balance.h), from the static attitude lowered to several separations
+// and from known nearby attitudes. An equilibrium that no start leads to is missed.
 //
-// Stability: the oscillations about each (core/simulation/small_motions/small_motions.h); where the static
-// stiffness has a negative determinant a motion grows without oscillating.
+// Stability: the oscillations about each (core/simulation/small_motions/small_motions.h); where the static stiffness
+// has a negative determinant a motion grows without oscillating.
 #pragma once
 
 #include <complex>

@@ -10,13 +10,11 @@
 //   G  force and torques over length and width, as shares of the preload
 //
 // They are evaluated on one grid, each film started from the last one. The place where the suspension exerts its load
-// is interpolated between the static states of the looks: an error of 1 nm there counts k 1e-9 m, 1e-8 N for a
-// suspension with 10 N/m.
+// is interpolated between the static states of the looks: an error of 1 nm causes 1e-8 N at 10 N/m.
 #pragma once
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,8 +43,7 @@ public:
         Attitude rest; // the static state; its spacing may be negative
         bool flies;    // that lies above d_s
     };
-    /// Static states at so many places of the range; grid and scales from the one next to its middle. Empty where there
-    /// is none.
+    /// Static states at so many places of the range, may be none; grid and scales of that next to its middle.
     std::vector<Look> look(int looks, std::vector<std::string>& problems);
 
     /// Forgets the last film and the rates of the last equilibrium.
@@ -59,8 +56,7 @@ public:
     double length() const { return length_; }              // unit of x [m]
     double sliderLength() const { return slider_.length; } // [m]
 
-    /// False where the film is not solved. Beyond the ends of the range, where the case need not be valid, G continues
-    /// along its slope.
+    /// False where the film is not solved. Beyond the ends of the range G continues along its slope.
     bool linearise(const Eigen::VectorXd& x, double p, ContactRegion region, ContinuationProblem::Linearised& at);
     /// From the lower and the upper end of the law's interval, and from the disk.
     std::vector<double> distances(const Eigen::VectorXd& x, double p, ContactRegion region);

@@ -91,8 +91,7 @@ public:
 
     std::vector<Point> search()
     {
-        // Coordinates u_f = z + a_f theta, u_r = z - a_r theta: the spacings of both springs, unless these are one
-        // place.
+        // Coordinates u_f = z + a_f theta, u_r = z - a_r theta: the spacings of both springs, unless they coincide.
         const SpringModel::Guards turned = model_.guards({0.0, 1.0});
         const double front = turned[SpringModel::Front];
         double rear = -turned[SpringModel::Rear];
@@ -105,8 +104,7 @@ public:
             const double theta = (f - r) / (front + rear);
             return Point{f - front * theta, theta};
         };
-        // Moments about one spring's place do not know that spring's force: either of them depends on one spacing
-        // foremost.
+        // Moments about one spring's place do not contain its force: each depends mostly on the other spacing.
         const Point inertia = model_.inertia();
         std::vector<Point> below(uf.size());
         std::vector<Point> row(uf.size());

@@ -6,15 +6,14 @@
 //   z''(z, theta; p) = 0,   theta''(z, theta; p) = 0
 //
 // are branches: they are followed by pseudo-arclength (core/numerics/continuation.h), each within the intervals of its
-// mode. Where a branch meets the end of an interval, it ends: the force jumps there, or continues with a kink, or with
-// the same law. Stability follows from the four eigenvalues of the mode's linear motion. Friction mu F_cr turns
-// the slider by as much as the pad is pressed, and the pad is not pressed by how far it is turned back: the stiffness
-// is not symmetric, so that two modes may meet and flutter.
+// mode. A branch ends where it meets the end of an interval: the force jumps there, or continues with a kink or with
+// the same law. Stability follows from the four eigenvalues of the mode's linear motion. Friction mu F_cr makes the
+// stiffness unsymmetric, so that two modes may meet and flutter.
 //
-// Branches are sought at a number of values of p, on a grid of spacings in every mode, and are missed where they lie
-// between two of these values and fold back, or where two equilibria of a mode are closer than the grid. Where pad or a
-// spring's place lies deeper than ten static spacings below the disk's mean plane, as without any spring, the model is
-// not valid, and nothing is sought.
+// Branches are sought at a number of values of p, on a grid of spacings in every mode. They are missed where they lie
+// between two of these values and fold back, or where two equilibria of a mode are closer than the grid. The model is
+// not valid where pad or a spring's place is deeper than ten static spacings below the disk's mean plane, as without
+// any spring; nothing is sought there.
 #pragma once
 
 #include <complex>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/numerics/wall_clock.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -183,8 +184,7 @@ FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
     return film;
 }
 
-/// Where a step meets stiffness for which its rule is not stable, it is taken again by the other rule, whose error then
-/// shows whether it is too long.
+/// A step with a stiffness for which its rule is not stable is repeated with the other rule.
 CoupledStepResult CoupledStepper::step(double dt)
 {
     const CoupledStepResult first = tryStep(dt, true);
@@ -319,16 +319,14 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
     if (lastDt_ > 0.0) triedJerk_ += (triedSlope_ - slope_) * dt / (dt + lastDt_);
     tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);
     if (fourth_) {
-        // v - shift stiffJerk(v) = u turned round: steps of changing length then neither gain nor lose energy by their
-        // shifts.
+        // v - shift stiffJerk(v) = u solved for v: steps of changing length then keep the energy.
         tried_.v = solveBody(-body_.inertia().cwiseProduct(tried_.v) / shift_, -1.0 / shift_, 0.0, true);
     }
     triedStiffJerk_ = stiffJerk(tried_.v);
 }
 
 /// Error of the slider: -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); for the other
-/// rule the same of the change of the acceleration that was not predicted. Error of the film: the displacement that
-/// would balance its force.
+/// rule, of the unpredicted change of the acceleration. Error of the film: the displacement that balances its force.
 void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 {
     Vector3 change = tried_.a - motion_.a;

@@ -12,19 +12,18 @@
 //
 //   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
 //
-//   monolithic   one Newton iteration on pressure and attitude, with X = J^-1 dR/dq kept as long as the film's
-//                Jacobian is good:
+//   monolithic   one Newton iteration on pressure and attitude, with X = J^-1 dR/dq kept as long as the film's J is
+//   good:
 //                (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
-//   staggered    the film is solved at the attitude, then the slider is moved by the forces,
-//                (M/(beta dt^2) + C/(2 beta dt) + K) dq = G,
-//                until neither changes: the established program's method. It converges where the stiffness k of film
-//                and contact satisfies beta k dt^2 < M, and reports where it does not.
+//   staggered    the film is solved at the attitude, then the forces move the slider,
+//                (M/(beta dt^2) + C/(2 beta dt) + K) dq = G, until neither changes: the established program's method.
+//                It converges where the stiffness k of film and contact satisfies beta k dt^2 < M, and reports where
+//                it does not.
 #pragma once
 
 #include <array>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "core/physics/film/film_step.h"
@@ -54,19 +53,19 @@ struct CoupledStepResult {
     double positionLeft = 0.0; // estimated distance of the corners from the step's solution [m]
     double forceBalance = 0.0; // |G| against the load: force, and torques over the slider's length [-]
     double filmError = 0.0;    // FilmStepResult::error [-]
-    double timeError = 0.0;    // of the step's discretisation, as a displacement of the corners [m]
+    double timeError = 0.0;    // of the discretisation in time, as a displacement of the corners [m]
     bool converged() const { return failure == CoupledFailure::None; }
 };
 
-/// What the tried steps have taken so far.
+/// Cost of all tried steps.
 struct CoupledCost {
     double filmSeconds = 0.0, responseSeconds = 0.0, forceSeconds = 0.0, contactSeconds = 0.0,
            diskSeconds = 0.0;         // wall clock [s]
     long long filmSolves = 0;         // attitudes at which the film was solved
     long long linearisations = 0;     // of the film
-    long long contactSolves = 0;      // attitudes at which the contact was asked,
-    long long contactSkipped = 0;     // and those at which nothing was in reach
-    double contactSolveSeconds = 0.0; // of the former [s]
+    long long contactSolves = 0;      // attitudes at which the contact was evaluated
+    long long contactSkipped = 0;     // attitudes at which nothing was in reach
+    double contactSolveSeconds = 0.0; // of the evaluations [s]
     long long jacobiansKept = 0;      // attitudes at which the film needed no linearisation
 };
 
@@ -103,8 +102,7 @@ public:
     /// How often a cell of the film has closed: the energy balance lacks the air in it.
     long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
-    /// The largest angular frequency that the stiffness of film and contact makes; zero as long as it is not known,
-    /// which `staggered` never does [rad/s].
+    /// The largest angular frequency by the stiffness of film and contact; zero: unknown, as in `staggered` [rad/s].
     double fastestRate() const;
 
 private:
@@ -117,8 +115,7 @@ private:
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
-    /// Takes film and forces along; returns by how much the pressure may be wrong then, as FilmStepResult::error
-    /// measures it [-].
+    /// Changes film and forces by their response; returns the possible error as FilmStepResult::error [-].
     double follow(const Vector3& change);
     void setRule(double dt, bool fourth);
     void setVelocity(double dt);
@@ -136,8 +133,8 @@ private:
     // a' at the accepted state, its mean over the last step, its part by stiffness; and of the tried state.
     Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), stiffJerk_ = Vector3::Zero();
     Vector3 triedJerk_ = Vector3::Zero(), triedSlope_ = Vector3::Zero(), triedStiffJerk_ = Vector3::Zero();
-    double time_ = 0.0, dt_ = 0.0,
-           lastDt_ = 0.0; // accepted; of the tried step, of the last one, zero where forces have jumped [s]
+    double time_ = 0.0, dt_ = 0.0; // accepted; of the tried step [s]
+    double lastDt_ = 0.0;          // of the last step; zero where forces have jumped [s]
     // The rule of the tried step: beta, and (u - v)/a' [s^2].
     bool fourth_ = false;
     double later_ = 0.25, shift_ = 0.0;

@@ -24,8 +24,7 @@ double FilmEnergyBalance::power(const FilmPoint& point) const
     return sum;
 }
 
-/// Power is integrated along a parabola through three points, or a straight line where the contact's law has just
-/// changed.
+/// Power is integrated along a parabola through three points, or a straight line just after a switch of the law.
 void FilmEnergyBalance::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
 {
     const double powerBefore = power(before), dt = point.time - before.time;

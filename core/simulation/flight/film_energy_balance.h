@@ -2,14 +2,14 @@
 //
 // The energy balance of a run. Slider, suspension, air and contact hold an energy E. They gain energy
 //
-//   by flows through the air   the disk's input less the viscous dissipation (core/physics/film/film_energy.h)
+//   by flows of the air        the disk's input less the viscous dissipation (core/physics/film/film_energy.h)
 //   by the disk's surface      which rises and falls under the air
 //   by shear, friction         through their torques
 //   by contact and adhesion    their work on the slider that is not stored
 //   by the dampers             a negative amount
 //
-// so that E - gained is constant but for the discretisation: of time, and of the load, which includes layers at steps
-// that the cells' own pressure does not have (some 1e-3 of the air's exchange).
+// so that E - gained is constant to the error of discretisation: of time, and of the load, which includes layers at
+// steps that the cells' own pressure does not have (some 1e-3 of the air's exchange).
 #pragma once
 
 #include "core/physics/film/film_energy.h"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "core/case/case.h"
 #include "core/physics/slider/minimum_spacing.h"

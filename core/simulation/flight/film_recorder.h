@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider
-// moves along the polynomial of fifth degree through position, velocity and acceleration at its ends; forces and
-// energies along parabolas.
+// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider moves along a
+// polynomial (film_point.h); forces and energies along parabolas.
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "core/physics/slider/air_bearing_surface.h"
@@ -43,8 +41,7 @@ public:
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point) { earlier_ = last_ = point; }
 
-    /// The largest difference so far between the change of the energy and what was gained, against the largest range of
-    /// one of its parts [-].
+    /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
     /// With the values of the last point, or at the duration where that is beyond.
     Summary summary(const RunEnd& end);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/flight/film_response.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/physics/film/film_newton.h"
+#include "core/physics/film/gas_film.h"
 
 namespace touchdown {
 
@@ -14,7 +16,7 @@ constexpr int mostIterations = 40;
 } // namespace
 
 FilmResponse::FilmResponse(const GasFilm& film, FilmLoads& loads, const SliderBody& body)
-    : film_(film), loads_(loads), body_(body), attitudeWork_(film)
+    : film_(film), loads_(loads), body_(body), attitudeWork_(film.gaps())
 {
     for (auto* fields : {&columns_, &responses_})
         for (auto& field : *fields) field.assign(film.pad().size(), 0.0);

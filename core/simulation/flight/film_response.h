@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the film answers within a step of time to a small change of the attitude: with J dp = -dR/dq dq its pressure
-// changes by -X dq, X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both lead an iteration and have no
-// part in its result, so that they are kept while a step's length is about the same, for some 200 steps, until steps
-// converge more slowly.
+// Response of the film within a time step to a small change of the attitude: with J dp = -dR/dq dq its pressure changes
+// by -X dq, X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both only guide an iteration, so they are
+// kept while the length of the step is about the same, for some 200 steps, until steps converge more slowly.
 #pragma once
 
 #include <array>
@@ -11,11 +10,13 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_loads.h"
-#include "core/physics/film/film_newton.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
+
+class FilmLinearSolver;
 
 class FilmResponse {
 public:
@@ -33,14 +34,13 @@ public:
     void age() { ++age_; }
     /// Steps converge more slowly.
     void outdate() { age_ = oldest + 1; }
-    /// Renews the response at pressures p (padded), by linear systems, which are those of a pressure near to it;
-    /// returns the preconditioned iterations it took. The first call allocates. `goOn` is asked at each of them; where
-    /// it says false nothing is known.
+    /// Renews the response at pressures p (padded) with the linear systems of a pressure near p; returns the number of
+    /// preconditioned iterations. If `goOn`, asked at each of them, returns false nothing is known.
     int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
 
     /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.
     const Matrix3& stiffness() const { return stiffness_; }
-    /// change = -X dq (padded) [Pa]; returns by how much that may be wrong, as root mean square against ambient [-].
+    /// change = -X dq (padded) [Pa]; returns its possible error, as root mean square against ambient [-].
     double follow(const Vector3& dq, std::span<double> change) const;
 
 private:
@@ -49,9 +49,9 @@ private:
     const SliderBody& body_;
     std::array<std::vector<double>, 3> columns_, responses_; // dR/dq, X
     FilmLoads::Derivatives forces_;
-    GasFilm::AttitudeWork attitudeWork_;
+    AttitudeWork attitudeWork_;
     Matrix3 stiffness_ = Matrix3::Zero();
-    double perTime_ = 0.0; // of the film's storage that they belong to; zero: none yet [1/s]
+    double perTime_ = 0.0; // of the film's storage for these; zero: none yet [1/s]
     int age_ = 0;          // in accepted steps
 };
 

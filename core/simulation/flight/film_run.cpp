@@ -8,7 +8,6 @@
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
 #include "core/simulation/flight/coupled_step.h"
-#include "core/simulation/flight/film_cost.h"
 #include "core/simulation/flight/film_energy_balance.h"
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
@@ -54,7 +53,7 @@ public:
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
-        summary.warnings = scene_.warnings();
+        summary.warnings = scene_.warnings;
         if (cuts_ > 0)
             summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) +
                                        (cuts_ == 1 ? " time: " : " times, first as ") + firstCut_ +
@@ -77,10 +76,26 @@ public:
 private:
     void addCost(Summary& summary) const
     {
-        addFigures(stepper_->cost(), summary);
+        const CoupledCost& cost = stepper_->cost();
         const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
             summary.figures.push_back({{name, unit, unit, longName}, value});
         };
+        add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
+        add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
+        add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
+        add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
+        add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
+        add("film_solves", "1", "Attitudes at which the film was solved", static_cast<double>(cost.filmSolves));
+        add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
+        add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
+        add("contact_skipped", "1", "Attitudes at which no contact was in reach",
+            static_cast<double>(cost.contactSkipped));
+        const double perContact =
+            cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
+        add("contact_saved", "s", "Wall time that skipped contacts would have taken",
+            perContact * static_cast<double>(cost.contactSkipped));
+        add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation",
+            static_cast<double>(cost.jacobiansKept));
         add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load",
             worstBalance_);
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
@@ -95,12 +110,12 @@ private:
     {
         switch (scene_.prepare([this] { return goOn(); })) {
         case FilmScene::State::Stopped: return stop();
-        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message());
+        case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
         }
-        contact_ = scene_.contact();
-        body_ = &scene_.body();
-        FilmLevel& level = scene_.level();
+        contact_ = scene_.contact.get();
+        body_ = &*scene_.body;
+        FilmLevel& level = *scene_.level;
         CoupledStepOptions stepping;
         stepping.coupling = case_.film.coupling;
         stepping.tolerance = positionShare * case_.run.stepError;
@@ -109,18 +124,18 @@ private:
             std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
                                (level.film.ambient() * case_.slider.length * case_.slider.width));
         stepping.goOn = [this] { return goOn(); };
-        stepper_.emplace(level.film, *body_, contact_, &scene_.disk(), stepping);
+        stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
         if (!goOn()) return stop();
         SliderMotion motion;
-        motion.q = body_->coordinates(scene_.start());
+        motion.q = body_->coordinates(scene_.start);
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
                     body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
         stepper_->start(level.pressure, motion, 0.0);
         if (run_.stopped()) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
-        balance_.emplace(level.film, *body_, scene_.restEnergy());
-        recorder_.emplace(case_, *body_, scene_.recess(), scene_.spacing(), run_);
+        balance_.emplace(level.film, *body_, scene_.restEnergy);
+        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, run_);
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
@@ -199,10 +214,10 @@ private:
         if (contact_)
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
-        if (scene_.spacing().at(attitude).spacing > farthest)
+        if (scene_.spacing.at(attitude).spacing > farthest)
             return fail(RunFailure::Diverged,
                         "the slider left the disk: at " + timeText(point_.time) + " it is " +
-                            formatQuantity(std::round(scene_.spacing().at(attitude).spacing * 1e9) / 1e9, "um") +
+                            formatQuantity(std::round(scene_.spacing.at(attitude).spacing * 1e9) / 1e9, "um") +
                             " above it");
         return true;
     }
@@ -298,7 +313,7 @@ private:
             result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
         return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
                                  "; the samples end with the last good state, minimum spacing " +
-                                 formatQuantity(std::round(scene_.spacing().at(last).spacing * 1e13) / 1e13, "nm"));
+                                 formatQuantity(std::round(scene_.spacing.at(last).spacing * 1e13) / 1e13, "nm"));
     }
 
     bool end(RunStatus status, RunFailure failure, std::string message)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run of the model "film" in time: static state -> initial state -> steps -> samples. Steps are as long as their
-// error allows: they grow far from contact and shrink where it begins; where the contact's law switches they end there.
-// A step that fails is tried again with half its length, and a run whose steps fall below 1e-14 s ends with the last
-// good state.
+// A run of the model "film" in time: static state -> initial state -> steps -> samples. The error of a step sets its
+// length: long far from contact, short where it begins. A step ends where the contact's law switches. A step that fails
+// is repeated with half its length; below 1e-14 s the run ends with the last good state.
 #pragma once
 
 #include "core/case/case.h"

@@ -14,97 +14,85 @@
 
 namespace touchdown {
 
-namespace {
-
-Case staticCase(const Case& c)
-{
-    Case result = c;
-    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria =
-        false;
-    return result;
-}
-
-} // namespace
-
 FilmScene::FilmScene(const Case& c)
-    : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
+    : recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess), case_(c)
 {}
 
 FilmScene::~FilmScene() = default;
 
-FilmScene::State FilmScene::fail(std::string message)
+FilmScene::State FilmScene::fail(std::string reason)
 {
-    message_ = std::move(message);
+    message = std::move(reason);
     return State::Failed;
 }
 
 FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 {
-    topography_ = diskTopography(case_, goOn);
+    topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
     maps_ = {filmMaps(case_), sliderContactFields(case_, goOn)};
     if (!goOn()) return State::Stopped;
-    const SteadyResult rest = steady(staticCase(case_), [&](const SteadyProgress&) { return goOn(); });
+    const SteadyResult rest = steady(attitudeCase(case_), [&](const SteadyProgress&) { return goOn(); });
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
     if (fromRest && rest.status != SteadyStatus::Converged)
         return fail("there is no static flying state to start from (initial.state): " + rest.message);
     // Also where the film alone would balance below the plane of the disk.
     const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
-    start_ = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
+    start = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
     if (!balanced)
-        warnings_.push_back(
+        warnings.push_back(
             "no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
             rest.message);
-    body_.emplace(case_, balanced ? rest.attitude : start_);
+    body.emplace(case_, balanced ? rest.attitude : start);
     if (fromRest) {
-        Vector3 q = body_->coordinates(rest.attitude);
+        Vector3 q = body->coordinates(rest.attitude);
         q[0] += case_.initial.heightOffset;
         q[1] += case_.initial.pitchOffset;
-        if (!body_->holdsRoll()) q[2] += case_.initial.rollOffset;
-        start_ = body_->attitude(q);
+        if (!body->holdsRoll()) q[2] += case_.initial.rollOffset;
+        start = body->attitude(q);
     }
 
     if (!makeParts(rest, goOn)) return State::Stopped;
     if (balanced) {
-        level_->film.setAttitude(rest.attitude);
-        restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
+        level->film.setAttitude(rest.attitude);
+        restEnergy = FilmEnergy(level->film).at(level->pressure).stored;
     }
     const State state = solveStart(goOn);
-    if (!balanced) restEnergy_ = FilmEnergy(level_->film).at(level_->pressure).stored;
+    if (!balanced) restEnergy = FilmEnergy(level->film).at(level->pressure).stored;
     return state;
 }
 
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
 {
-    FilmGaps gaps(recess_, rest.grid, goOn);
+    FilmGaps gaps(recess, rest.grid, goOn);
     if (!goOn()) return false;
-    level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
-    level_->gaps.pad.pad<double>(rest.pressure, level_->pressure);
-    disk_.emplace(case_, topography_, level_->gaps.grid, level_->gaps.pad);
+    level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
+    level->gaps.pad.pad<double>(rest.pressure, level->pressure);
+    disk.emplace(case_, topography, level->gaps.grid, level->gaps.pad);
     if (!goOn()) return false;
-    contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn);
+    contact = makeSliderContact(case_, spacing, topography, level->gaps.grid, level->gaps.pad, goOn);
     return goOn();
 }
 
 FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
 {
-    level_->film.setAttitude(start_);
+    level->film.setAttitude(start);
     const auto monitor = [&](int, double) { return goOn(); };
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
-    FilmSolution film = level_->flying.solveFilm(level_->pressure, options, monitor);
+    FilmSolution film = level->flying.solveFilm(level->pressure, options, monitor);
     if (!film.converged && !film.cancelled) {
-        std::ranges::fill(level_->pressure, level_->film.ambient());
-        film = level_->flying.solveFilm(level_->pressure, options, monitor);
+        std::ranges::fill(level->pressure, level->film.ambient());
+        film = level->flying.solveFilm(level->pressure, options, monitor);
     }
     if (film.cancelled) return State::Stopped;
     if (film.converged) return State::Ready;
-    const double spacing = spacing_.at(start_).spacing;
+    const double lowest = spacing.at(start).spacing;
     const std::string height =
         case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
     return fail("the film was not solved at the initial attitude, where the minimum spacing is " +
-                formatQuantity(std::round(spacing * 1e13) / 1e13, "nm") +
-                (spacing > 0.0
+                formatQuantity(std::round(lowest * 1e13) / 1e13, "nm") +
+                (lowest > 0.0
                      ? "; start higher (" + height + ") or allow more film.maximum_iterations"
                      : "; start higher (" + height +
                            "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
@@ -119,14 +107,14 @@ std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& att
         for (int j = 0; j < film.grid.ny(); ++j)
             for (int i = 0; i < film.grid.nx(); ++i) {
                 const double x = film.grid.centreX(i), y = film.grid.centreY(j);
-                snapshot.values[0].push_back(recess_.at(x, y) + level_->gaps.lift(attitude, x, y));
+                snapshot.values[0].push_back(recess.at(x, y) + level->gaps.lift(attitude, x, y));
             }
         snapshot.values[1] =
-            transfer(level_->gaps.grid, level_->gaps.pad.unpad<double>(p), level_->film.ambient(), film.grid);
+            transfer(level->gaps.grid, level->gaps.pad.unpad<double>(p), level->film.ambient(), film.grid);
     }
-    if (contact_ && !maps_[1].empty()) {
+    if (contact && !maps_[1].empty()) {
         FieldSnapshot& snapshot = result.emplace_back(time, set, std::vector<std::vector<double>>());
-        contact_->observe(snapshot);
+        contact->observe(snapshot);
         if (snapshot.values.empty()) result.pop_back();
     }
     return result;

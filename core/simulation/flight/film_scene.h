@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a run of the film consists of: surface, disk, film on its grid, body, contact, and where it begins. The static
-// state gives the grid, and the suspension the place where it exerts its load.
+// The parts of a run of the film: surface, disk, film on its grid, body, contact and start. The static state gives the
+// grid, and the place where the suspension exerts its load.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,7 @@ namespace touchdown {
 struct FilmLevel;
 struct SteadyResult;
 
-/// Neither copied nor moved: its parts point at each other. The parts that are made by prepare() exist after it was
-/// ready.
+/// Neither copied nor moved: its parts point at each other. Most parts exist only after prepare() returned Ready.
 class FilmScene {
 public:
     /// `c` is valid, of the model "film", and must last.
@@ -31,44 +30,31 @@ public:
     ~FilmScene();
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
-    /// Surface of the disk, static state, initial attitude, film there. `goOn` is asked within; false stops, and must
-    /// stay so.
+    /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
     State prepare(const std::function<bool()>& goOn);
-    const std::string& message() const { return message_; } // why it failed
-    const std::vector<std::string>& warnings() const { return warnings_; }
-
-    const Recess& recess() const { return recess_; }
-    const MinimumSpacing& spacing() const { return spacing_; }
-    const SliderBody& body() const { return *body_; }
-    FilmLevel& level() { return *level_; } // its pressure: at the start
-    DiskUnderFilm& disk() { return *disk_; }
-    SliderContact* contact() { return contact_.get(); } // null: nothing but air acts
-    const Attitude& start() const { return start_; }
-    /// Stored by the air in the static state, or at the start where there is none [J].
-    double restEnergy() const { return restEnergy_; }
-
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded).
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
+    std::string message; // why it failed
+    std::vector<std::string> warnings;
+    Recess recess;
+    MinimumSpacing spacing;
+    DiskTopography topography;
+    std::optional<SliderBody> body;
+    std::unique_ptr<FilmLevel> level; // its pressure: at the start
+    std::optional<DiskUnderFilm> disk;
+    std::unique_ptr<SliderContact> contact; // null: only air acts
+    Attitude start;
+    double restEnergy = 0.0; // stored by the air in the static state, or at the start if there is none [J]
+
 private:
-    State fail(std::string message);
+    State fail(std::string reason);
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     State solveStart(const std::function<bool()>& goOn);
 
     const Case& case_;
-    Recess recess_;
-    MinimumSpacing spacing_;
-    DiskTopography topography_;
-    std::optional<SliderBody> body_;
-    std::unique_ptr<FilmLevel> level_;
-    std::optional<DiskUnderFilm> disk_;
-    std::unique_ptr<SliderContact> contact_;
     std::vector<RecordedFields> maps_; // of the film, of the contact; may be empty
-    Attitude start_;
-    double restEnergy_ = 0.0;
-    std::string message_;
-    std::vector<std::string> warnings_;
 };
 
 } // namespace touchdown

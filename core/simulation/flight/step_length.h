@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long the next step of a run of the film is. A longer one needs a new linearisation, so that lengths are kept for
-// a while and then doubled, not changed at each step.
+// Length of the next step of a run of the film. A longer one needs a new linearisation, so lengths are kept for a while
+// and then doubled.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,9 @@ class StepLength {
 public:
     static constexpr double mostGrowth = 2.0;   // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
     static constexpr double worstFactor = 0.75; // below which a step is tried again
-    static constexpr double longestPhase =
-        0.6; // omega dt: of longer steps BDF2OPT would change the damping of a motion by more than a tenth
+    static constexpr double longestPhase = 0.6; // omega dt, above which BDF2OPT changes damping by more than a tenth
 
-    /// Steps as long as the error allows, from a first one on; or, with error zero, of that length [s], [m].
+    /// Steps as long as the error allows, from a first one; with error zero all have its length [s], [m].
     StepLength(double first, double allowedError) : allowed_(allowedError), first_(first), wanted_(first) {}
 
     bool fixed() const { return allowed_ == 0.0; }
@@ -27,7 +26,7 @@ public:
         if (last > 0.0) dt = std::min(dt, mostGrowth * last);
         return fixed() ? dt : std::min(dt, longest);
     }
-    /// By which a step with this error might have been longer: its error goes with the cube of its length.
+    /// Ratio of the allowed length to that of a step with this error, which grows with the cube of the length.
     double factor(double error) const { return safety * std::cbrt(allowed_ / std::max(error, 1e-300)); }
     bool isTooLong(double error) const { return !fixed() && factor(error) < worstFactor; }
 
@@ -58,12 +57,12 @@ public:
 private:
     static constexpr double safety = 0.9;
     static constexpr double worthGrowing = 1.6, worthGrowingAtOnce = 4.0;
-    static constexpr int patience = 16; // steps, so that it is not for a moment of an oscillation
+    static constexpr int patience = 16; // steps, longer than a moment of an oscillation
 
     double allowed_;     // [m]
     double first_;       // [s]
     double wanted_;      // where nothing else limits it [s]
-    int sinceLimit_ = 0; // steps since one could not have been longer
+    int sinceLimit_ = 0; // steps since the last one that could not have been longer
 };
 
 } // namespace touchdown

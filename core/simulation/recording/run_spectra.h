@@ -3,12 +3,11 @@
 // Spectra of a run's motion, from the samples as they come, in bounded memory.
 #pragma once
 
-#include "core/case/case.h"
-#include "core/simulation/recording/run_summary.h"
-
-#include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "core/case/case.h"
+#include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
 

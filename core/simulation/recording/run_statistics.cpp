@@ -115,8 +115,7 @@ void RunStatistics::finish(Summary& summary) const
     if (!oscillates_) return;
     const Spectrum spectrum =
         welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
-    for (const Peak& peak : findPeaks(spectrum, case_.spectrum.scaling))
-        summary.peaks.push_back({peak.frequency, peak.amplitude});
+    summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);
 }
 
 } // namespace touchdown

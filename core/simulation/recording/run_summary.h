@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/numerics/spectrum.h"
 #include "core/physics/contact/characteristic_fit.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
@@ -57,11 +58,6 @@ struct Statistics {
     double mean = 0.0, std = 0.0, min = 0.0, max = 0.0; // [unit of the quantity]
 };
 
-struct SpectrumPeak {
-    double frequency = 0.0; // [Hz]
-    double amplitude = 0.0; // of a sine with that peak [unit of the quantity]
-};
-
 /// What halving a fixed step changes.
 struct StepCheck {
     double step = 0.0;         // the halved one [s]
@@ -93,8 +89,8 @@ struct Summary {
     std::vector<std::pair<std::string, Statistics>> tail; // over the last 10 % of the duration
     std::vector<RunEvent> events;                         // the first 100 000
     bool bouncing = false;
-    std::string bouncingRule;        // the rule that decided, with its figures
-    std::vector<SpectrumPeak> peaks; // of the minimum spacing, largest first
+    std::string bouncingRule; // the rule that decided, with its figures
+    std::vector<Peak> peaks;  // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
     std::vector<RunFigure> figures;       // models film and contact; springs with their energy balance

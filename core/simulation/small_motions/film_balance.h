@@ -5,8 +5,8 @@
 //
 //   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
 //
-// K of the suspension, q_0 where it exerts its load: the static state of the film alone. Apart, without contact, that
-// state itself is sought, and G has no springs. The film's force has the torques of its shear.
+// K of the suspension, q_0 where it exerts its load: the static state of the film alone. Without contact that state
+// itself is sought, and G has no springs. The film's force includes the torques of its shear.
 #pragma once
 
 #include <functional>
@@ -45,7 +45,7 @@ public:
     double netContactForce(ContactRegion region); // [N]
     /// |G| as a share of the preload [-].
     double error(const Vector3& force) const;
-    /// Newton's step: where the unknowns have none in a direction, as a held roll's, zero.
+    /// Newton's step; zero for a held roll.
     Vector3 newtonStep(const Matrix3& stiffness, const Vector3& force) const;
 
     double spacing(const Vector3& q) const { return spacing_.at(body_.attitude(q)).spacing; }
@@ -55,7 +55,7 @@ public:
     Interval interval(ContactRegion region);
     /// The lowest region with this one's law.
     ContactRegion lowest(ContactRegion region);
-    /// The region on the touch-down branch, or on the take-off branch, where the pad is at the last q.
+    /// The region of the pad at the last q, on the touch-down or the take-off branch.
     ContactRegion regionOn(ContactBranch branch) const;
     struct Beyond {
         ContactRegion region;

@@ -85,8 +85,7 @@ MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
     return term;
 }
 
-/// What a start with velocity v, displaced by q, which takes the force D(0) q, and the waves that begin with it make of
-/// a mode.
+/// A mode as excited by a start with velocity v and displacement q, with its force D(0) q, and by the waves.
 MotionTerm setGoing(SmallMotions& motions, const SmallMotions::Mode& mode, const Vector3& displacing, const Vector3& v,
                     const std::vector<Wave>& waves)
 {
@@ -139,21 +138,13 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
 {
     LinearMotion motion;
     motion.halfLength = 0.5 * c.slider.length;
-    Case still = c;
-    still.steady.fixedAttitude = still.steady.stiffness = still.steady.sensitivities = still.steady.allEquilibria =
-        false;
-    motion.steady = steady(still, callback);
+    motion.steady = steady(attitudeCase(c), callback);
     motion.status = motion.steady.status;
     motion.message = motion.steady.message;
     if (motion.status != SteadyStatus::Converged) return motion;
 
     const auto stopped = [&] {
-        if (!callback || callback({.stage = "small motions",
-                                   .iteration = 0,
-                                   .residual = motion.steady.residual,
-                                   .loadError = motion.steady.loadError,
-                                   .attitude = motion.steady.attitude}))
-            return false;
+        if (!callback || callback(progressAbout(motion.steady, "small motions"))) return false;
         motion.status = SteadyStatus::Cancelled;
         motion.message = "cancelled while the modes were sought";
         return true;

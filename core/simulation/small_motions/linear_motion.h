@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The motion of a slider on its film for small displacements from the static state: the sum of its modes, which the
-// initial displacement and velocities excite, and of its response to the waves of the disk's surface that pass under
-// it.
+// The motion of a slider on its film for small displacements from the static state: the sum of its modes, excited by
+// the initial displacement and velocities, and of its response to the waves of the disk's surface.
 //
 //   q(t) = q_0 + Re sum_k 2 a_k e^(s_k t) + Re sum_j q_j e^(i omega_j t),   omega_j = k_j . U
 //
@@ -36,16 +35,16 @@ struct LinearMotion {
     SteadyStatus status = SteadyStatus::Failed;
     std::string message;           // why there is none
     SteadyResult steady;           // without stiffness and sensitivities
-    std::vector<MotionTerm> modes; // as the start sets them going
-    std::vector<MotionTerm> waves; // with their answers
+    std::vector<MotionTerm> modes; // with the amplitudes of the start
+    std::vector<MotionTerm> waves; // responses to them
     double halfLength = 0.0;       // of the slider [m]
 
     Attitude at(double time) const;
-    /// A mode grows: the static state is not where it ends.
+    /// Whether a mode grows.
     bool unstable() const;
 };
 
-/// All of it, or the answers to waves alone, which are left when the modes have died away and need a tenth of the work.
+/// The whole motion, or only the responses to waves, which remain when the modes have decayed: a tenth of the work.
 enum class MotionParts : std::uint8_t { All, Waves };
 
 /// A valid case of model "film". The callback is asked as by steady().

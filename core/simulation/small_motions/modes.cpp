@@ -67,11 +67,7 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         if (result.status == SteadyStatus::Cancelled) return false;
         stage = doing;
         reported = wallClock();
-        const bool goOn = !callback || callback({.stage = stage,
-                                                 .iteration = 0,
-                                                 .residual = result.steady.residual,
-                                                 .loadError = result.steady.loadError,
-                                                 .attitude = result.steady.attitude});
+        const bool goOn = !callback || callback(progressAbout(result.steady, stage));
         if (!goOn) {
             result.status = SteadyStatus::Cancelled;
             result.message = "cancelled while the modes were sought";

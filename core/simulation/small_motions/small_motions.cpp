@@ -70,8 +70,7 @@ SmallMotions::Film SmallMotions::film(Complex s)
     return result;
 }
 
-/// The oscillations that there would be if the film answered at all rates as it does here, by frequency; without the
-/// nearest to each of the known modes.
+/// The oscillations with this response of the film at all rates, by frequency, without the nearest to each known mode.
 std::vector<SmallMotions::Mode> SmallMotions::trials(const Film& film, const std::vector<Mode>& known) const
 {
     const Vector3 scale = this->scale(), toMass = mass().cwiseInverse();
@@ -82,9 +81,13 @@ std::vector<SmallMotions::Mode> SmallMotions::trials(const Film& film, const std
     C = (scale.cwiseInverse().cwiseProduct(toMass)).asDiagonal() * C * scale.asDiagonal();
     const Eigen::Index n = unknowns();
     SmallMatrix companion = SmallMatrix::Zero(2 * n, 2 * n);
-    companion.topRightCorner(n, n).setIdentity();
-    companion.bottomLeftCorner(n, n) = -K.topLeftCorner(n, n) * (perRate * perRate);
-    companion.bottomRightCorner(n, n) = -C.topLeftCorner(n, n) * perRate;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        companion(i, n + i) = 1.0;
+        for (Eigen::Index j = 0; j < n; ++j) {
+            companion(n + i, j) = -K(i, j) * (perRate * perRate);
+            companion(n + i, n + j) = -C(i, j) * perRate;
+        }
+    }
     std::vector<Mode> list;
     if (!companion.allFinite()) return list;
     const Eigenpairs eigen = eigenpairsOf(companion);
@@ -92,7 +95,7 @@ std::vector<SmallMotions::Mode> SmallMotions::trials(const Film& film, const std
         const Complex rate = eigen.values[k] / perRate;
         if (!(rate.imag() > oscillating * std::abs(rate))) continue;
         Mode& mode = list.emplace_back(Mode{rate, ComplexVector3::Zero()});
-        mode.shape.head(n) = scale.head(n).asDiagonal() * eigen.vectors.col(k).head(n);
+        for (Eigen::Index i = 0; i < n; ++i) mode.shape[i] = scale[i] * eigen.vectors(i, k);
     }
     std::ranges::sort(list, {}, [](const Mode& mode) { return mode.rate.imag(); });
     for (const Mode& mode : known)

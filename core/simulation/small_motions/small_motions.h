@@ -6,9 +6,9 @@
 //   (s^2 M + s C + K + K_contact + Z(s)) q = 0
 //
 // M, C, K of slider and suspension, Z of the film with the torques of its shear. For a trial s the film is written as
-// Z = K_f + s C_f with real K_f, C_f. The eigenvalue g(s) of that quadratic problem next to s is compared with s, and
-// g(s) = s is solved by secants. The eigenvalue next to each mode that is already known is left out, else two trials
-// may end at one mode. A roll that is held is no unknown.
+// Z = K_f + s C_f with real K_f, C_f. With g(s) the eigenvalue of that quadratic problem nearest to s, g(s) = s is
+// solved by secants. The eigenvalue nearest to each known mode is excluded, so that no two trials end at one mode. A
+// held roll is no unknown.
 #pragma once
 
 #include <array>
@@ -32,12 +32,11 @@ class SmallMotions {
 public:
     using Complex = std::complex<double>;
 
-    /// The level's film is steady at its attitude. Level and body must last. `contact`: the stiffness of the contact
-    /// about the mass centre.
+    /// The level's film is steady; level and body must last. `contact`: its stiffness about the mass centre.
     SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact = Matrix3::Zero());
     ~SmallMotions();
 
-    /// Asked within the solution of a linear system, too; where it returns false the results are invalid.
+    /// Also asked within the solution of a linear system; if it returns false the results are invalid.
     void ask(std::function<bool()> goOn);
 
     struct Film {
@@ -52,9 +51,8 @@ public:
         ComplexVector3 shape; // of q, in any scale
         Film film{};          // Z(s) = K_f + s C_f there
     };
-    /// By frequency, those with a positive one; fewer than there are unknowns where one does not oscillate or could not
-    /// be followed. `tolerance`: of s [-]. `goOn` is given the number of modes found, and ends the search by returning
-    /// false. `near`: rates of a state close by.
+    /// Modes with a positive frequency, sorted by it; fewer than unknowns where one does not oscillate or was lost.
+    /// `tolerance`: of s [-]. `goOn` receives the number found; false ends the search. `near`: rates of a nearby state.
     std::vector<Mode> find(double tolerance, const std::function<bool(std::size_t)>& goOn = {},
                            std::span<const Complex> near = {});
 
@@ -62,9 +60,9 @@ public:
     ComplexMatrix3 dynamic(Complex s, const Film& at) const;
     /// D'(s) with Z'(s) from another rate near to it; `near` is film(s).
     ComplexMatrix3 dynamicSlope(Complex s, const Film& near);
-    /// Load and torques about the mass centre by which the film answers a surface w e^(s t), w = w' + i w'', under a
-    /// slider at rest, as e^(s t); linear in w. Heights over the film's cells (padded) [m]. `present`, real, is the
-    /// part of s w that was there when the film began, with the pressure of the flat disk; may be empty.
+    /// Load and torques of the film about the mass centre, times e^(s t), in response to a surface w e^(s t), w = w' +
+    /// i w'', under a slider at rest; linear in w. Heights over the film's cells (padded) [m]. `present`, real, is the
+    /// part of s w at the start, with the pressure of the flat disk; may be empty.
     ComplexVector3 force(Complex s, std::span<const double> real, std::span<const double> imaginary,
                          std::span<const double> present = {});
 
@@ -96,8 +94,8 @@ private:
     bool converged_ = true;
 };
 
-/// The disk drags the pressure waves of a motion along at half its speed U, in waves U/(2 f) long. Waves of a few cells
-/// fade, or come too early under the next pad, and change the damping ratio: by 5 % at ten cells, its sign at three.
+/// The disk carries the pressure waves of a motion at half its speed U, with a length U/(2 f). Waves of a few cells
+/// decay or travel too fast, which changes the damping ratio: by 5 % at ten cells, its sign at three.
 inline constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
 /// Frequency up to which the grid resolves the damping of a motion [Hz].
 double resolvedFrequency(const Case& c, const CellGrid& grid);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/contact/contact_model.h"
+#include "core/simulation/contact/contact_lever.h"
 
 namespace touchdown {
 

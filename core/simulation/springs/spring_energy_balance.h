@@ -7,8 +7,8 @@
 //   by contact and adhesion    int F_c dd along the way of the pad, through the regions of the law as it passes them
 //   by friction                -(b/2) mu int F_cr dtheta
 //
-// so that E - gained is constant but for the integrator's error. The contact's work follows the way of the pad and not
-// the law that a step used: a switch that a step misses shows here.
+// so that E - gained is constant to the integrator's error. The contact's work follows the way of the pad, not the law
+// that a step used: a missed switch causes an imbalance.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ public:
     SpringEnergyBalance(const SpringModel& model, const Case& c);
 
     void begin(const SpringModel::State& y, SpringModel::Mode mode);
-    /// After a step to `time` [s], taken in `mode`; ended in it where a step chooses its laws by itself.
+    /// After a step to `time` [s] in `mode`, or ending in it where a step chooses its laws itself.
     void add(double time, const SpringModel::State& y, SpringModel::Mode mode);
 
     /// The largest energy imbalance so far, against the largest change of a part [-].

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/simulation/contact/contact_model.h"
+#include "core/simulation/contact/contact_lever.h"
 
 namespace touchdown {
 
@@ -222,13 +222,7 @@ std::string SpringModel::eventName(int guard, Mode before, Mode after) const
 {
     if (guard == Front) return after.frontSpring ? "front spring caught" : "front spring lost";
     if (guard == Rear) return after.rearSpring ? "rear spring caught" : "rear spring lost";
-    switch (after.contact) {
-    case ContactRegion::Apart: return "take-off";
-    case ContactRegion::Pressed: return before.contact == ContactRegion::Apart ? "touch-down" : "pressed again";
-    case ContactRegion::Lifting: return before.contact == ContactRegion::Pressed ? "lifting" : "pressed on menisci";
-    case ContactRegion::Bridged: return "held by menisci";
-    }
-    return {};
+    return switchName(before.contact, after.contact);
 }
 
 const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(bool hasContact)

@@ -6,9 +6,6 @@
 #include <limits>
 
 #include "core/formats/units.h"
-#include "core/numerics/adaptive.h"
-#include "core/numerics/cvode.h"
-#include "core/numerics/fixed_step.h"
 
 namespace touchdown {
 

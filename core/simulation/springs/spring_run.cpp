@@ -14,8 +14,7 @@ namespace touchdown {
 
 namespace {
 
-/// Runs the integrator that the case names, from the model's initial state, with a step of `step` [s] if it is a
-/// fixed-step one.
+/// Runs the integrator of the case from the model's initial state; `step` [s] is for fixed-step ones.
 IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)
 {
     const Start<SpringModel> start{model.initialState(), model.initialMode()};

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The disk's surface as the film's cells see it: its mean over each cell, moved along with the disk or held still. What
-// is shorter than a cell does not act on the film. The whole surface moves as it does under the slider's centre.
+// The disk's surface under the film's cells: its mean over each cell, moved with the disk or held still. Waves shorter
+// than a cell do not act on the film. The whole surface moves as it does under the slider's centre.
 //
-// It acts in all cells, also where the gap is large: there are many of them. Fig. 2, case II (RMS 0.2 nm), moves
-// otherwise by 5e-14 m within 12 us if the half of the cells is left out that has a gap above 2 um, by 7e-12 m without
-// those above 0.2 um: the run's error of a step is 1e-11 m. What waves of the slider's length do to the air in a deep
-// cavity is more.
+// It acts in all cells, also where the gap is large, since these are many. Fig. 2, case II (RMS 0.2 nm): without the
+// half of the cells with a gap above 2 um the motion changes by 5e-14 m within 12 us, without those above 0.2 um by
+// 7e-12 m; the run's error of a step is 1e-11 m. Waves of the slider's length have a larger effect in deep cavities.
 #pragma once
 
 #include <limits>
@@ -29,7 +28,6 @@ public:
     /// Surface, grid and pad must last.
     DiskUnderFilm(const Case& c, const DiskTopography& surface, const CellGrid& grid, const PaddedGrid& pad);
 
-    /// Nothing to add anywhere at any time.
     bool flat() const { return surface_.flat(); }
     bool moves() const { return velocity_.x != 0.0 || velocity_.y != 0.0; }
     /// Velocity of the surface under the slider's centre [m/s].

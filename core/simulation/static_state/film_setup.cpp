@@ -2,7 +2,6 @@
 #include "core/simulation/static_state/film_setup.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/simulation/static_state/steady.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a case to its film: air, slip, disk and scheme; and all that one grid of it needs, made once.
+// From a case to its film: air, slip, disk and scheme; the parts of one grid.
 #pragma once
 
 #include <utility>
@@ -8,17 +8,19 @@
 
 #include "core/case/case.h"
 #include "core/physics/film/film_grid.h"
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/static_state/flying_attitude.h"
 
 namespace touchdown {
 
 struct SteadyResult;
 
-/// The air that a case's film has: as given, of the atmosphere, or what the established program takes.
+/// The air of a case's film: given, of the atmosphere, or that of the established program.
 Air airOf(const AirCase& air);
 FilmSetting filmSetting(const Case& c);
 
-/// Numbers of cells from coarse to fine, each twice the last; the finest is what the case asks for.
+/// Numbers of cells from coarse to fine, each twice the last; the finest is that of the case.
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 
 /// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
@@ -26,7 +28,7 @@ struct FilmLevel {
     FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
         : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
     {}
-    /// For a caller that asks in between whether to continue: the gaps take half of the time.
+    /// For a caller that may stop in between: the gaps take half of the time.
     FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
     FilmLevel(const FilmLevel&) = delete;
 

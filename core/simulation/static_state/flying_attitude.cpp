@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/minimum_spacing.h"
+
 namespace touchdown {
 
 namespace {
@@ -36,7 +39,7 @@ FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad
       load_(load),
       spacing_(spacing),
       newton_(film),
-      attitudeWork_(film),
+      attitudeWork_(film.gaps()),
       residual_(film.pad().size()),
       right_(film.pad().size()),
       filmStep_(film.pad().size()),
@@ -50,8 +53,7 @@ FlyingAttitude::FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad
 
 Vector3 FlyingAttitude::imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const
 {
-    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer edge the inner
-    // edge.
+    // Shear acts below the pivot: towards the trailing edge it presses the nose down, towards the outer the inner edge.
     return {forces[0] - load_.preload,
             forces[1] + load_.pitchTorque - load_.pitchStiffness * (attitude.pitch - load_.staticPitch) -
                 load_.shearArm * forces[3],
@@ -143,8 +145,7 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
            solveFullPivoting(scale.asDiagonal() * matrix * scale.asDiagonal(), scale.asDiagonal() * right);
 }
 
-/// How much of a step keeps the gaps in sight: at no corner more than half of what is there, and the smallest spacing
-/// not cut to less than a third.
+/// Share of a step that changes the gap at no corner by more than half and keeps a third of the minimum spacing.
 double FlyingAttitude::stepShare(const Attitude& attitude, const Vector3& change) const
 {
     const double length = film_.gaps().length, width = film_.gaps().width;
@@ -286,16 +287,6 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     return result;
 }
 
-Matrix3 FlyingAttitude::stiffness(std::span<const double> p, const std::function<bool()>& goOn)
-{
-    return stiffness(p, 0.0, goOn);
-}
-
-Matrix3 FlyingAttitude::balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn)
-{
-    return stiffness(p, load_.shearArm, goOn);
-}
-
 Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn)
 {
     linearise(p, film_.attitude());
@@ -318,8 +309,7 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
 
 FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
 {
-    // With S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -sum of that row times
-    // J^-T C^T.
+    // S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -that row times J^-T C^T.
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count);
@@ -334,9 +324,8 @@ FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
     result.balance = inverse;
     for (std::size_t k = 0; k < 3; ++k) {
         result.film[k].assign(p.size(), 0.0);
-        for (std::size_t m = 0; m < 3; ++m) {
+        for (std::size_t m = 0; m < 3; ++m)
             for (std::size_t at = 0; at < p.size(); ++at) result.film[k][at] -= inverse(k, m) * adjoints[m][at];
-        }
     }
     return result;
 }

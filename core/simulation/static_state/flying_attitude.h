@@ -6,9 +6,9 @@
 //   R(p, a) = 0                                        the film
 //   G(p, a) = load and shear of the film - suspension = 0   force [N], pitch and roll torque about the centre [N m]
 //
-// Newton's step of both together is found with the film's linear systems alone: with J X = dR/da and J x = -R,
-// (dG/da - dG/dp X) da = -(G + dG/dp x), dp = x - X da. The same matrix is the film's stiffness, and its transpose with
-// three adjoint films gives the sensitivities to any parameter.
+// Newton's step of both uses the film's linear systems only: with J X = dR/da and J x = -R, (dG/da - dG/dp X) da = -(G
+// + dG/dp x), dp = x - X da. The same matrix is the film's stiffness; its transpose with three adjoint films gives the
+// sensitivities to any parameter.
 #pragma once
 
 #include <array>
@@ -17,13 +17,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/case/case.h"
+#include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
-#include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
+
+class MinimumSpacing;
 
 struct AttitudeOptions {
     double filmTolerance = 1e-7; // FilmCase::tolerance [-]
@@ -38,7 +39,7 @@ struct AttitudeSolution {
     Vector3 imbalance = Vector3::Zero();    // G [N], [N m]
 };
 
-/// Told at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
+/// Called at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
 using AttitudeMonitor = std::function<bool(int, double, double, const Attitude&)>;
 
 class FlyingAttitude {
@@ -54,19 +55,25 @@ public:
         return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
     }
 
-    /// From far: the film is solved at each attitude, and the attitude led along the forces until Newton takes over.
+    /// From far: the film is solved at each attitude, which follows the forces until Newton's method converges.
     AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                               const AttitudeMonitor& monitor = {});
-    /// From near: Newton on film and attitude together; turns to `approach` where that does not converge.
+    /// From near: Newton on film and attitude together; then `approach` if that does not converge.
     AttitudeSolution solve(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
     /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn`
     /// returns false the result is invalid.
-    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
-    /// The same of the torques that the balance has: with those of the shear.
-    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {});
+    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
+    {
+        return stiffness(p, 0.0, goOn);
+    }
+    /// The same with the torques of the shear, as in the balance.
+    Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
+    {
+        return stiffness(p, load_.shearArm, goOn);
+    }
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
     struct Adjoint {
@@ -99,7 +106,7 @@ private:
     FilmNewton newton_;
     FilmSolve solveFilm_;
     FilmLoads::Derivatives forces_;
-    GasFilm::AttitudeWork attitudeWork_;
+    AttitudeWork attitudeWork_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
     Vector3 imbalance_ = Vector3::Zero();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/sensitivity.h"
 
-#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -104,13 +103,10 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
             }
             if (parameter.surface) direct += weight * MinimumSpacing(moved.surface, recess).at(attitude).spacing;
         }
-        result.push_back({.parameter = parameter.key,
-                          .unit = parameter.unit,
-                          .height = attitudeChange[0],
-                          .pitch = attitudeChange[1],
-                          .roll = attitudeChange[2],
-                          .minimumSpacing = attitudeChange[0] + attitudeChange[1] * (c.slider.length - nearest.x) -
-                                            attitudeChange[2] * (nearest.y - 0.5 * c.slider.width) + direct});
+        const double atNearest = attitudeChange[0] + attitudeChange[1] * (c.slider.length - nearest.x) -
+                                 attitudeChange[2] * (nearest.y - 0.5 * c.slider.width);
+        result.push_back({parameter.key, parameter.unit, attitudeChange[0], attitudeChange[1], attitudeChange[2],
+                          atNearest + direct});
     }
     return result;
 }

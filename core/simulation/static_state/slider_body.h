@@ -17,7 +17,7 @@ namespace touchdown {
 
 struct Case;
 
-/// What holds the slider down.
+/// Load on the slider.
 struct SliderLoad {
     double preload = 0.0;                             // [N]
     double pitchTorque = 0.0, rollTorque = 0.0;       // of preload and static torques about the slider's centre [N m]

@@ -2,12 +2,12 @@
 #include "core/simulation/static_state/steady.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <vector>
 
+#include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_line_multigrid.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/sensitivity.h"
@@ -93,31 +93,32 @@ private:
     bool tell(const CellGrid& grid, int iteration, double residual, double loadError, const Attitude& attitude)
     {
         if (result_.status == SteadyStatus::Cancelled) return false;
-        const bool goOn =
-            !callback_ ||
-            callback_({.stage = "grid " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()),
-                       .iteration = iteration,
-                       .residual = residual,
-                       .loadError = loadError,
-                       .attitude = attitude});
+        const std::string size = std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size());
+        const bool goOn = !callback_ || callback_({"grid " + size, iteration, residual, loadError, attitude});
         if (!goOn) {
             result_.status = SteadyStatus::Cancelled;
-            result_.message =
-                "cancelled on the " + std::to_string(grid.x.size()) + " x " + std::to_string(grid.y.size()) + " grid";
+            result_.message = "cancelled on the " + size + " grid";
         }
         return goOn;
     }
 
     /// Coarse grids are only as exact as what they are good for.
     static constexpr double coarseTolerance = 1e-4;
+    static double tolerance(bool finest, double own) { return finest ? own : std::max(coarseTolerance, own); }
+
+    AttitudeMonitor monitor()
+    {
+        return [this](int iteration, double residual, double loadError, const Attitude& attitude) {
+            return tell(iteration, residual, loadError, attitude);
+        };
+    }
 
     bool solveFilm(bool finest)
     {
         level_->film.setAttitude(attitude_);
         const FilmSolution s = level_->flying.solveFilm(
             level_->pressure,
-            {.tolerance = finest ? case_.film.tolerance : std::max(coarseTolerance, case_.film.tolerance),
-             .maximumIterations = case_.film.maximumIterations},
+            {.tolerance = tolerance(finest, case_.film.tolerance), .maximumIterations = case_.film.maximumIterations},
             [this](int iteration, double residual) { return tell(iteration, residual, 0.0, attitude_); });
         std::vector<double> residual(level_->pressure.size());
         level_->film.residual(level_->pressure, residual); // the flow through the outline is reported from it
@@ -129,18 +130,13 @@ private:
 
     bool solveAttitude(bool finest)
     {
-        const AttitudeOptions options{.filmTolerance = finest ? case_.film.tolerance
-                                                              : std::max(coarseTolerance, case_.film.tolerance),
-                                      .loadTolerance = finest ? case_.steady.loadTolerance
-                                                              : std::max(coarseTolerance, case_.steady.loadTolerance),
+        const AttitudeOptions options{.filmTolerance = tolerance(finest, case_.film.tolerance),
+                                      .loadTolerance = tolerance(finest, case_.steady.loadTolerance),
                                       .maximumIterations = case_.film.maximumIterations};
-        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
-            return tell(iteration, residual, loadError, attitude);
-        };
         FlyingAttitude& flying = level_->flying;
         const bool together = previous_ && case_.film.solver == FilmSolver::Newton;
-        const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor)
-                                            : flying.approach(level_->pressure, attitude_, options, monitor);
+        const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor())
+                                            : flying.approach(level_->pressure, attitude_, options, monitor());
         level_->film.setAttitude(attitude_);
         result_.iterations = s.iterations;
         result_.solves += s.solves;
@@ -207,9 +203,9 @@ private:
         }
     }
 
-    /// The coarser grid's result differs by several times what the finer one's still errs: by three times at second
-    /// order; half of the difference allows for what the rails' edges spoil. Two results may agree by chance, so the
-    /// difference of the two coarser ones counts too, an eighth of it: as much at second order.
+    /// The difference from the coarser grid is three times the finer one's error at second order; half of it is taken
+    /// because of the rails' edges. As two results may agree by chance, an eighth of the difference of the two coarser
+    /// ones counts too: as much at second order.
     void estimateError()
     {
         const LevelSummary finest = summary();
@@ -239,23 +235,20 @@ private:
     {
         const CellGrid coarsest = gradedGrid(case_.surface, case_.slider.length, case_.slider.width,
                                              filmLevels(case_.film).front()[0], filmLevels(case_.film).front()[1]);
-        const auto monitor = [this](int iteration, double residual, double loadError, const Attitude& attitude) {
-            return tell(iteration, residual, loadError, attitude);
-        };
         for (const double height : {0.5e-9, 5e-9, 30e-9, 200e-9})
             for (const double pitch : {20e-6, 150e-6, 500e-6}) {
                 FilmLevel coarse(case_, recess_, spacing_, coarsest);
                 Attitude attitude{height, pitch, 0.0};
                 const AttitudeOptions options{
                     .filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance, .maximumIterations = 25};
-                AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor);
+                AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor());
                 if (found.cancelled) return;
                 if (!found.converged || isKnown(attitude, 0.1)) continue;
                 FilmLevel fine(case_, recess_, spacing_, level_->gaps.grid);
                 fine.take(coarse.known(case_));
                 found = fine.flying.solve(
                     fine.pressure, attitude,
-                    {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance}, monitor);
+                    {.filmTolerance = case_.film.tolerance, .loadTolerance = case_.steady.loadTolerance}, monitor());
                 if (found.cancelled) return;
                 if (found.converged && spacing_.at(attitude).spacing > 0.0 && !isKnown(attitude, 1e-3))
                     result_.otherEquilibria.push_back(attitude);
@@ -287,12 +280,67 @@ private:
 
 } // namespace
 
+std::string_view name(SteadyStatus status)
+{
+    switch (status) {
+    case SteadyStatus::Converged: return "converged";
+    case SteadyStatus::NotConverged: return "not converged";
+    case SteadyStatus::Cancelled: return "cancelled";
+    case SteadyStatus::Failed: return "failed";
+    }
+    return {};
+}
+
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = wallClock();
     SteadyResult result = SteadySolver(c, callback).solve();
-    result.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.wallSeconds = wallClock() - start;
     return result;
+}
+
+Case attitudeCase(const Case& c)
+{
+    Case result = c;
+    result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria =
+        false;
+    return result;
+}
+
+std::vector<SteadySeriesPoint> seriesOf(const Case& c)
+{
+    const auto listed = [](const std::vector<double>& list, double alone) {
+        return list.empty() ? std::vector<double>{alone} : list;
+    };
+    const std::vector<double> radii = listed(c.steady.radii, c.disk.radius);
+    const std::vector<double> speeds = listed(c.steady.speeds, c.disk.speed);
+    std::vector<std::optional<double>> altitudes(c.steady.altitudes.begin(), c.steady.altitudes.end());
+    if (altitudes.empty()) altitudes.emplace_back();
+
+    std::vector<SteadySeriesPoint> series;
+    for (const auto& altitude : altitudes)
+        for (const double speed : speeds)
+            for (std::size_t i = 0; i < radii.size(); ++i)
+                series.push_back(
+                    {radii[i], i < c.steady.skews.size() ? c.steady.skews[i] : c.disk.skew, speed, altitude});
+    return series;
+}
+
+Case caseAt(const Case& c, const SteadySeriesPoint& point)
+{
+    Case at = c;
+    at.disk.radius = point.radius;
+    at.disk.skew = point.skew;
+    at.disk.speed = point.speed;
+    if (point.altitude) {
+        at.air.source = AirSource::Atmosphere;
+        at.air.altitude = *point.altitude;
+    }
+    at.steady.radii.clear();
+    at.steady.skews.clear();
+    at.steady.speeds.clear();
+    at.steady.altitudes.clear();
+    return at;
 }
 
 } // namespace touchdown

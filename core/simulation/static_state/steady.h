@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case/case.h"
@@ -20,7 +21,7 @@ namespace touchdown {
 enum class SteadyStatus : std::uint8_t { Converged, NotConverged, Cancelled, Failed };
 std::string_view name(SteadyStatus status);
 
-/// How the attitude answers to one parameter.
+/// Derivatives of the attitude by one parameter.
 struct Sensitivity {
     std::string parameter;       // key, "abs.crown"
     std::string unit;            // SI, of the parameter
@@ -65,7 +66,7 @@ struct SteadyResult {
     std::vector<double> recess;   // mean over each cell [m]
 };
 
-/// Told while the solution goes: about every grid level and iteration.
+/// Reported about at every grid level and iteration.
 struct SteadyProgress {
     std::string stage; // "grid 97 x 97"
     int iteration = 0;
@@ -73,11 +74,19 @@ struct SteadyProgress {
     double loadError = 0.0; // [-]
     Attitude attitude;
 };
+/// A later stage of a calculation, about a state that was found.
+inline SteadyProgress progressAbout(const SteadyResult& state, std::string stage)
+{
+    return {std::move(stage), 0, state.residual, state.loadError, state.attitude};
+}
 /// Return false to stop.
 using SteadyCallback = std::function<bool(const SteadyProgress&)>;
 
 /// Solves a valid case with model "film" for its static state. Never throws for numerics: see SteadyResult::status.
 SteadyResult steady(const Case& c, const SteadyCallback& callback = {});
+
+/// The case for its balanced attitude alone: no fixed one, no stiffness, sensitivities or other equilibria.
+Case attitudeCase(const Case& c);
 
 /// One combination of a series of radii (with skews), speeds and altitudes.
 struct SteadySeriesPoint {
@@ -93,12 +102,11 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point);
 struct AirBearingMode {
     double frequency = 0.0;    // [Hz]
     double dampingRatio = 0.0; // [-]
-    /// Height of the mass centre [m], pitch, roll [rad] as complex amplitudes (real, imaginary), largest motion of the
-    /// slider's corners 1.
+    /// Amplitudes (real, imaginary) of mass centre height [m], pitch, roll [rad]; largest motion of the corners 1.
     std::array<std::array<double, 2>, 3> shape{};
     std::string kind; // the motion that leads: "vertical", "pitch", "roll"
 };
-/// What the film answers to an oscillation, with the torques of its shear.
+/// Response of the film to an oscillation, with the torques of its shear.
 struct DynamicStiffness {
     double frequency = 0.0; // [Hz]
     Matrix3 stiffness;      // real part, about the mass centre [N/m ...]

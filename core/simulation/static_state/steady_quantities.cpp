@@ -44,4 +44,16 @@ std::vector<SteadyQuantity> seriesQuantities(const SteadySeriesPoint& point)
     return quantities;
 }
 
+Progress progressOf(const SteadyProgress& update)
+{
+    return {{},
+            update.stage,
+            {{"iteration", static_cast<double>(update.iteration), "", 10},
+             {"residual", update.residual, "", 2},
+             {"load error", update.loadError, "", 2},
+             {"height", update.attitude.height, "nm", 4},
+             {"pitch", update.attitude.pitch, "urad", 4},
+             {"roll", update.attitude.roll, "urad", 4}}};
+}
+
 } // namespace touchdown

@@ -3,9 +3,9 @@
 // The numbers of a static state by name, with units: as in JSON, the results file and tables of a series.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "core/simulation/recording/progress.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/static_state/steady.h"
 
@@ -22,5 +22,8 @@ std::vector<SteadyQuantity> steadyQuantities(const SteadyResult& result);
 
 /// What sets the states of a series apart: radius, skew, speed and, if any, altitude.
 std::vector<SteadyQuantity> seriesQuantities(const SteadySeriesPoint& point);
+
+/// Of a static solution. The number of its iterations is not known beforehand, so there is no share.
+Progress progressOf(const SteadyProgress& update);
 
 } // namespace touchdown

@@ -7,7 +7,7 @@
 
 #include <QTest>
 
-#include "core/physics/contact/multi_asperity_curve.h"
+#include "core/physics/contact/multi_asperity.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

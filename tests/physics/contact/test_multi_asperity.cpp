@@ -7,7 +7,6 @@
 
 #include <QTest>
 
-#include "core/physics/contact/multi_asperity_curve.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/asperity_pad.h"
 #include "tests/support/test_program.h"

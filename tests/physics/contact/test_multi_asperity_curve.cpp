@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/contact/multi_asperity_curve.h"
+#include "core/physics/contact/multi_asperity.h"
 
 #include <algorithm>
 #include <cmath>

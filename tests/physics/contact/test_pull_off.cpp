@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "core/physics/contact/adhesive_contact.h"
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -122,15 +122,15 @@ private slots:
     void hysteresis()
     {
         Sphere sphere(2.0, 48, 7e-8);
-        const ContactPath path{[&](double d) { return sphere.force(d); }, [&] { sphere.contact.remember(); },
-                               [&] { sphere.contact.recall(); }};
+        const TracedContact contact{[&](double d) { return sphere.force(d); }, [&] { sphere.contact.remember(); },
+                                    [&] { sphere.contact.recall(); }};
         const double far = 1.5e-9, near = 0.65e-9;
-        const ContactJump in = locateJump(path, far, path.force(far), near, 1e-12, 0.05);
+        const ContactJump in = locateJump(contact, far, contact.force(far), near, 1e-12, 0.05);
         QVERIFY(in.found);
         QVERIFY(std::abs(in.before - in.after) <= 1e-12 && in.forceAfter < in.forceBefore - 0.05);
         const AdhesiveContactSummary snap = sphere.solve(in.after);
         QVERIFY(snap.jumped && snap.energyDrop > 0.0);
-        const ContactJump off = locateJump(path, in.after, path.force(in.after), far, 1e-12, 0.05);
+        const ContactJump off = locateJump(contact, in.after, contact.force(in.after), far, 1e-12, 0.05);
         QVERIFY(off.found);
         QVERIFY(off.forceAfter > off.forceBefore + 0.05);
         QVERIFY(off.before > in.before + 0.2e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/film/cross_feed.h"
+#include "core/physics/film/film_gaps.h"
 
 #include <cmath>
 #include <vector>

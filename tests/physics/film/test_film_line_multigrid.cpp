@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/physics/film/film_grid.h"
+#include "core/physics/slider/recess.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/test_program.h"
 

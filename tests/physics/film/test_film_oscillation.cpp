@@ -5,7 +5,10 @@
 
 #include "core/physics/film/film_grid.h"
 #include "core/physics/film/film_loads.h"
+#include "core/physics/film/film_newton.h"
 #include "core/physics/film/film_oscillation.h"
+#include "core/physics/film/gas_film.h"
+#include "core/physics/slider/recess.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -284,7 +284,7 @@ private slots:
         QVERIFY(std::abs(std::inner_product(back.begin(), back.end(), v.begin(), 0.0) / product - 1.0) < 1e-10);
 
         std::array<std::vector<double>, 3> columns;
-        GasFilm::AttitudeWork attitudeWork(gas);
+        AttitudeWork attitudeWork(gas.gaps());
         gas.attitudeColumns(p, columns, attitudeWork);
         const double pressureStep = 1.0; // [Pa]
         std::vector<double> nearby(p);

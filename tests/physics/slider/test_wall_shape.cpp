@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/slider/wall_shape.h"
+#include "core/physics/slider/rail_wall.h"
 
 #include <algorithm>
 

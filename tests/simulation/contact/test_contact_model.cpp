@@ -9,6 +9,7 @@
 
 #include "core/case/fields.h"
 #include "core/physics/contact/asperity_contact.h"
+#include "core/simulation/contact/contact_lever.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -9,7 +9,7 @@
 
 #include "core/case/fields.h"
 #include "core/case_files/case_file.h"
-#include "core/physics/contact/elastic_pair.h"
+#include "core/physics/contact/contact_bodies.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 

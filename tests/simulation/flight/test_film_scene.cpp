@@ -41,7 +41,7 @@ private slots:
     {
         FilmScene scene(case_);
         QVERIFY(scene.prepare([&] { return ++calls_ > 0; }) == FilmScene::State::Ready);
-        QVERIFY(scene.contact() && !scene.disk().flat());
+        QVERIFY(scene.contact && !scene.disk->flat());
     }
     /// No more work than this between two calls: a row of a spectrum of 33 rows, of amplitudes of 32 (twice: first
     /// their sum), or of statistics (twice: first their mean); one of 512 scan lines for the patches, which are sought
@@ -87,7 +87,7 @@ private slots:
         c.initial.nominalTrailingEdgeHeight = height;
         FilmScene scene(c);
         QVERIFY(scene.prepare([] { return true; }) == FilmScene::State::Failed);
-        QVERIFY2(scene.message().find(advice.toStdString()) != std::string::npos, scene.message().c_str());
+        QVERIFY2(scene.message.find(advice.toStdString()) != std::string::npos, scene.message.c_str());
     }
 
 private:

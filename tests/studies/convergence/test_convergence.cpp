@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/physics/contact/elastic_pair.h"
+#include "core/physics/contact/contact_bodies.h"
 #include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 
 #include <array>
 #include <cassert>
@@ -7,12 +7,12 @@
 
 namespace touchdown {
 
-ContactJump locateJump(const ContactPath& path, double from, double forceAtFrom, double to, double resolution,
+ContactJump locateJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
                        double smallest)
 {
     assert(resolution > 0.0);
-    path.remember();
-    ContactJump jump{false, from, to, forceAtFrom, path.force(to)};
+    contact.remember();
+    ContactJump jump{false, from, to, forceAtFrom, contact.force(to)};
     const auto change = [&] { return std::abs(jump.forceAfter - jump.forceBefore); };
     constexpr int halvings = 3;
     std::array<double, halvings> earlier{}; // changes over the intervals twice, four times and eight times as long
@@ -21,12 +21,12 @@ ContactJump locateJump(const ContactPath& path, double from, double forceAtFrom,
         const double middle = jump.before + 0.5 * (jump.after - jump.before);
         if (middle == jump.before || middle == jump.after) break; // as near as numbers can tell
         earlier = {change(), earlier[0], earlier[1]};
-        path.recall();
-        const double force = path.force(middle);
+        contact.recall();
+        const double force = contact.force(middle);
         if (std::abs(jump.forceAfter - force) > std::abs(force - jump.forceBefore)) {
             jump.before = middle;
             jump.forceBefore = force;
-            path.remember();
+            contact.remember();
         } else {
             jump.after = middle;
             jump.forceAfter = force;
@@ -34,9 +34,9 @@ ContactJump locateJump(const ContactPath& path, double from, double forceAtFrom,
         ++steps;
     }
     // The force after it was found on a longer way: once more in one step from the state before it.
-    path.recall();
-    jump.forceAfter = path.force(jump.after);
-    path.recall();
+    contact.recall();
+    jump.forceAfter = contact.force(jump.after);
+    contact.recall();
     jump.found = change() > smallest && change() > 0.5 * earlier[halvings - 1];
     return jump;
 }

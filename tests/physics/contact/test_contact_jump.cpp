@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/contact/contact_path.h"
+#include "core/physics/contact/contact_jump.h"
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ struct Latch {
         held = held ? d < off : d <= in;
         return held ? -stiffness * d : 0.0;
     }
-    ContactPath path()
+    TracedContact traced()
     {
         return {[this](double d) { return force(d); }, [this] { kept = held; }, [this] { held = kept; }};
     }
@@ -32,7 +32,7 @@ struct Latch {
 
 } // namespace
 
-class TestContactPath : public QObject {
+class TestContactJump : public QObject {
     Q_OBJECT
 
 private slots:
@@ -57,7 +57,7 @@ private slots:
         Latch latch;
         latch.held = from < to;
         const double start = latch.force(from);
-        const ContactJump found = locateJump(latch.path(), from, start, to, 1e-14, 1e-6);
+        const ContactJump found = locateJump(latch.traced(), from, start, to, 1e-14, 1e-6);
         QVERIFY(found.found);
         QVERIFY(std::abs(found.before - at) <= 1e-14 && std::abs(found.after - at) <= 1e-14);
         QVERIFY((found.after - found.before) * (to - from) > 0.0);
@@ -86,16 +86,16 @@ private slots:
                    : law == 2 ? std::sqrt(std::max(0.0, 0.625 - x))
                               : 0.0;
         };
-        const ContactPath path{force, [] {}, [] {}};
-        QVERIFY(!locateJump(path, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);
+        const TracedContact contact{force, [] {}, [] {}};
+        QVERIFY(!locateJump(contact, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);
     }
 
     void tooSmall()
     {
         Latch latch{.held = true};
-        QVERIFY(!locateJump(latch.path(), 1e-9, latch.force(1e-9), 9e-9, 1e-13, 6e-3).found);
+        QVERIFY(!locateJump(latch.traced(), 1e-9, latch.force(1e-9), 9e-9, 1e-13, 6e-3).found);
     }
 };
 
-TOUCHDOWN_TEST(TestContactPath)
-#include "test_contact_path.moc"
+TOUCHDOWN_TEST(TestContactJump)
+#include "test_contact_jump.moc"
