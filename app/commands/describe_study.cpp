@@ -11,7 +11,6 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/wrapped_text.h"
 #include "core/formats/nearest_name.h"
-#include "core/studies/study_keys.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {

@@ -18,7 +18,7 @@ constexpr double mostSamples = 1e8;
 constexpr double mostSteps = 1e11;
 constexpr std::size_t mostStates = 10000; // of a series
 
-std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
+std::string inNanometres(double length) { return fewDigits(length, "nm", 4); }
 
 struct Spring {
     std::string name; // "front"

@@ -15,8 +15,8 @@ namespace {
 
 using Problems = std::vector<CaseProblem>;
 
-std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
-std::string inMicrometres(double length) { return roundedQuantity(length, "um", 4); }
+std::string inNanometres(double length) { return fewDigits(length, "nm", 4); }
+std::string inMicrometres(double length) { return fewDigits(length, "um", 4); }
 
 constexpr double mostSnapshotBytes = 4e9;
 constexpr double filmFields = 2.0; // gap and pressure

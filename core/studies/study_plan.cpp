@@ -5,20 +5,24 @@
 #include <optional>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
+#include "core/formats/toml_document.h"
+#include "core/numerics/wall_clock.h"
 #include "core/studies/advice/advisor.h"
-#include "core/studies/convergence/convergence_study.h"
+#include "core/studies/convergence/convergence.h"
 #include "core/studies/design/design_study.h"
+#include "core/studies/design/design_task.h"
 #include "core/studies/hysteresis/hysteresis.h"
+#include "core/studies/precision/precision_task.h"
 #include "core/studies/precision/work_precision.h"
 #include "core/studies/stability/stability.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
-#include "core/studies/study/study_options.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
@@ -154,7 +158,9 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     const bool named = !title.empty();
     plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs,
                                                                                    const StudyCallback& callback) {
+        const double begin = wallClock();
         StudyReport report = perform(jobs, callback);
+        report.wallSeconds = wallClock() - begin;
         report.kind = kind;
         if (named || report.title.empty()) report.title = title;
         if (report.status == StudyStatus::Cancelled && report.message.empty())
@@ -271,6 +277,28 @@ std::string studyTemplate(const std::string& kind, const Case& c)
 {
     const StudyForm form = studyForm(kind, c);
     return form.keys.empty() ? std::string() : "kind = " + tomlString(kind) + "\n" + templateText(form);
+}
+
+std::vector<DescribedKey> studyKeys(const std::string& kind)
+{
+    std::vector<DescribedKey> keys;
+    for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact}) {
+        const Case c = defaultsOf(model);
+        const StudyPlan plan = parseStudy(kind, "", kind, {}, &c);
+        const bool refused = std::ranges::find(plan.problems, "case", &InputProblem::key) != plan.problems.end();
+        // A study that refuses all default cases, as it needs more than a model, is described with the last one.
+        if (refused && (model != ModelKind::Contact || !keys.empty())) continue;
+        for (const StudyKey& row : studyForm(kind, c).keys) {
+            if (row.kind == StudyKeyKind::Table) continue;
+            auto described =
+                std::ranges::find_if(keys, [&](const DescribedKey& each) { return each.key.key == row.key; });
+            if (described == keys.end()) described = keys.insert(described, {row, allowedText(row), {}});
+            described->varies = described->varies || described->allowed != allowedText(row);
+            if (const std::string standard = defaultText(row); !standard.empty())
+                described->standards.emplace_back(toText(c, *findField("model")), standard);
+        }
+    }
+    return keys;
 }
 
 } // namespace touchdown

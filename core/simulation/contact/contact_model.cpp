@@ -5,7 +5,7 @@
 
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/multi_asperity.h"
-#include "core/physics/contact/ono_yamane.h"
+#include "core/physics/contact/characteristic_fit.h"
 #include "core/simulation/contact/elastic_pad.h"
 
 namespace touchdown {

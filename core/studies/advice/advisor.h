@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planAdvisor(StudyReader& reader);

@@ -12,13 +12,15 @@
 // else nothing but that it is below e + u.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
-#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/tail_estimate.h"
 
 namespace touchdown {
+
+struct AdvisorTask;
 
 struct Claim {
     double value = 0.0; // [m]; infinite where nothing is known
@@ -55,7 +57,11 @@ Allowance allowanceOf(const TailEstimate& full, const AdvisorTask& task);
 CandidateErrors errorsOf(const TailEstimate& candidate, const TailEstimate& full, const AdvisorTask& task);
 
 enum class Verdict : std::uint8_t { Within, TooFar, AnotherEnd, AnotherPeak, NotKnown };
-std::string_view name(Verdict verdict); // "within", "too far", ...
+inline std::string_view name(Verdict verdict)
+{
+    constexpr std::array<std::string_view, 5> names{"within", "too far", "another end", "another peak", "not known"};
+    return names[static_cast<std::size_t>(verdict)];
+}
 Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed);
 
 } // namespace touchdown

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/advice/advisor_study.h"
 
 namespace touchdown {
 
@@ -186,13 +188,6 @@ void tellCandidates(const AdvisorTask& task, const AdvisorResult& result, StudyR
                                   "all = true measures them.");
 }
 
-std::string listOf(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    return list;
-}
-
 void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
 {
     const Allowance& allowed = result.allowed;
@@ -232,7 +227,7 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
         report.warnings.push_back(
             (result.late ? "the budget of " + readableTime(task.budget) + " was spent before these models were tried: "
                          : "the study was stopped before these models were tried: ") +
-            listOf(result.missing));
+            joined(result.missing));
     const bool confirmed = result.fullEnd && (!result.advice || result.found);
     if (task.confirm && !confirmed && isJudged(result) && (result.late || result.status == StudyStatus::Cancelled))
         report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent"
@@ -258,9 +253,9 @@ StudyChart chartOf(const AdvisorResult& result)
         ChartPanel panel;
         panel.x = {"Time of one processor", "s", "s", true};
         panel.y = {spread ? "Error of the spread" : "Error of the mean spacing", "m", "nm", true};
-        ChartSeries reduced{.name = "without a film in time", .points = {}, .line = ChartLine::None};
-        ChartSeries film{.name = "film without a part", .points = {}, .line = ChartLine::None};
-        ChartSeries full{.name = "full model", .points = {}, .line = ChartLine::None};
+        ChartSeries reduced{.name = "without a film in time", .line = ChartLine::None};
+        ChartSeries film{.name = "film without a part", .line = ChartLine::None};
+        ChartSeries full{.name = "full model", .line = ChartLine::None};
         const auto add = [&](ChartSeries& series, const CandidateOutcome& candidate, bool chosen) {
             const Claim claim = spread ? candidate.errors.claimedSpread() : candidate.errors.claimedMean();
             if (!candidate.answers() || !std::isfinite(claim.value) || !(claim.value > 0.0)) return;
@@ -311,8 +306,7 @@ StudyTable tableOf(const AdvisorResult& result)
                     {"spread", "m", "nm", "Standard deviation of the spacing", true},
                     {"peak_frequency", "Hz", "kHz", "Frequency of the largest peak", true},
                     {"peak_amplitude", "m", "nm", "Amplitude of the largest peak", true},
-                    {"remark", "", "", "Remark", true}},
-        .rows = {}};
+                    {"remark", "", "", "Remark", true}}};
     const auto known = [](double value) { return value > 0.0 ? StudyValue(value) : StudyValue(); };
     const auto number = [](const Claim& claim, bool bound) {
         return claim.bound == bound && std::isfinite(claim.value) ? StudyValue(claim.value) : StudyValue();

@@ -10,7 +10,6 @@
 #include "core/numerics/wall_clock.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"
-#include "core/studies/advice/scene_motion.h"
 #include "core/studies/runs/parallel.h"
 
 namespace touchdown {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/advisor_judgement.h"
 #include "core/studies/study/study.h"
 

@@ -2,7 +2,6 @@
 #include "core/studies/design/design.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -254,10 +253,7 @@ std::string applyParameters(Case& c, const std::vector<DesignParameter>& paramet
 
 DesignStudy studyDesign(const Case& c, const DesignTask& task, const DesignCallback& callback)
 {
-    const auto begin = std::chrono::steady_clock::now();
-    DesignStudy study = DesignSearch(c, task, callback).search();
-    study.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return study;
+    return DesignSearch(c, task, callback).search();
 }
 
 } // namespace touchdown

@@ -56,7 +56,6 @@ struct DesignStudy {
     Case found;                     // the case with the values of the best
     SteadyResult state;             // of the best, without its fields
     int solves = 0;                 // static states
-    double wallSeconds = 0.0;
 };
 
 /// Told while a static state is solved; return false to stop.

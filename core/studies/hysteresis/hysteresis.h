@@ -15,12 +15,12 @@
 // bounces, bouncing needs no external cause; where all are stable, small disturbances decay.
 #pragma once
 
-#include <string>
-
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planHysteresis(StudyReader& reader);

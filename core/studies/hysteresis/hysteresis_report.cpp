@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/hysteresis_result.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/hysteresis/hysteresis_findings.h"
+#include "core/studies/hysteresis/hysteresis_result.h"
 
 namespace touchdown {
 
@@ -61,7 +64,7 @@ void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordi
         }
     }
     const auto addMarks = [&](const char* name, EquilibriumMark kind) {
-        ChartSeries series{.name = name, .points = {}, .line = ChartLine::None};
+        ChartSeries series{.name = name, .line = ChartLine::None};
         for (const StudiedMark& mark : result.marks)
             if (mark.kind == kind) add(series, mark.at, mark.name);
         if (!series.points.empty()) panel.series.push_back(std::move(series));
@@ -95,7 +98,7 @@ ChartPoint spacingPoint(const HeldStep& step)
 
 StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Spacing over " + text.inSentence(), .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Spacing over " + uncapitalized(text.label)};
     const ChartAxis x{.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     ChartPanel& spacing = chart.panels.emplace_back();
     spacing.x = x;
@@ -128,7 +131,7 @@ StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, c
 
 StudyChart pitchChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Pitch over " + text.inSentence(), .caption = {}, .panels = {}};
+    StudyChart chart{.title = "Pitch over " + uncapitalized(text.label)};
     ChartPanel& panel = chart.panels.emplace_back();
     panel.x = {.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
     panel.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};
@@ -139,7 +142,7 @@ StudyChart pitchChart(const HeldSteps& task, const HysteresisResult& result, con
 
 StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "steps", .columns = {}, .rows = {}};
+    StudyTable table{.name = "steps"};
     table.columns = {{"way", "", "", "Way"},
                      {"value", text.unit, text.displayUnit, text.label},
                      {"end", "", "", "End"},
@@ -169,7 +172,7 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
 
 StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "equilibria", .columns = {}, .rows = {}};
+    StudyTable table{.name = "equilibria"};
     table.columns = {{"branch", "", "", "Branch"},
                      {"state", "", "", "State"},
                      {"value", text.unit, text.displayUnit, text.label},
@@ -189,8 +192,9 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
         ++branch;
         for (const StudiedEquilibrium& at : line.points) {
             const bool known = !at.incomplete() || at.stability == Stability::Divergence;
-            std::vector<StudyValue> row{branch,     line.state, at.value,
-                                        at.spacing, at.pitch,   std::string(known ? name(at.stability) : "not known")};
+            std::vector<StudyValue> row{branch,   line.state(),
+                                        at.value, at.spacing,
+                                        at.pitch, std::string(known ? name(at.stability) : "not known")};
             for (const std::complex<double>& value : at.eigenvalues)
                 row.insert(row.end(), {value.real(), frequency(value)});
             row.resize(table.columns.size());
@@ -202,7 +206,7 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
 
 StudyTable markTable(const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "special_points", .columns = {}, .rows = {}};
+    StudyTable table{.name = "special_points"};
     table.columns = {{"kind", "", "", "Kind"},
                      {"name", "", "", "Name"},
                      {"value", text.unit, text.displayUnit, text.label},

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/studies/study/few_digits.h"
+#include "core/studies/precision/precision_runs.h"
+#include "core/studies/precision/precision_task.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -45,11 +48,8 @@ ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
 
 ChartAxis errorAxis(const PrecisionTask& task)
 {
-    std::string what = task.quantity.longName;
-    if (!what.empty() && (what.size() < 2 || !std::isupper(static_cast<unsigned char>(what[1]))))
-        what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
     const ErrorUnit unit = unitOf(task, task.measure);
-    return {std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + what),
+    return {std::string(title(task.measure)) + (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + uncapitalized(task.quantity.longName)),
             unit.si, unit.displayed, true};
 }
 

@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "core/formats/units.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/words.h"
+#include "core/studies/precision/precision_runs.h"
+#include "core/studies/precision/precision_task.h"
 
 namespace touchdown {
 
@@ -44,8 +46,7 @@ constexpr std::array measures{ErrorMeasure::Final,        ErrorMeasure::L2,     
 
 StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    StudyTable table{
-        "runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}, {}};
+    StudyTable table{"runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}};
     const std::size_t shown = task.inTime ? measures.size() : 1;
     for (std::size_t i = 0; i < shown; ++i) {
         const ErrorUnit unit = unitOf(task, measures[i]);
@@ -102,8 +103,7 @@ StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
                       {.name = "setting", .longName = "Setting"},
                       {"worth", unit.si, unit.displayed,
                        std::string(title(task.measure)) + ", no less than those of finer settings"},
-                      {"time", "s", "ms", "Time of the solver"}},
-                     {}};
+                      {"time", "s", "ms", "Time of the solver"}}};
     for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
         const SweptMethod& method = task.methods[point->method];
         table.rows.push_back(
@@ -129,9 +129,8 @@ std::string timesAs(double ratio, const std::string& more, const std::string& le
 /// "largest error is 8.2 nm"
 std::string errorText(const PrecisionTask& task, double error)
 {
-    std::string what(title(task.measure));
-    what.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(what.front())));
-    return what + " is " + fewDigits(error, unitOf(task, task.measure).displayed);
+    return uncapitalized(std::string(title(task.measure))) + " is " +
+           fewDigits(error, unitOf(task, task.measure).displayed);
 }
 
 std::string costOf(const PrecisionTask& task, const PrecisionPoint& point)

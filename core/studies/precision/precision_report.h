@@ -3,10 +3,19 @@
 // Accuracy against speed as sentences, a chart and tables.
 #pragma once
 
-#include "core/studies/precision/precision_runs.h"
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/studies/runs/trajectory_error.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
+
+struct PrecisionPoint;
+struct PrecisionRuns;
+struct PrecisionTask;
 
 struct ErrorUnit {
     std::string si, displayed;

@@ -7,7 +7,8 @@
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/precision/precision_task.h"
+#include "core/formats/units.h"
 
 namespace touchdown {
 

@@ -14,10 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/studies/precision/precision_task.h"
+#include "core/studies/runs/proven_reference.h"
+#include "core/studies/runs/trajectory_error.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
+
+struct PrecisionTask;
 
 struct PrecisionPoint {
     std::size_t method = 0, setting = 0;

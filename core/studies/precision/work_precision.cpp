@@ -7,10 +7,12 @@
 
 #include "core/formats/toml_document.h"
 #include "core/numerics/wall_clock.h"
-#include "core/studies/precision/ensemble_report.h"
-#include "core/studies/precision/precision_methods.h"
+#include "core/studies/precision/ensemble.h"
 #include "core/studies/precision/precision_report.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/precision/precision_runs.h"
+#include "core/studies/precision/precision_task.h"
+#include "core/formats/units.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -26,7 +28,6 @@ public:
 
     StudyReport perform()
     {
-        const double begin = wallClock();
         const double runsShare = task_.ensembleWanted ? 0.4 : 1.0; // of the progress, for the timed runs
         bool went = performRuns(task_, jobs_, runs_, [&](double share, const std::string& doing, bool changed) {
             if (changed) renew();
@@ -61,7 +62,6 @@ public:
             report.message = "the budget of " + fewDigitsOfTime(task_.budget) +
                              " was spent on the reference: no run was made; give it more";
         }
-        report.wallSeconds = wallClock() - begin;
         return report;
     }
 

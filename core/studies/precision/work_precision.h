@@ -14,16 +14,13 @@
 // It is given as the minimum and the median of several repeats after a warm-up run; timed runs run alone.
 #pragma once
 
-#include <string>
-
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
+class StudyReader;
+
 /// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planWorkPrecision(StudyReader& reader);
-/// Its keys with their defaults for a case.
-StudyForm workPrecisionForm(const Case& c);
 
 } // namespace touchdown

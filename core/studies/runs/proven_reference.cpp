@@ -8,7 +8,7 @@
 #include "core/numerics/cvode.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/runs/trajectory_error.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
 
 namespace touchdown {
 

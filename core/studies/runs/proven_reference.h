@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/studies/runs/measured_run.h"
 
 namespace touchdown {

@@ -8,7 +8,9 @@
 
 #include "core/case/fields.h"
 #include "core/formats/quotation.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/toml_document.h"
+#include "core/studies/study/study_reader.h"
+#include "core/formats/units.h"
 
 namespace touchdown {
 
@@ -84,7 +86,7 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 {
     for (const CaseSetting& setting : settings)
         if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
-    if (std::string problem = applySettings(c, settings); !problem.empty()) return problem;
+    if (std::string problem = changeCase(c, settings); !problem.empty()) return problem;
     for (const CaseSetting& setting : settings)
         if (const std::string message = unusedMessage(c, *findField(setting.key)); !message.empty())
             return setting.key + ": " + message;
@@ -93,13 +95,6 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 
 } // namespace
 
-std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table)
-{
-    std::vector<CaseSetting> settings;
-    for (auto& [key, value] : reader.settings(table)) settings.push_back({key, value});
-    return settings;
-}
-
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
 {
     std::vector<MethodSpec> specs;
@@ -107,7 +102,7 @@ std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
     for (const std::string& table : reader.tables("method")) {
         MethodSpec& spec = specs.emplace_back();
         spec.name = reader.text(table + ".name").value_or("");
-        spec.set = readSettings(reader, table + ".set");
+        spec.set = reader.settings(table + ".set");
         spec.key = reader.text(table + ".key").value_or("");
         if (const auto values = reader.texts(table + ".values")) spec.values = *values;
         if (const auto some = ensembles ? reader.texts(table + ".ensemble") : std::nullopt) spec.ensemble = *some;

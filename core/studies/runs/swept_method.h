@@ -15,13 +15,15 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/studies/runs/measured_run.h"
-#include "core/studies/study/study_reader.h"
+#include "core/case/case.h"
+#include "core/case_files/case_settings.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 /// As a study's file writes it.
 struct MethodSpec {
@@ -35,7 +37,6 @@ struct MethodSpec {
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles);
 /// The keys of each [[method]].
 std::vector<StudyKey> methodKeys(bool ensembles);
-std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table);
 /// As readMethods reads it.
 std::string methodText(const MethodSpec& spec);
 

@@ -11,9 +11,12 @@
 // hundredths, as an asperity's flank has it.
 #pragma once
 
-#include "core/studies/stability/stability_picture.h"
+#include <functional>
 
 namespace touchdown {
+
+struct Case;
+struct LinearPicture;
 
 /// Adds a chart, the table "closing_gap" and sentences for a case of model "film". False where `goOn`, asked for each
 /// slip model, said so.

@@ -9,9 +9,29 @@
 #include <vector>
 
 #include "core/numerics/stability_region.h"
-#include "core/studies/stability/stability_picture.h"
+#include "core/studies/study/study.h"
 
 namespace touchdown {
+
+/// Small motions of the case about one state.
+struct LocalMotion {
+    std::string where;                       // "closest to the disk"
+    std::vector<std::complex<double>> rates; // [1/s], those with an imaginary part >= 0
+    bool isMode = false;                     // an air bearing mode, whose name gives its frequency
+
+    double fastest() const; // |lambda| [1/s]
+};
+
+/// The largest step with which a method amplifies none of these motions, except those that are unstable themselves.
+/// Infinite where no step is too long.
+double largestStableStep(const std::function<double(std::complex<double>)>& growth, const LocalMotion& motion);
+
+struct LinearPicture {
+    std::string problem; // why there is none: "there are no modes"; "" where there is one
+    std::vector<StudyChart> charts;
+    std::vector<StudyTable> tables;
+    std::vector<std::string> findings, warnings;
+};
 
 struct LinearMethod {
     std::string name;     // "rk4"
@@ -48,9 +68,5 @@ std::string motionText(const LocalMotion& motion);
 /// A sentence for each method.
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
                 LinearPicture& picture);
-
-/// As makeLinearPicture; of springs, of a film.
-bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);
-bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);
 
 } // namespace touchdown

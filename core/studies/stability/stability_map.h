@@ -10,18 +10,45 @@
 //   not determined   neither is the reference's end, so that there is nothing to be right about
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/run_class.h"
-#include "core/studies/stability/stability_task.h"
+#include "core/studies/runs/swept_method.h"
 
 namespace touchdown {
 
+struct Field;
+
+/// One value of the parameter.
+struct StabilityRow {
+    std::string label;  // "5 N/um", as it was given; "" where there is no parameter
+    double value = 0.0; // [unit of the parameter]; its number in the list where it is no number
+    std::vector<ReferenceCase> references;
+    std::vector<SweptMethod> methods; // as many as MethodSpecs, with as many settings
+};
+
+struct StabilityTask {
+    Case start;
+    bool picture = true;
+    bool map = true;
+    const Field* parameter = nullptr; // null: none is varied
+    bool parameterIsNumber = false;
+    std::vector<MethodSpec> methods;
+    std::vector<StabilityRow> rows;
+    ClassRule rule;
+};
+
 enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDetermined };
-std::string_view name(CriterionVerdict verdict);
+inline std::string_view name(CriterionVerdict verdict)
+{
+    constexpr std::array<std::string_view, 4> names{"right", "fooled", "false alarm", "not determined"};
+    return names[static_cast<std::size_t>(verdict)];
+}
 
 struct CriterionResult {
     std::string finer; // the setting with which it is compared, "1 ns"

@@ -13,35 +13,12 @@
 // coupled charts are those of the mode.
 #pragma once
 
-#include <complex>
 #include <functional>
-#include <string>
-#include <vector>
-
-#include "core/case/case.h"
-#include "core/studies/study/study.h"
 
 namespace touchdown {
 
-/// Small motions of the case about one state.
-struct LocalMotion {
-    std::string where;                       // "closest to the disk"
-    std::vector<std::complex<double>> rates; // [1/s], those with an imaginary part >= 0
-    bool isMode = false;                     // an air bearing mode, whose name gives its frequency
-
-    double fastest() const; // |lambda| [1/s]
-};
-
-/// The largest step with which a method amplifies none of these motions, except those that are unstable themselves.
-/// Infinite where no step is too long.
-double largestStableStep(const std::function<double(std::complex<double>)>& growth, const LocalMotion& motion);
-
-struct LinearPicture {
-    std::string problem; // why there is none: "there are no modes"; "" where there is one
-    std::vector<StudyChart> charts;
-    std::vector<StudyTable> tables;
-    std::vector<std::string> findings, warnings;
-};
+struct Case;
+struct LinearPicture;
 
 /// False where `goOn`, asked about every 50 ms, said so.
 bool makeLinearPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);

@@ -11,7 +11,6 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_quantity.h"
-#include "core/studies/study/key_path.h"
 
 namespace touchdown {
 
@@ -182,16 +181,16 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
     return {};
 }
 
-std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std::string& table)
+std::vector<CaseSetting> StudyReader::settings(const std::string& table)
 {
-    std::vector<std::pair<std::string, std::string>> list;
+    std::vector<CaseSetting> list;
     settled_.insert(table);
     if (entries_.contains(table) || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
         add(table, std::string("must be ") + neededSettings);
     for (const TomlEntry& entry : toml_.entries) {
         if (!entry.key.starts_with(table + '.')) continue;
         if (auto value = settingText(entry.value))
-            list.emplace_back(settingKey(entry.key, table), std::move(*value));
+            list.push_back({settingKey(entry.key, table), std::move(*value)});
         else
             addAt(entry.line, entry.key,
                   "has the wrong type; a text, a number, true, false or a list of these is needed");

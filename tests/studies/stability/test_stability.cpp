@@ -9,7 +9,6 @@
 
 #include "core/case_files/case_file.h"
 #include "core/studies/stability/stability_map.h"
-#include "core/studies/stability/stability_task.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

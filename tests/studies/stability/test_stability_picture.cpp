@@ -9,6 +9,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/numerics/stability_region.h"
+#include "core/studies/stability/stability_curves.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
