@@ -17,6 +17,7 @@
 namespace touchdown {
 
 struct FieldSnapshot;
+struct RecordedFields;
 
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);

@@ -137,8 +137,8 @@ StudyTable observedOf(const ConvergenceStudy& study)
                                  {"unit", "", "", "SI unit of limit and error"}}};
     for (std::size_t i = 0; i < study.observed.size(); ++i) {
         const ObservedOrder& observed = study.observed[i];
-        table.rows.push_back({study.quantities[i].name, observed.order ? StudyValue(*observed.order) : StudyValue(),
-                              observed.limit, observed.error, study.quantities[i].unit});
+        table.rows.push_back({study.quantities[i].name, known(observed.order), observed.limit, observed.error,
+                              study.quantities[i].unit});
     }
     return table;
 }

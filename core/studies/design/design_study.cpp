@@ -88,7 +88,7 @@ StudyTable stepsOf(const DesignTask& task, const DesignStudy& study)
         for (const double value : point.parameters) row.emplace_back(value);
         for (const double value : point.quantities) row.emplace_back(value);
         row.resize(table.columns.size() - 1);
-        row.push_back(point.problem.empty() ? StudyValue(point.misfit) : StudyValue());
+        row.push_back(known(point.problem.empty(), point.misfit));
     }
     return table;
 }
@@ -108,8 +108,7 @@ StudyTable targetsOf(const DesignTask& task, const DesignStudy& study)
         const DesignTarget& target = task.targets[i];
         const double error = gridError(study.state.discretisationError, target.quantity.name);
         table.rows.push_back({target.quantity.name, target.quantity.unit, target.value, target.tolerance,
-                              i < found.size() ? StudyValue(found[i]) : StudyValue(),
-                              error > 0.0 ? StudyValue(error) : StudyValue()});
+                              i < found.size() ? StudyValue(found[i]) : StudyValue(), known(error > 0.0, error)});
     }
     return table;
 }

@@ -36,8 +36,7 @@ std::string verdictText(const PrecisionPoint& point, const ProvenReference& refe
 StudyValue valueOf(const std::vector<TrajectoryError>& errors, std::size_t quantity, ErrorMeasure measure)
 {
     if (quantity >= errors.size()) return {};
-    const std::optional<double> value = errors[quantity].at(measure);
-    return value ? StudyValue(*value) : StudyValue();
+    return known(errors[quantity].at(measure));
 }
 
 constexpr std::array measures{ErrorMeasure::Final,        ErrorMeasure::L2,        ErrorMeasure::Worst,
@@ -83,12 +82,11 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
         for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, measures[i]));
         for (std::size_t i = 0; i < task.also.size(); ++i)
             row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
-        const auto number = [&](double value) { return point.ran ? StudyValue(value) : StudyValue(); };
         row.insert(row.end(),
-                   {number(point.fastest()), number(point.median()), number(static_cast<double>(point.seconds.size())),
-                    number(point.work), number(static_cast<double>(point.summary.steps)),
-                    verdictText(point, runs.reference), endText(point),
-                    point.ran && point.end.kind != EndKind::Failed ? StudyValue(point.end.spacing) : StudyValue(),
+                   {known(point.ran, point.fastest()), known(point.ran, point.median()),
+                    known(point.ran, static_cast<double>(point.seconds.size())), known(point.ran, point.work),
+                    known(point.ran, static_cast<double>(point.summary.steps)), verdictText(point, runs.reference),
+                    endText(point), known(point.ran && point.end.kind != EndKind::Failed, point.end.spacing),
                     std::string(setting.chosen ? "yes" : ""), point.summary.message});
         table.rows.push_back(std::move(row));
     }

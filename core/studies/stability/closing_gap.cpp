@@ -91,7 +91,7 @@ double jumpOfQ(const Case& c, double pressure)
 
 } // namespace
 
-bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool addClosingGap(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     if (c.disk.speed * c.disk.radius == 0.0) return true;
     const double ambient = airOf(c.air).pressure;

@@ -16,10 +16,10 @@
 namespace touchdown {
 
 struct Case;
-struct LinearPicture;
+struct StudyReport;
 
 /// Adds a chart, the table "closing_gap" and sentences for a case of model "film". False where `goOn`, asked for each
 /// slip model, said so.
-bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn = {});
+bool addClosingGap(const Case& c, StudyReport& picture, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/case/fields.h"
 #include "core/formats/nearest_name.h"
@@ -41,20 +42,14 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
         return !callback || callback({share, doing, soFar});
     };
     if (task.picture) {
-        LinearPicture picture;
         const auto goOn = [&] {
             return wallClock() - lastCall < longestSilence || tell(0.0, "linear picture", nullptr);
         };
-        if (!makeLinearPicture(task.start, picture, goOn)) return cancelled(std::move(report));
-        report.charts = std::move(picture.charts);
-        report.tables = std::move(picture.tables);
-        report.findings = std::move(picture.findings);
-        report.warnings = std::move(picture.warnings);
-        if (!picture.problem.empty())
-            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + picture.problem + ".");
-        if (!picture.problem.empty() && !task.map) {
-            report.status = StudyStatus::Failed;
-            report.message = "there is no linear picture: " + picture.problem;
+        if (!makeLinearPicture(task.start, report, goOn)) return cancelled({});
+        if (const std::string reason = std::exchange(report.message, {}); !reason.empty()) {
+            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + reason + ".");
+            report.status = task.map ? StudyStatus::Completed : StudyStatus::Failed;
+            if (!task.map) report.message = "there is no linear picture: " + reason;
         }
         if (!tell(task.map ? pictureShare : 1.0, "runs", &report)) return cancelled(std::move(report));
     }

@@ -168,8 +168,7 @@ StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vecto
         for (const LocalMotion& motion : motions) {
             const double limit = largestStableStep(method.growth, motion);
             const bool finite = std::isfinite(limit);
-            table.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step,
-                                  finite ? StudyValue(step / limit) : StudyValue()});
+            table.rows.push_back({method.name, motion.where, known(finite, limit), step, known(finite, step / limit)});
         }
     return table;
 }
@@ -186,7 +185,7 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
         for (const Complex rate : motion.rates) {
             const double size = std::abs(rate);
             table.rows.push_back({motion.where, rate.real(), rate.imag(), rate.imag() / (2.0 * std::numbers::pi),
-                                  size > 0.0 ? StudyValue(-rate.real() / size) : StudyValue()});
+                                  known(size > 0.0, -rate.real() / size)});
         }
     return table;
 }
@@ -206,7 +205,7 @@ std::string motionText(const LocalMotion& motion)
 }
 
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
-                LinearPicture& picture)
+                StudyReport& picture)
 {
     std::string unlimited;
     for (const LinearMethod& method : methods) {

@@ -26,13 +26,6 @@ struct LocalMotion {
 /// Infinite where no step is too long.
 double largestStableStep(const std::function<double(std::complex<double>)>& growth, const LocalMotion& motion);
 
-struct LinearPicture {
-    std::string problem; // why there is none: "there are no modes"; "" where there is one
-    std::vector<StudyChart> charts;
-    std::vector<StudyTable> tables;
-    std::vector<std::string> findings, warnings;
-};
-
 struct LinearMethod {
     std::string name;     // "rk4"
     std::string sentence; // what its steps are of: "rk4 (switches located or not)"
@@ -67,6 +60,6 @@ std::string limitSentence(const std::string& subject, double limit, const std::s
 std::string motionText(const LocalMotion& motion);
 /// A sentence for each method.
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
-                LinearPicture& picture);
+                StudyReport& picture);
 
 } // namespace touchdown

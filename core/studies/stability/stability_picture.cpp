@@ -8,6 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/formats/units.h"
 #include "core/numerics/stability_region.h"
 #include "core/physics/film/film_rate.h"
 #include "core/simulation/flight/step_length.h"
@@ -17,7 +18,6 @@
 #include "core/studies/runs/measured_run.h"
 #include "core/studies/stability/closing_gap.h"
 #include "core/studies/stability/stability_curves.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 
@@ -80,7 +80,7 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     return true;
 }
 
-bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool makeSpringPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     SpringWay way;
     if (!followSprings(c, way, goOn)) return false;
@@ -188,14 +188,14 @@ double explicitLimit(const Case& c, const SteadyResult& rest)
     return rate > 0.0 ? 2.0 / rate : std::numeric_limits<double>::infinity();
 }
 
-bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool makeFilmPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     Case at = c;
     at.steady.sensitivities = at.steady.allEquilibria = at.steady.fixedAttitude = false;
     const ModesResult result = modes(at, [&](const SteadyProgress&) { return goOn(); });
     if (result.status == SteadyStatus::Cancelled) return false;
     if (result.modes.empty()) {
-        picture.problem = "there are no modes: " + (result.message.empty() ? "none oscillates" : result.message);
+        picture.message = "there are no modes: " + (result.message.empty() ? "none oscillates" : result.message);
         return true;
     }
     std::vector<LocalMotion> motions;
@@ -242,8 +242,8 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
             const double limit = coupledLimit(method.rule, std::max(0.0, dampingRatio(motion))) / motion.fastest();
             if (limit < least) least = limit, first = &motion;
             const bool finite = std::isfinite(limit);
-            limits.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step.length,
-                                   finite ? StudyValue(step.length / limit) : StudyValue()});
+            limits.rows.push_back(
+                {method.name, motion.where, known(finite, limit), step.length, known(finite, step.length / limit)});
         }
         picture.findings.push_back(limitSentence(method.sentence, least, motionText(*first)) +
                                    (method.isTheCases ? "; this case takes " + step.text + "." : "."));
@@ -260,7 +260,7 @@ bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<
 
 } // namespace
 
-bool makeLinearPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool makeLinearPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     return c.model == ModelKind::Springs ? makeSpringPicture(c, picture, goOn) : makeFilmPicture(c, picture, goOn);
 }

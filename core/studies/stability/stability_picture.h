@@ -18,9 +18,10 @@
 namespace touchdown {
 
 struct Case;
-struct LinearPicture;
+struct StudyReport;
 
-/// False where `goOn`, asked about every 50 ms, said so.
-bool makeLinearPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);
+/// Adds charts, tables and sentences to the report; its message tells why there are none. False where `goOn`, asked
+/// about every 50 ms, said so.
+bool makeLinearPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn);
 
 } // namespace touchdown

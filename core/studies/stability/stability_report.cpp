@@ -162,8 +162,8 @@ StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const ProvenReference& reference = map.references[row];
         table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
-                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(),
-                              std::string(reference.endKnown ? "yes" : "no"), knowledgeOf(reference)});
+                              known(reference.horizon), std::string(reference.endKnown ? "yes" : "no"),
+                              knowledgeOf(reference)});
     }
     return table;
 }
