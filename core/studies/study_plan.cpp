@@ -29,55 +29,10 @@ namespace touchdown {
 
 namespace {
 
-struct Study {
-    StudyKind kind;
-    StudyPerformance (*plan)(StudyReader&);
-    StudyForm (*form)(const Case&);
-};
-
-const std::vector<Study>& studies()
+const StudyKind* findStudy(const std::string& kind)
 {
-    static const std::vector<Study> list{
-        {{"work-precision", "Accuracy against speed",
-          "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
-          "time"},
-         planWorkPrecision,
-         workPrecisionForm},
-        {{"stability", "Stability where methods fail",
-          "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
-          "parameter"},
-         planStability,
-         stabilityForm},
-        {{"hysteresis", "Touch-down and take-off",
-          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
-          "equilibria"},
-         planHysteresis,
-         hysteresisForm},
-        {{"advise", "No more model than the scene needs",
-          "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
-          "that is good enough",
-          true},
-         planAdvisor,
-         advisorForm},
-        {{"design", "Values for a wanted flying attitude",
-          "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
-          "forces",
-          true},
-         planDesign,
-         designForm},
-        {{"convergence", "Convergence of a contact patch",
-          "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error"},
-         planConvergence,
-         convergenceForm},
-    };
-    return list;
-}
-
-const Study* findStudy(const std::string& kind)
-{
-    for (const Study& each : studies())
-        if (each.kind.name == kind) return &each;
-    return nullptr;
+    const auto found = std::ranges::find(studyKinds(), kind, &StudyKind::name);
+    return found == studyKinds().end() ? nullptr : &*found;
 }
 
 /// What may stand where a study is wanted.
@@ -112,7 +67,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     plan.kind = kind;
     plan.name = source.name;
     plan.text = source.text;
-    const Study* study = findStudy(kind);
+    const StudyKind* study = findStudy(kind);
     if (study == nullptr) {
         std::vector<std::string> names;
         for (const StudyKind& each : studyKinds()) names.push_back(each.name);
@@ -215,11 +170,31 @@ CaseDocument openSample(const std::string& kind, const std::string& name)
 
 std::span<const StudyKind> studyKinds()
 {
-    static const std::vector<StudyKind> kinds = [] {
-        std::vector<StudyKind> list;
-        for (const Study& each : studies()) list.push_back(each.kind);
-        return list;
-    }();
+    static const std::vector<StudyKind> kinds{
+        {"work-precision", "Accuracy against speed",
+         "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
+         "time",
+         planWorkPrecision, workPrecisionForm},
+        {"stability", "Stability where methods fail",
+         "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
+         "parameter",
+         planStability, stabilityForm},
+        {"hysteresis", "Touch-down and take-off",
+         "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
+         "equilibria",
+         planHysteresis, hysteresisForm},
+        {"advise", "No more model than the scene needs",
+         "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
+         "that is good enough",
+         planAdvisor, advisorForm, true},
+        {"design", "Values for a wanted flying attitude",
+         "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
+         "forces",
+         planDesign, designForm, true},
+        {"convergence", "Convergence of a contact patch",
+         "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error",
+         planConvergence, convergenceForm},
+    };
     return kinds;
 }
 
@@ -265,7 +240,7 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
 
 StudyForm studyForm(const std::string& kind, const Case& c)
 {
-    const Study* study = findStudy(kind);
+    const StudyKind* study = findStudy(kind);
     if (study == nullptr) return {};
     StudyForm form = study->form(c);
     const std::vector<StudyKey> head = headKeys();

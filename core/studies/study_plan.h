@@ -24,11 +24,15 @@
 
 namespace touchdown {
 
+class StudyReader;
+
 struct StudyKind {
-    std::string name;       // "work-precision"
-    std::string title;      // "Accuracy against speed"
-    std::string help;       // a sentence
-    bool findsCase = false; // its report may hold a case, which --apply writes
+    std::string name;                       // "work-precision"
+    std::string title;                      // "Accuracy against speed"
+    std::string help;                       // a sentence
+    StudyPerformance (*plan)(StudyReader&); // reads the keys; their problems are the reader's
+    StudyForm (*form)(const Case&);         // its keys with their defaults for a case
+    bool findsCase = false;                 // its report may hold a case, which --apply writes
 };
 /// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();

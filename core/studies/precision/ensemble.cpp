@@ -177,12 +177,13 @@ double meanWork(const Ensemble& ensemble)
     return sum / static_cast<double>(ensemble.ends.size());
 }
 
-std::string percent(double share) { return fewDigits(std::round(1000.0 * share) / 10.0, "", 4) + " %"; }
+/// To a tenth of a percent.
+std::string percentOf(double share) { return percent(std::round(1000.0 * share) / 1000.0, 4); }
 
 /// "31.3 % (26.3 % to 36.8 %)"
 std::string shareText(const Share& share)
 {
-    return percent(share.share) + " (" + percent(share.lower) + " to " + percent(share.upper) + ")";
+    return percentOf(share.share) + " (" + percentOf(share.lower) + " to " + percentOf(share.upper) + ")";
 }
 
 /// What `take` tells of the starts.
@@ -251,7 +252,7 @@ private:
             const ShareDifference difference = differenceIn(e, k);
             if (!difference.significant) continue;
             differences += (differences.empty() ? "" : "; ") + ends_.classes[k].name + " " + shareText(shareIn(e, k)) +
-                           " instead of " + percent(shareIn(0, k).share) + ", " +
+                           " instead of " + percentOf(shareIn(0, k).share) + ", " +
                            fewDigits(std::abs(difference.difference) / difference.error, "") + " standard errors apart";
         }
         if (!differences.empty())
@@ -275,17 +276,11 @@ private:
 
     ChartPanel panel(std::size_t end) const
     {
-        ChartPanel panel{{"Share: " + ends_.classes[end].name, "", "", false},
-                         {account_.workTitle + " per run", "", "", true},
-                         {},
-                         {},
-                         {},
-                         false};
+        ChartPanel panel{{"Share: " + ends_.classes[end].name}, {account_.workTitle + " per run", "", "", true}};
         for (std::size_t e = 0; e < all_.size(); ++e) {
             const std::string name = e == 0 ? "reference: " + all_[0].setting : all_[e].method;
             auto series = std::ranges::find(panel.series, name, &ChartSeries::name);
-            if (series == panel.series.end())
-                series = panel.series.insert(series, {name, {}, ChartLine::None, true, false});
+            if (series == panel.series.end()) series = panel.series.insert(series, {name, {}, ChartLine::None});
             const Share share = shareIn(e, end);
             if (!(meanWork(all_[e]) > 0.0)) continue;
             series->points.push_back({.x = share.share,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "core/formats/units.h"
 #include "core/formats/words.h"
@@ -39,20 +38,16 @@ StudyValue valueOf(const std::vector<TrajectoryError>& errors, std::size_t quant
     return known(errors[quantity].at(measure));
 }
 
-constexpr std::array measures{ErrorMeasure::Final,        ErrorMeasure::L2,        ErrorMeasure::Worst,
-                              ErrorMeasure::Mean,         ErrorMeasure::Deviation, ErrorMeasure::PeakFrequency,
-                              ErrorMeasure::PeakAmplitude};
-
 StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
     StudyTable table{"runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}};
-    const std::size_t shown = task.inTime ? measures.size() : 1;
+    const std::size_t shown = task.inTime ? errorMeasures : 1;
     for (std::size_t i = 0; i < shown; ++i) {
-        const ErrorUnit unit = unitOf(task, measures[i]);
-        StudyColumn column{"error_" + std::string(name(measures[i])), unit.si, unit.displayed,
-                           std::string(title(measures[i]))};
+        const auto measure = static_cast<ErrorMeasure>(i);
+        const ErrorUnit unit = unitOf(task, measure);
+        StudyColumn column{"error_" + std::string(name(measure)), unit.si, unit.displayed, std::string(title(measure))};
         std::ranges::replace(column.name, '-', '_');
-        column.secondary = task.inTime && measures[i] != task.measure;
+        column.secondary = task.inTime && measure != task.measure;
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
@@ -79,7 +74,7 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
     for (const PrecisionPoint& point : runs.points) {
         const MethodSetting& setting = task.methods[point.method].settings[point.setting];
         std::vector<StudyValue> row{task.methods[point.method].name, setting.label};
-        for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, measures[i]));
+        for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, static_cast<ErrorMeasure>(i)));
         for (std::size_t i = 0; i < task.also.size(); ++i)
             row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
         row.insert(row.end(),
@@ -271,51 +266,122 @@ void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
                                   " was spent before these were run: " + listOf(task, missing) + ".");
 }
 
+/// An error below this share of what the reference does not know is drawn there.
+constexpr double lowestShare = 0.01;
+/// Runs without a valid end stand so far beyond the largest error, behind a border at its root [-].
+constexpr double failedBeyond = 10.0;
+
+/// Where on the axis of errors things stand.
+struct ErrorScale {
+    double uncertainty = 0.0; // of the reference
+    double lowest = 0.0;      // > 0: a logarithmic axis has no zero
+    double failed = 0.0, border = 0.0;
+};
+
+ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
+{
+    ErrorScale scale;
+    scale.uncertainty = uncertaintyOf(task, runs);
+    double least = INFINITY, largest = 0.0;
+    for (const PrecisionPoint& point : runs.points)
+        if (const auto error = errorOf(task, point); error && *error > 0.0) {
+            least = std::min(least, *error);
+            largest = std::max(largest, *error);
+        }
+    constexpr double some = 1e-15; // [unit of the quantity]
+    if (largest == 0.0)
+        least = largest = scale.uncertainty > 0.0         ? scale.uncertainty
+                          : std::isfinite(task.agreement) ? task.agreement
+                                                          : some;
+    scale.lowest = scale.uncertainty > 0.0 ? lowestShare * scale.uncertainty : least;
+    scale.failed = failedBeyond * std::max(largest, scale.uncertainty);
+    scale.border = scale.failed / std::sqrt(failedBeyond);
+    return scale;
+}
+
+ChartAxis errorAxis(const PrecisionTask& task)
+{
+    const ErrorUnit unit = unitOf(task, task.measure);
+    return {std::string(title(task.measure)) +
+                (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + uncapitalized(task.quantity.longName)),
+            unit.si, unit.displayed, true};
+}
+
+ChartAxis workAxis(const PrecisionTask& task)
+{
+    if (!task.inTime) return {"Linear solves", "", "", true};
+    return {task.start.model == ModelKind::Film ? "Attitudes at which the film is solved" : "Right-hand sides", "", "",
+            true};
+}
+
+template <class Height>
+ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y,
+                   Height height)
+{
+    ChartPanel panel{errorAxis(task), std::move(y)};
+    for (const SweptMethod& method : task.methods) panel.series.push_back({method.name});
+    bool failed = false, elsewhere = false;
+    for (const PrecisionPoint& point : runs.points) {
+        const std::optional<double> error = errorOf(task, point);
+        if (!point.ran || !(height(point) > 0.0) || (!error && point.kind == PointKind::Good)) continue;
+        const MethodSetting& setting = task.methods[point.method].settings[point.setting];
+        const double x = error ? std::max(*error, scale.lowest) : scale.failed;
+        panel.series[point.method].points.push_back({x, height(point), setting.label, point.kind, setting.chosen});
+        failed = failed || point.kind == PointKind::Failed;
+        elsewhere = elsewhere || (!error && point.kind == PointKind::WrongState);
+    }
+    std::erase_if(panel.series, [](const ChartSeries& series) { return series.points.empty(); });
+    ChartSeries front{"best of all", {}, ChartLine::Steps, false, true};
+    for (const PrecisionPoint* point : paretoFront(task, runs, height))
+        front.points.push_back({std::max(*worthOf(task, runs, *point), scale.lowest), height(*point)});
+    if (!front.points.empty()) panel.series.push_back(std::move(front));
+    if (scale.uncertainty > 0.0)
+        panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
+    if (failed || elsewhere)
+        panel.bands.push_back({true, scale.border, INFINITY, elsewhere ? "without an error" : "no valid end"});
+    return panel;
+}
+
+std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale)
+{
+    const ProvenReference& reference = runs.reference;
+    std::string caption =
+        "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
+        " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
+        ". Ringed: the case's own setting. Grey line: settings that no other beats in both; for it the "
+        "largest error of a setting and of all "
+        "finer ones of its method counts, as a smaller one is by chance.";
+    if (scale.uncertainty > 0.0)
+        caption += " Shaded at the left: the reference and the run that proves it differ by " +
+                   fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
+                   "; smaller errors cannot be distinguished.";
+    const auto isAny = [&](PointKind kind) {
+        return std::ranges::any_of(runs.points,
+                                   [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
+    };
+    if (isAny(PointKind::WrongState))
+        caption += " Hollow: ends in another state than the reference; at the right edge where that leaves it without "
+                   "an error.";
+    if (isAny(PointKind::Failed))
+        caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
+    if (reference.horizon)
+        caption += " From " + fewDigitsOfTime(*reference.horizon, 3) +
+                   " of simulated time on the trajectory is not determined; errors are those before that time.";
+    return caption;
+}
+
 } // namespace
 
-ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure)
+StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    if (measure == ErrorMeasure::PeakFrequency) return {"Hz", "kHz"};
-    if (measure == ErrorMeasure::PeakAmplitude) return {"m", "nm"};
-    return {task.quantity.unit, task.quantity.displayUnit};
-}
-
-std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point)
-{
-    if (!point.ran || point.kind == PointKind::Failed || point.errors.empty()) return {};
-    return point.errors[0].at(task.measure);
-}
-
-double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
-{
-    return runs.uncertainty.empty() ? 0.0 : runs.uncertainty[0].at(task.measure).value_or(0.0);
-}
-
-std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point)
-{
-    std::optional<double> worth = errorOf(task, point);
-    if (!worth) return worth;
-    *worth = std::max(*worth, uncertaintyOf(task, runs));
-    if (!task.methods[point.method].ordered) return worth;
-    for (const PrecisionPoint& finer : runs.points)
-        if (finer.method == point.method && finer.setting > point.setting)
-            *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
-    return worth;
-}
-
-std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs,
-                                               const std::function<double(const PrecisionPoint&)>& cost)
-{
-    std::vector<const PrecisionPoint*> order, front;
-    const auto error = [&](const PrecisionPoint* point) { return *worthOf(task, runs, *point); };
-    for (const PrecisionPoint& point : runs.points)
-        if (point.kind == PointKind::Good && errorOf(task, point) && cost(point) > 0.0) order.push_back(&point);
-    std::ranges::stable_sort(order, {},
-                             [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
-    for (const PrecisionPoint* point : order)
-        if (front.empty() || error(point) < error(front.back())) front.push_back(point);
-    std::ranges::reverse(front);
-    return front;
+    const ErrorScale scale = scaleOf(task, runs);
+    StudyChart chart{"Accuracy against speed", captionOf(task, runs, scale), {}};
+    chart.panels.push_back(panelOf(
+        task, runs, scale, {"Time of the solver", "s", task.start.model == ModelKind::Springs ? "ms" : "s", true},
+        [](const PrecisionPoint& point) { return point.fastest(); }));
+    chart.panels.push_back(
+        panelOf(task, runs, scale, workAxis(task), [](const PrecisionPoint& point) { return point.work; }));
+    return chart;
 }
 
 std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs)

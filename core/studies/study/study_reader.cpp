@@ -11,6 +11,7 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_quantity.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -26,13 +27,13 @@ std::optional<std::string> settingText(const TomlValue& value)
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     const auto* array = std::get_if<TomlArray>(&value);
     if (array == nullptr) return {};
-    std::string list;
+    std::vector<std::string> list;
     for (const TomlElement& element : array->elements) {
         const auto one = std::holds_alternative<TomlArray>(element.value) ? std::nullopt : settingText(element.value);
         if (!one) return {};
-        list += (list.empty() ? "" : ", ") + *one;
+        list.push_back(*one);
     }
-    return list;
+    return joined(list);
 }
 
 /// The values of a list, each as an element of its own; beside a file a text with commas is one, too. None where it is
