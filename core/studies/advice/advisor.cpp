@@ -2,6 +2,7 @@
 #include "core/studies/advice/advisor.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/formats/quotation.h"
 #include "core/simulation/run.h"
@@ -29,9 +30,9 @@ StudyReport performAdvice(const AdvisorTask& task, int jobs, const StudyCallback
     };
     const auto tell = [&](double share, const std::string& doing, const AdvisorResult* more) {
         if (!callback) return true;
-        if (more == nullptr) return callback({.share = share, .doing = doing, .soFar = nullptr});
-        const StudyReport soFar = reportOf(*more);
-        return callback({.share = share, .doing = doing, .soFar = &soFar});
+        std::optional<StudyReport> soFar;
+        if (more != nullptr) soFar = reportOf(*more);
+        return callback({share, doing, soFar ? &*soFar : nullptr});
     };
     return reportOf(advise(task, jobs, tell));
 }

@@ -58,6 +58,7 @@ struct Candidate {
     std::string leavesOut;
     std::vector<ModelPart> parts;
     Case c; // the case to run; of a model without a film in time the case of its film
+    bool inTime() const { return kind == CandidateKind::Part || kind == CandidateKind::Sum; }
 };
 
 /// Models without a film in time, on the grid of the case and on coarser ones, and models without one part that the

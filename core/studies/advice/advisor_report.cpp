@@ -179,13 +179,11 @@ void tellCandidates(const AdvisorTask& task, const AdvisorResult& result, StudyR
                     saving(result.full.seconds / candidate.seconds);
         report.findings.push_back(text + ".");
     }
-    if (givenUp == 1)
-        report.findings.push_back(
-            "1 model in time was stopped as soon as it had taken too long to be advised; all = true measures it.");
-    if (givenUp > 1)
-        report.findings.push_back(std::to_string(givenUp) +
-                                  " models in time were stopped as soon as they had taken too long to be advised; "
-                                  "all = true measures them.");
+    const bool one = givenUp == 1;
+    if (givenUp > 0)
+        report.findings.push_back(counted(givenUp, "model") + " in time " + (one ? "was" : "were") +
+                                  " stopped as soon as " + (one ? "it" : "they") +
+                                  " had taken too long to be advised; all = true measures " + (one ? "it." : "them."));
 }
 
 void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
@@ -271,9 +269,7 @@ StudyChart chartOf(const AdvisorResult& result)
         };
         for (std::size_t k = 0; k < result.candidates.size(); ++k) {
             const CandidateOutcome& candidate = result.candidates[k];
-            const bool inTime =
-                candidate.model.kind == CandidateKind::Part || candidate.model.kind == CandidateKind::Sum;
-            add(inTime ? film : reduced, candidate, result.advice == k);
+            add(candidate.model.inTime() ? film : reduced, candidate, result.advice == k);
         }
         add(full, result.full, result.advisesFull());
         panel.series = {reduced, film, full};

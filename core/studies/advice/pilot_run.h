@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first part of a run, with what it took, and whether it can predict the rest. The case runs as to its end, so that its steps are those of the whole
-// run, and is stopped where enough is known. What it takes is the time of its thread on a processor, so that runs at
-// the same time do not count.
+// The first part of a run, its cost, and whether it can predict the rest. The case runs as if to its end, so that its
+// steps are those of the whole run, and is stopped where enough is known. The cost is the time of its thread on a
+// processor, so that other runs at the same time do not count.
 #pragma once
 
 #include <functional>

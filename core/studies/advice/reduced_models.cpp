@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/formats/units.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/small_motions/linear_motion.h"
@@ -11,7 +12,6 @@
 #include "core/studies/advice/advisor_study.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/spring_fit.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 

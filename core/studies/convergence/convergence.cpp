@@ -150,8 +150,7 @@ StudyReport perform(const Case& start, ConvergenceOptions options, int jobs, con
         const double share = double(solved) / options.levels;
         return !callback ||
                callback({.share = share,
-                         .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels",
-                         .soFar = nullptr});
+                         .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels"});
     };
     return convergenceReport(studyConvergence(start, options, done));
 }

@@ -72,8 +72,8 @@ private:
             say(of(neutral, true) +
                 " an equilibrium is neutral: its oscillations neither grow nor decay, without damping");
         if (const auto bounces = bouncing(); !bounces.empty())
-            say("In and out of contact until the end: " + counted(bounces.size(), "run") +
-                " of " + std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
+            say("In and out of contact until the end: " + counted(bounces.size(), "run") + " of " +
+                std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
     }
 
     void addCoexistence()
@@ -109,8 +109,8 @@ private:
         const std::string within =
             "came to rest within " + fewDigits(std::max(farthest, finest), "nm") + " of an equilibrium";
         say(compared == atRest ? counted(compared, "run") + " " + within
-                               : std::to_string(compared) + " of " + counted(atRest, "run") + " at rest " +
-                                     within + " that is stable and in the same state; for the others none is known");
+                               : std::to_string(compared) + " of " + counted(atRest, "run") + " at rest " + within +
+                                     " that is stable and in the same state; for the others none is known");
     }
 
     std::string of(const std::vector<ValueRange>& ranges, bool begins = false) const
@@ -291,8 +291,9 @@ private:
     {
         const auto count = std::ranges::count_if(result_.steps, stillMoves);
         if (count > 0)
-            say(counted(static_cast<std::size_t>(count), "run") + (count == 1 ? " has" : " have") + " not come to rest (change above 0.1 nm since the middle of " +
-                fewDigitsOfTime(task_.hold, 3) + "); use a longer hold");
+            say(counted(static_cast<std::size_t>(count), "run") + (count == 1 ? " has" : " have") +
+                " not come to rest (change above 0.1 nm since the middle of " + fewDigitsOfTime(task_.hold, 3) +
+                "); use a longer hold");
     }
 
     void addFailures()

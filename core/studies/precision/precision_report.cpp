@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/formats/units.h"
 #include "core/formats/words.h"
@@ -14,8 +15,6 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostTold = 5; // in a sentence
-
-double timeOf(const PrecisionPoint& point) { return point.fastest(); }
 
 std::string endText(const PrecisionPoint& point)
 {
@@ -53,24 +52,19 @@ StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
     for (const Quantity& also : task.also)
         table.columns.push_back(
             {"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
-    for (const StudyColumn& column : std::vector<StudyColumn>{
-             {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Shortest time of the solver"},
-             {.name = "time_median",
-             .unit = "s",
-             .displayUnit = "ms",
-             .longName = "Median time of the solver",
-             .secondary = true},
-             {.name = "timed", .longName = "Timed runs", .secondary = true},
-             {.name = "work", .longName = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves"},
-             {.name = "steps",
-             .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid",
-             .secondary = true},
-             {.name = "verdict", .longName = "Against the reference"},
-             {.name = "end", .longName = "End"},
-             {.name = "end_spacing", .unit = "m", .displayUnit = "nm", .longName = "Mean spacing over the last tenth"},
-             {.name = "chosen", .longName = "The case's own", .secondary = true},
-             {.name = "message", .longName = "Reason of the end"}})
-        table.columns.push_back(column);
+    const std::string work = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves";
+    const std::vector<StudyColumn> more{
+        {"time", "s", "ms", "Shortest time of the solver"},
+        {"time_median", "s", "ms", "Median time of the solver", true},
+        {"timed", "", "", "Timed runs", true},
+        {"work", "", "", work},
+        {"steps", "", "", task.inTime ? "Accepted steps" : "Iterations on the finest grid", true},
+        {"verdict", "", "", "Against the reference"},
+        {"end", "", "", "End"},
+        {"end_spacing", "m", "nm", "Mean spacing over the last tenth"},
+        {"chosen", "", "", "The case's own", true},
+        {"message", "", "", "Reason of the end"}};
+    table.columns.insert(table.columns.end(), more.begin(), more.end());
     for (const PrecisionPoint& point : runs.points) {
         const MethodSetting& setting = task.methods[point.method].settings[point.setting];
         std::vector<StudyValue> row{task.methods[point.method].name, setting.label};
@@ -97,7 +91,7 @@ StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
                       {"worth", unit.si, unit.displayed,
                        std::string(title(task.measure)) + ", no less than those of finer settings"},
                       {"time", "s", "ms", "Time of the solver"}}};
-    for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
+    for (const PrecisionPoint* point : paretoFront(task, runs, &PrecisionPoint::fastest)) {
         const SweptMethod& method = task.methods[point->method];
         table.rows.push_back(
             {method.name, method.settings[point->setting].label, *worthOf(task, runs, *point), point->fastest()});
@@ -165,7 +159,7 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
 /// A few of a front of many, its ends among them.
 void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
-    std::vector<const PrecisionPoint*> front = paretoFront(task, runs, timeOf);
+    std::vector<const PrecisionPoint*> front = paretoFront(task, runs, &PrecisionPoint::fastest);
     if (front.empty()) return;
     std::ranges::reverse(front); // from the fastest on
     const std::size_t all = front.size(), told = std::min(all, mostTold);
@@ -314,9 +308,8 @@ ChartAxis workAxis(const PrecisionTask& task)
             true};
 }
 
-template <class Height>
 ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y,
-                   Height height)
+                   const std::function<double(const PrecisionPoint&)>& height)
 {
     ChartPanel panel{errorAxis(task), std::move(y)};
     for (const SweptMethod& method : task.methods) panel.series.push_back({method.name});
@@ -378,9 +371,8 @@ StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs)
     StudyChart chart{"Accuracy against speed", captionOf(task, runs, scale), {}};
     chart.panels.push_back(panelOf(
         task, runs, scale, {"Time of the solver", "s", task.start.model == ModelKind::Springs ? "ms" : "s", true},
-        [](const PrecisionPoint& point) { return point.fastest(); }));
-    chart.panels.push_back(
-        panelOf(task, runs, scale, workAxis(task), [](const PrecisionPoint& point) { return point.work; }));
+        &PrecisionPoint::fastest));
+    chart.panels.push_back(panelOf(task, runs, scale, workAxis(task), &PrecisionPoint::work));
     return chart;
 }
 

@@ -221,8 +221,7 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
-        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set"));
-            !problem.empty())
+        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set")); !problem.empty())
             reader.add(table, problem);
         task.references.push_back(std::move(reference));
     }

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "core/formats/toml_document.h"
+#include "core/formats/units.h"
 #include "core/numerics/wall_clock.h"
 #include "core/studies/precision/ensemble.h"
 #include "core/studies/precision/precision_report.h"
 #include "core/studies/precision/precision_runs.h"
 #include "core/studies/precision/precision_task.h"
-#include "core/formats/units.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {

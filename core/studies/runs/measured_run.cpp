@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/case/fields.h"
+#include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/simulation/run.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/formats/units.h"
 #include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/trajectory_error.h"
-#include "core/formats/units.h"
 
 namespace touchdown {
 

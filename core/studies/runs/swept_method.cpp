@@ -9,8 +9,8 @@
 #include "core/case/fields.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_document.h"
-#include "core/studies/study/study_reader.h"
 #include "core/formats/units.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 

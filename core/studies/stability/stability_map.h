@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that
-// what the paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8
-// to 1e-9 s?
+// the result of the paper's own criterion: does the answer change when the step is ten times shorter, 1e-9 instead of
+// 1e-8 s?
 //
 //   fooled           it does not change, and is not the reference's
-//   false alarm      it changes, though the one at the longer step is the reference's already
+//   false alarm      it changes, though it is the reference's with the longer step already
 //   right            it does not change and is the reference's, or changes from one that is not
-//   not determined   neither is the reference's end, so that there is nothing to be right about
+//   not determined   the end of the reference is not determined
 #pragma once
 
 #include <array>

@@ -136,7 +136,7 @@ struct StudyReport {
 
 struct StudyProgress {
     double share = 0.0;                 // done, 0..1, by expected time
-    std::string doing;                  // "rk4, 10 ns"
+    std::string doing{};                // "rk4, 10 ns"
     const StudyReport* soFar = nullptr; // when there is more to show than before
 };
 /// Return false to stop. Called on the thread of the study, at least every 50 ms.
