@@ -204,10 +204,21 @@ StudyValue deviationOf(const std::vector<double>& values)
     return values.empty() ? StudyValue() : StudyValue(momentsOf(values).deviation);
 }
 
+/// "300 starts with FH(0) within 0.5 nm of 250 nm".
+std::string describeStarts(const Case& c, const EnsembleTask& task)
+{
+    const Field& field = *findField(task.key);
+    return std::to_string(task.starts) + " starts with " + field.label + " within " +
+           fewDigits(task.spread, field.displayUnit, 6) + " of " + toText(c, field);
+}
+
 class Teller {
 public:
-    explicit Teller(const EnsembleAccount& account)
-        : account_(account), all_(account.all), ends_(classifyEnds(account.all))
+    Teller(const Case& c, const EnsembleTask& task, const std::vector<Ensemble>& all)
+        : starts_(describeStarts(c, task)),
+          work_(c.model == ModelKind::Film ? "Film solves per run" : "Right-hand sides per run"),
+          all_(all),
+          ends_(classifyEnds(all))
     {}
 
     void tell(StudyReport& report) const
@@ -238,7 +249,7 @@ private:
             if (share.count == 0 || told++ >= mostEndsTold) continue;
             text += (text.empty() ? "" : "; ") + ends_.classes[k].name + ", " + shareText(share);
         }
-        report.findings.push_back("The reference (" + all_[0].setting + ") of " + account_.what + " ends in: " + text +
+        report.findings.push_back("The reference (" + all_[0].setting + ") of " + starts_ + " ends in: " + text +
                                   ". In brackets: 95 % intervals.");
     }
 
@@ -265,7 +276,7 @@ private:
     StudyChart chart() const
     {
         StudyChart chart{
-            "Where " + account_.what + " end",
+            "Where " + starts_ + " end",
             "Each point is one way to run the same starts; bars and the shaded band of the reference: 95 % intervals "
             "(Wilson). "
             "As the starts are the same, a difference can be certain although the bars overlap: see the table of "
@@ -276,7 +287,7 @@ private:
 
     ChartPanel panel(std::size_t end) const
     {
-        ChartPanel panel{{"Share: " + ends_.classes[end].name}, {account_.workTitle + " per run", "", "", true}};
+        ChartPanel panel{{"Share: " + ends_.classes[end].name}, {work_, "", "", true}};
         for (std::size_t e = 0; e < all_.size(); ++e) {
             const std::string name = e == 0 ? "reference: " + all_[0].setting : all_[e].method;
             auto series = std::ranges::find(panel.series, name, &ChartSeries::name);
@@ -351,7 +362,7 @@ private:
                           {.name = "failed", .longName = "Without a valid end"},
                           {"spacing", "m", "nm", "Mean spacing over the last tenth, mean of the valid starts"},
                           {"spacing_deviation", "m", "nm", "Its deviation among starts"},
-                          {.name = "work", .longName = account_.workTitle + " per run"}}};
+                          {.name = "work", .longName = work_}}};
         for (std::size_t e = 0; e < all_.size(); ++e) {
             const std::vector<double> spacing = valuesOf(all_[e], [&](std::size_t s) {
                 const EndState& state = all_[e].ends[s].state;
@@ -365,20 +376,16 @@ private:
         return table;
     }
 
-    const EnsembleAccount& account_;
+    std::string starts_, work_;
     const std::vector<Ensemble>& all_;
     EndClasses ends_;
 };
 
 } // namespace
 
-std::string describeStarts(const Case& c, const EnsembleTask& task)
+void reportEnsembles(const Case& c, const EnsembleTask& task, const std::vector<Ensemble>& all, StudyReport& report)
 {
-    const Field& field = *findField(task.key);
-    return std::to_string(task.starts) + " starts with " + field.label + " within " +
-           fewDigits(task.spread, field.displayUnit, 6) + " of " + toText(c, field);
+    Teller(c, task, all).tell(report);
 }
-
-void reportEnsembles(const EnsembleAccount& account, StudyReport& report) { Teller(account).tell(report); }
 
 } // namespace touchdown

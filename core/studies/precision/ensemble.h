@@ -85,18 +85,8 @@ ShareDifference shareDifference(const std::vector<std::size_t>& first, const std
 /// Starts that end in another class.
 std::size_t otherwise(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 
-/// What ensembles are told about.
-struct EnsembleAccount {
-    std::string what;                 // "300 starts with FH(0) within 0.5 nm of 250 nm"
-    std::string workTitle;            // "Right-hand sides"
-    const std::vector<Ensemble>& all; // the first one is the reference
-};
-
-/// How the starts lie.
-std::string describeStarts(const Case& c, const EnsembleTask& task);
-
-/// Adds findings, a chart, and the tables "shares" (a row for each end of each ensemble) and "ensembles" (a row for
-/// each).
-void reportEnsembles(const EnsembleAccount& account, StudyReport& report);
+/// `all`: the first one is the reference. Adds findings, a chart, and the tables "shares" (a row for each end of each
+/// ensemble) and "ensembles" (a row for each).
+void reportEnsembles(const Case& c, const EnsembleTask& task, const std::vector<Ensemble>& all, StudyReport& report);
 
 } // namespace touchdown

@@ -42,10 +42,7 @@ public:
             task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
-        if (went && !ensembles_.empty())
-            reportEnsembles({describeStarts(task_.start, task_.ensemble),
-                             task_.start.model == ModelKind::Film ? "Film solves" : "Right-hand sides", ensembles_},
-                            report);
+        if (went && !ensembles_.empty()) reportEnsembles(task_.start, task_.ensemble, ensembles_, report);
         if (!went) {
             report.status = StudyStatus::Cancelled;
             report.message = "stopped before all runs were made";

@@ -26,16 +26,6 @@ int finenessOf(std::string_view key)
     return key == "film.nodes" ? 1 : 0;
 }
 
-double numberOf(const Field& field, const Case& c)
-{
-    const FieldValue value = field.get(c);
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    if (const auto* whole = std::get_if<int>(&value)) return *whole;
-    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
-        return list->front();
-    return std::nan("");
-}
-
 /// "97, 97" of "97" for a list of two.
 std::string fullValue(const Field& field, const std::string& value)
 {
@@ -94,6 +84,16 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 }
 
 } // namespace
+
+double numberOf(const Field& field, const Case& c)
+{
+    const FieldValue value = field.get(c);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* whole = std::get_if<int>(&value)) return *whole;
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
+        return list->front();
+    return std::nan("");
+}
 
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
 {

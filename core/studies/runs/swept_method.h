@@ -24,6 +24,7 @@
 namespace touchdown {
 
 class StudyReader;
+struct Field;
 
 /// As a study's file writes it.
 struct MethodSpec {
@@ -54,6 +55,9 @@ struct SweptMethod {
     bool ordered = false; // its settings go from coarse to fine
     std::vector<MethodSetting> settings{};
 };
+/// The value of a number, the first one of a list [unit of the field]; NaN of others.
+double numberOf(const Field& field, const Case& c);
+
 /// "rk4 (10 ns)".
 std::string nameOf(const std::string& method, const std::string& setting);
 

@@ -142,11 +142,7 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
                 reader.add("values", problem);
                 continue;
             }
-            const FieldValue value = task.parameter->get(base);
-            if (const auto* number = std::get_if<double>(&value))
-                row.value = *number;
-            else if (const auto* whole = std::get_if<int>(&value))
-                row.value = *whole;
+            if (task.parameterIsNumber) row.value = numberOf(*task.parameter, base);
         }
         row.references = base.model == ModelKind::Springs
                              ? springReferences(base, std::max(checkStep, base.run.duration / mostCheckSteps))

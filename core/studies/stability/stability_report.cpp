@@ -39,13 +39,6 @@ std::vector<std::size_t> orderOf(const std::vector<double>& values)
     return order;
 }
 
-std::vector<double> sorted(const std::vector<double>& values)
-{
-    std::vector<double> rising = values;
-    std::ranges::sort(rising);
-    return rising;
-}
-
 std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
 {
     const StabilityRow& row = task.rows[cell.row];
@@ -77,8 +70,10 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
                   ? axisOf(*task.parameter, ys)
                   : ChartAxis{.label = task.parameter ? task.parameter->key : ""};
     ChartMap& chart = panel.map.emplace();
-    chart.x = sorted(xs);
-    chart.y = sorted(ys);
+    chart.x = xs;
+    chart.y = ys;
+    std::ranges::sort(chart.x);
+    std::ranges::sort(chart.y);
     std::array<int, runClasses> index;
     index.fill(-1);
     for (const std::size_t row : orderOf(ys))
