@@ -19,6 +19,7 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
 struct CaseSetting {
     std::string key;   // "run.step"
     std::string value; // "10 ns"
+    bool operator==(const CaseSetting&) const = default;
 };
 /// Sets these values and checks their combination. Returns "", or a sentence that names the key of the first problem;
 /// then the case is unchanged.
