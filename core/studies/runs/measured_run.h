@@ -72,8 +72,8 @@ struct MeasuredRun {
 /// The quantity that tells the spacing in a run of this case: "flying_height" of springs, else "minimum_spacing".
 std::string_view spacingOf(const Case& c);
 
-/// Runs the case, without what costs time beside the solution, its check of the step and snapshots of fields; keeps the
-/// samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
+/// Runs the case without the check of its step and without maps, which cost time; keeps the samples of `quantities`,
+/// names of recordedQuantities(c). `goOn` may be empty.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
                        const RunOptions& options = {});
 
