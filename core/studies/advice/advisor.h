@@ -8,9 +8,7 @@ namespace touchdown {
 
 class StudyReader;
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planAdvisor(StudyReader& reader);
-/// Its keys with their defaults for a case.
 StudyForm advisorForm(const Case& c);
 
 } // namespace touchdown

@@ -65,9 +65,7 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
 
 StudyReport convergenceReport(const ConvergenceStudy& study);
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planConvergence(StudyReader& reader);
-/// Its keys with their defaults for a case.
 StudyForm convergenceForm(const Case& c);
 
 } // namespace touchdown

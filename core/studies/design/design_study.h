@@ -12,7 +12,6 @@ class StudyReader;
 struct DesignStudy;
 struct DesignTask;
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planDesign(StudyReader& reader);
 
 /// The case that was found is in the report where all targets are reached.

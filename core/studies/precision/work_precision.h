@@ -19,7 +19,6 @@ namespace touchdown {
 
 class StudyReader;
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planWorkPrecision(StudyReader& reader);
 
 } // namespace touchdown

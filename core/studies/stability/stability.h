@@ -22,9 +22,7 @@ namespace touchdown {
 
 class StudyReader;
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planStability(StudyReader& reader);
-/// Its keys with their defaults for a case.
 StudyForm stabilityForm(const Case& c);
 
 /// The parameter that a study of this case varies by default, with its values; an empty key: nothing.

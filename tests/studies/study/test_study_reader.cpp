@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "core/case/case.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
