@@ -16,7 +16,6 @@
 #include "core/case_files/surface_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/words.h"
-#include "core/studies/study_keys.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {

@@ -15,7 +15,7 @@ namespace {
 
 using Problems = std::vector<CaseProblem>;
 
-std::string inMicrometres(double length) { return roundedQuantity(length, "um", 4); }
+std::string inMicrometres(double length) { return fewDigits(length, "um", 4); }
 
 constexpr double mostSnapshotBytes = 4e9;
 constexpr double mapsOfFilm = 2.0; // gap and pressure

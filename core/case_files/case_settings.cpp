@@ -21,7 +21,7 @@ std::string_view keyOf(std::string_view setting) { return trimmed(setting.substr
 std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
 {
     const auto problem = [](std::string_view key, std::string message) {
-        return InputProblem{"--set", 0, shortenedKey(key), std::move(message)};
+        return InputProblem{"--set", 0, shortenedKey(key), std::move(message), ProblemKind::Setting};
     };
     const auto equals = setting.find('=');
     if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
@@ -61,9 +61,22 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     for (const std::string& setting : settings) {
         const std::string key(keyOf(setting));
         if (const std::string message = unusedMessage(document.value, *findField(key)); !message.empty())
-            document.unused.push_back({"--set", 0, key, message});
+            document.unused.push_back({"--set", 0, key, message, ProblemKind::Setting});
     }
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
+}
+
+std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
+{
+    Case changed = c;
+    for (const CaseSetting& setting : settings) {
+        const Field* field = findField(setting.key);
+        if (field == nullptr) return setting.key + ": unknown key" + didYouMean(nearestKey(setting.key));
+        if (const auto problem = setFromText(changed, *field, setting.value)) return setting.key + ": " + *problem;
+    }
+    for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
+    c = std::move(changed);
+    return {};
 }
 
 } // namespace touchdown

@@ -13,6 +13,7 @@ enum class ProblemKind : std::uint8_t {
     Combination,  // values that contradict each other
     MeasuredDisk, // the file of a measured disk surface
     NotFound,     // neither a file nor a sample case has this name
+    Setting,      // a value set by --set or by a study
 };
 
 /// Its text() is one sentence: "fig10.toml:7: springs.cutof: unknown key; did you mean springs.cutoff?"

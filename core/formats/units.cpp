@@ -292,16 +292,6 @@ std::string formatQuantity(double value, std::string_view displayUnit)
     return formatNumber(value) + ' ' + std::string(displayUnit);
 }
 
-std::string roundedQuantity(double value, std::string_view displayUnit, int digits)
-{
-    const Scale scale = requiredScale(displayUnit);
-    const std::string number = scale.decade ? decimalText(value, -*scale.decade, digits)
-                                            : decimalText((value - scale.offset) / scale.factor, 0, digits);
-    return displayUnit.empty() ? number : number + ' ' + std::string(displayUnit);
-}
-
-std::string inNanometres(double length) { return roundedQuantity(length, "nm", 4); }
-
 std::string formatNumber(double value, std::string_view displayUnit)
 {
     if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -309,5 +299,30 @@ std::string formatNumber(double value, std::string_view displayUnit)
     if (const auto number = exactNumber(value, scale)) return *number;
     return decimalText((value - scale.offset) / scale.factor);
 }
+
+double roundedTo(double value, int digits)
+{
+    if (value == 0.0 || !std::isfinite(value)) return value;
+    const int place = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+    // Dividing by a power of ten, which is exact, keeps the text short where multiplying by its inverse does not.
+    const double scale = std::pow(10.0, std::abs(place));
+    return place >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+}
+
+std::string fewDigits(double value, std::string_view displayUnit, int digits)
+{
+    if (displayUnit.empty() || displayUnit == "1") return formatNumber(roundedTo(value, digits));
+    return formatNumber(roundedTo(value / unitFactor(displayUnit), digits)) + ' ' + std::string(displayUnit);
+}
+
+std::string inNanometres(double length) { return fewDigits(length, "nm", 4); }
+
+std::string fewDigitsOfTime(double seconds, int digits)
+{
+    const char* unit = seconds >= 1.0 ? "s" : seconds >= 1e-3 ? "ms" : seconds >= 1e-6 ? "us" : "ns";
+    return fewDigits(seconds, unit, digits);
+}
+
+std::string percent(double share, int digits) { return fewDigits(100.0 * share, "", digits) + " %"; }
 
 } // namespace touchdown

@@ -24,11 +24,18 @@ double unitFactor(std::string_view unit);
 /// The shortest text that reads back as the same number: "7 nm" for 7e-9 and "nm".
 std::string formatQuantity(double value, std::string_view displayUnit);
 
-/// A number rounded to `digits` significant digits, for a message: "7.25 nm".
-std::string roundedQuantity(double value, std::string_view displayUnit, int digits);
-std::string inNanometres(double length); // with four digits
-
 /// The same without the unit.
 std::string formatNumber(double value, std::string_view displayUnit = {});
+
+/// Rounded to `digits` significant digits; 0 stays 0.
+double roundedTo(double value, int digits);
+
+/// A number for a sentence, with as many digits as it is worth: "3.1e-6 nm"; "15" with an empty unit.
+std::string fewDigits(double value, std::string_view displayUnit, int digits = 2);
+std::string inNanometres(double length); // four digits
+/// In s, ms, us or ns, so that the number is short.
+std::string fewDigitsOfTime(double seconds, int digits = 2);
+/// "31 %" of 0.31.
+std::string percent(double share, int digits = 2);
 
 } // namespace touchdown

@@ -2,6 +2,7 @@
 #include "core/formats/words.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace touchdown {
 
@@ -18,6 +19,19 @@ std::string lowerCase(std::string_view text)
     std::ranges::transform(lower, lower.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return lower;
+}
+
+std::string capitalized(std::string text)
+{
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+std::string uncapitalized(std::string text)
+{
+    const bool isName = text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1]));
+    if (!text.empty() && !isName) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 std::string joined(const std::vector<std::string>& words, std::string_view between)

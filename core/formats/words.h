@@ -17,6 +17,11 @@ std::string_view trimmed(std::string_view text, std::string_view characters = " 
 /// ASCII letters only.
 std::string lowerCase(std::string_view text);
 
+/// With a capital first letter.
+std::string capitalized(std::string text);
+/// With a small first letter, as within a sentence; "ABS" stays.
+std::string uncapitalized(std::string text);
+
 std::string joined(const std::vector<std::string>& words, std::string_view between = ", ");
 
 /// "1 rail", "2 rails".

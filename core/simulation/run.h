@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/case/case.h"
+#include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {

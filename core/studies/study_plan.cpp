@@ -5,75 +5,34 @@
 #include <optional>
 
 #include "core/case/fields.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
+#include "core/formats/toml_document.h"
+#include "core/numerics/wall_clock.h"
 #include "core/studies/advice/advisor.h"
-#include "core/studies/convergence/convergence_study.h"
+#include "core/studies/convergence/convergence.h"
 #include "core/studies/design/design_study.h"
+#include "core/studies/design/design_task.h"
 #include "core/studies/hysteresis/hysteresis.h"
+#include "core/studies/precision/precision_task.h"
 #include "core/studies/precision/work_precision.h"
 #include "core/studies/stability/stability.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
-#include "core/studies/study/study_options.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
 namespace {
 
-struct Study {
-    StudyKind kind;
-    StudyPerformance (*plan)(StudyReader&);
-    StudyForm (*form)(const Case&);
-};
-
-const std::vector<Study>& studies()
+const StudyKind* findStudy(const std::string& kind)
 {
-    static const std::vector<Study> list{
-        {{"work-precision", "Accuracy against speed",
-          "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
-          "time"},
-         planWorkPrecision,
-         workPrecisionForm},
-        {{"stability", "Stability where methods fail",
-          "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
-          "parameter"},
-         planStability,
-         stabilityForm},
-        {{"hysteresis", "Touch-down and take-off",
-          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
-          "equilibria"},
-         planHysteresis,
-         hysteresisForm},
-        {{"advise", "No more model than the scene needs",
-          "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
-          "that is good enough",
-          true},
-         planAdvisor,
-         advisorForm},
-        {{"design", "Values for a wanted flying attitude",
-          "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
-          "forces",
-          true},
-         planDesign,
-         designForm},
-        {{"convergence", "Convergence of a contact patch",
-          "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error"},
-         planConvergence,
-         convergenceForm},
-    };
-    return list;
-}
-
-const Study* findStudy(const std::string& kind)
-{
-    for (const Study& each : studies())
-        if (each.kind.name == kind) return &each;
-    return nullptr;
+    const auto found = std::ranges::find(studyKinds(), kind, &StudyKind::name);
+    return found == studyKinds().end() ? nullptr : &*found;
 }
 
 /// What may stand where a study is wanted.
@@ -108,7 +67,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     plan.kind = kind;
     plan.name = source.name;
     plan.text = source.text;
-    const Study* study = findStudy(kind);
+    const StudyKind* study = findStudy(kind);
     if (study == nullptr) {
         std::vector<std::string> names;
         for (const StudyKind& each : studyKinds()) names.push_back(each.name);
@@ -154,7 +113,9 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     const bool named = !title.empty();
     plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs,
                                                                                    const StudyCallback& callback) {
+        const double begin = wallClock();
         StudyReport report = perform(jobs, callback);
+        report.wallSeconds = wallClock() - begin;
         report.kind = kind;
         if (named || report.title.empty()) report.title = title;
         if (report.status == StudyStatus::Cancelled && report.message.empty())
@@ -209,11 +170,31 @@ CaseDocument openSample(const std::string& kind, const std::string& name)
 
 std::span<const StudyKind> studyKinds()
 {
-    static const std::vector<StudyKind> kinds = [] {
-        std::vector<StudyKind> list;
-        for (const Study& each : studies()) list.push_back(each.kind);
-        return list;
-    }();
+    static const std::vector<StudyKind> kinds{
+        {"work-precision", "Accuracy against speed",
+         "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
+         "time",
+         planWorkPrecision, workPrecisionForm},
+        {"stability", "Stability where methods fail",
+         "Shows where methods are stable, with the eigenvalues of the case, and how runs end over step and one "
+         "parameter",
+         planStability, stabilityForm},
+        {"hysteresis", "Touch-down and take-off",
+         "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
+         "equilibria",
+         planHysteresis, hysteresisForm},
+        {"advise", "No more model than the scene needs",
+         "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
+         "that is good enough",
+         planAdvisor, advisorForm, true},
+        {"design", "Values for a wanted flying attitude",
+         "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
+         "forces",
+         planDesign, designForm, true},
+        {"convergence", "Convergence of a contact patch",
+         "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error",
+         planConvergence, convergenceForm},
+    };
     return kinds;
 }
 
@@ -259,7 +240,7 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
 
 StudyForm studyForm(const std::string& kind, const Case& c)
 {
-    const Study* study = findStudy(kind);
+    const StudyKind* study = findStudy(kind);
     if (study == nullptr) return {};
     StudyForm form = study->form(c);
     const std::vector<StudyKey> head = headKeys();
@@ -271,6 +252,28 @@ std::string studyTemplate(const std::string& kind, const Case& c)
 {
     const StudyForm form = studyForm(kind, c);
     return form.keys.empty() ? std::string() : "kind = " + tomlString(kind) + "\n" + templateText(form);
+}
+
+std::vector<DescribedKey> studyKeys(const std::string& kind)
+{
+    std::vector<DescribedKey> keys;
+    for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact}) {
+        const Case c = defaultsOf(model);
+        const StudyPlan plan = parseStudy(kind, "", kind, {}, &c);
+        const bool refused = std::ranges::find(plan.problems, "case", &InputProblem::key) != plan.problems.end();
+        // A study that refuses all default cases, as it needs more than a model, is described with the last one.
+        if (refused && (model != ModelKind::Contact || !keys.empty())) continue;
+        for (const StudyKey& row : studyForm(kind, c).keys) {
+            if (row.kind == StudyKeyKind::Table) continue;
+            auto described =
+                std::ranges::find_if(keys, [&](const DescribedKey& each) { return each.key.key == row.key; });
+            if (described == keys.end()) described = keys.insert(described, {row, allowedText(row), {}});
+            described->varies = described->varies || described->allowed != allowedText(row);
+            if (const std::string standard = defaultText(row); !standard.empty())
+                described->standards.emplace_back(toText(c, *findField("model")), standard);
+        }
+    }
+    return keys;
 }
 
 } // namespace touchdown

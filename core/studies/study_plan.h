@@ -15,19 +15,24 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/case_files/case_file.h"
+#include "core/case/case_document.h"
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
+class StudyReader;
+
 struct StudyKind {
-    std::string name;       // "work-precision"
-    std::string title;      // "Accuracy against speed"
-    std::string help;       // a sentence
-    bool findsCase = false; // its report may hold a case, which --apply writes
+    std::string name;                       // "work-precision"
+    std::string title;                      // "Accuracy against speed"
+    std::string help;                       // a sentence
+    StudyPerformance (*plan)(StudyReader&); // reads the keys; their problems are the reader's
+    StudyForm (*form)(const Case&);         // its keys with their defaults for a case
+    bool findsCase = false;                 // its report may hold a case, which --apply writes
 };
 /// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();
@@ -65,5 +70,16 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
 StudyForm studyForm(const std::string& kind, const Case& c);
 /// The text of a study of this case: its kind and its defaults, with a comment for each key.
 std::string studyTemplate(const std::string& kind, const Case& c);
+
+/// A key of a kind of study over all models of a case, for `touchdown describe study.KIND`.
+struct DescribedKey {
+    StudyKey key;                                               // of the first model that the study takes
+    std::string allowed;                                        // "a whole number from 1 to 1000"
+    std::vector<std::pair<std::string, std::string>> standards; // the default of each model: {"springs", "5"}
+    bool varies = false;                                        // `allowed` depends on the case
+};
+
+/// In the order of the study's file; none for an unknown kind.
+std::vector<DescribedKey> studyKeys(const std::string& kind);
 
 } // namespace touchdown

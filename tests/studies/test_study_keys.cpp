@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/study_keys.h"
+#include "core/studies/study_plan.h"
 
 #include <algorithm>
 
 #include <QtTest>
 
-#include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
 #include "core/studies/study/sample_study.h"
 #include "tests/support/test_program.h"
 

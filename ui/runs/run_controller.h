@@ -15,6 +15,7 @@
 #include <QString>
 
 #include "core/case/case.h"
+#include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_summary.h"
 #include "ui/calculation/calculation_controller.h"
 #include "ui/runs/run_pace.h"

@@ -13,27 +13,11 @@
 // the largest adhesion, or the error of F_cr a tenth of the largest contact force.
 #pragma once
 
-#include <string>
-
 #include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {
 
 class MultiAsperity;
-
-struct CharacteristicError {
-    double worst = 0.0; // [-]
-    double rms = 0.0;   // [-]
-    double at = 0.0;    // d of the worst [m]
-};
-
-struct CharacteristicFit {
-    OnoYamane parameters;         // friction and padDistance as they came
-    CharacteristicError contact;  // of F_cr, against its largest value on the way
-    CharacteristicError adhesion; // of F_m, against the largest adhesion
-    bool describes = false;
-    std::string message; // a sentence: the quality, or what the five parameters cannot describe
-};
 
 /// From beyond the model's reach, or from `start` if that is farther, to `closest`, which is less [m].
 CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, double closest,

@@ -2,6 +2,9 @@
 #include "core/physics/contact/ono_yamane.h"
 
 #include <algorithm>
+#include <limits>
+
+#include "core/numerics/interval.h"
 
 namespace touchdown {
 
@@ -17,10 +20,10 @@ OnoYamaneLaw::OnoYamaneLaw(const OnoYamane& parameters)
     // F_cr reaches zero at d_s + f_c0/k_c, unless the take-off height comes first.
     release_ = fc0 <= 0.0 ? ds : kc > 0.0 ? std::min(de, ds + fc0 / kc) : de;
 
-    Row pressed{{fc0 + kc * ds, -kc}, {-fm, 0.0}, {-std::numeric_limits<double>::infinity(), ds}, Pressed, Lifting};
-    Row lifting{{fc0 + kc * ds, -kc}, {-fm, 0.0}, {ds, release_}, Pressed, Bridged};
-    Row bridged{{}, {-fm, 0.0}, {release_, de}, Lifting, Apart};
-    const Row apart{{}, {}, {ds, std::numeric_limits<double>::infinity()}, Pressed, Apart};
+    Row pressed{{fc0 + kc * ds, -kc}, {-fm, 0.0}, -std::numeric_limits<double>::infinity(), ds, Pressed, Lifting};
+    Row lifting{{fc0 + kc * ds, -kc}, {-fm, 0.0}, ds, release_, Pressed, Bridged};
+    Row bridged{{}, {-fm, 0.0}, release_, de, Lifting, Apart};
+    const Row apart{{}, {}, ds, std::numeric_limits<double>::infinity(), Pressed, Apart};
 
     if (parameters.takeOffShape == TakeOffShape::Linear && de > ds) {
         for (Row* row : {&lifting, &bridged}) { // F_m = -f_m (d_e - d)/(d_e - d_s)
@@ -45,18 +48,20 @@ double OnoYamaneLaw::storedEnergy(ContactRegion region, double d) const
     return 0.5 * (force + end) * (release_ - d);
 }
 
+Interval OnoYamaneLaw::interval(ContactRegion region) const { return {row(region).lower, row(region).upper}; }
+
 ContactRegion OnoYamaneLaw::region(ContactBranch branch, double d) const
 {
     using enum ContactRegion;
-    if (d <= row(Pressed).interval.upper) return Pressed;
-    if (branch == ContactBranch::TouchDown || d >= row(Bridged).interval.upper) return Apart;
+    if (d <= row(Pressed).upper) return Pressed;
+    if (branch == ContactBranch::TouchDown || d >= row(Bridged).upper) return Apart;
     return d < release_ ? Lifting : Bridged;
 }
 
 ContactBranch OnoYamaneLaw::nextBranch(ContactBranch previous, double d) const
 {
-    if (d <= row(ContactRegion::Pressed).interval.upper) return ContactBranch::TakeOff;
-    if (d >= row(ContactRegion::Bridged).interval.upper) return ContactBranch::TouchDown;
+    if (d <= row(ContactRegion::Pressed).upper) return ContactBranch::TakeOff;
+    if (d >= row(ContactRegion::Bridged).upper) return ContactBranch::TouchDown;
     return previous;
 }
 

@@ -20,9 +20,9 @@
 #include <cstdint>
 #include <string>
 
-#include "core/numerics/interval.h"
-
 namespace touchdown {
+
+struct Interval;
 
 enum class TakeOffShape : std::uint8_t { Constant, Linear };
 enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
@@ -37,6 +37,21 @@ struct OnoYamane {
     double friction = 0.3;             // mu   [-], >= 0
     double padDistance = 0.600e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
     TakeOffShape takeOffShape = TakeOffShape::Constant;
+};
+
+struct CharacteristicError {
+    double worst = 0.0; // [-]
+    double rms = 0.0;   // [-]
+    double at = 0.0;    // d of the worst [m]
+};
+
+/// The five parameters that best describe another model (core/physics/contact/characteristic_fit.h).
+struct CharacteristicFit {
+    OnoYamane parameters;         // friction and padDistance as they came
+    CharacteristicError contact;  // of F_cr, against its largest value on the way
+    CharacteristicError adhesion; // of F_m, against the largest adhesion
+    bool describes = false;
+    std::string message; // a sentence: how well, or what the five parameters cannot say of this model
 };
 
 /// Branch and range of the separation.
@@ -72,7 +87,7 @@ public:
     double storedEnergy(ContactRegion region, double d) const;
 
     /// The separations between which the region's law holds [m].
-    Interval interval(ContactRegion region) const { return row(region).interval; }
+    Interval interval(ContactRegion region) const;
     /// The region beyond the lower (upper) end of this one's interval.
     ContactRegion beyond(ContactRegion region, bool upper) const
     {
@@ -93,7 +108,7 @@ private:
     struct Row {
         AffineForce contact;
         AffineForce adhesion;
-        Interval interval; // [m]
+        double lower = 0.0, upper = 0.0; // ends of its interval [m]
         ContactRegion below = ContactRegion::Apart;
         ContactRegion above = ContactRegion::Apart;
     };

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <numbers>
 
+#include "core/physics/film/kinetic_flow_rate.h"
+
 namespace touchdown {
 
 std::span<const SlipLaw> slipLaws()

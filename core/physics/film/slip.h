@@ -18,9 +18,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/physics/film/kinetic_flow_rate.h"
-
 namespace touchdown {
+
+struct FlowRate;
 
 enum class SlipModel : std::uint8_t {
     Continuum,

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/case/case.h"
-#include "core/physics/contact/characteristic_fit.h"
+#include "core/physics/contact/ono_yamane.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"

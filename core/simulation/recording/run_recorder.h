@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/numerics/wall_clock.h"
+#include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_statistics.h"
 
 namespace touchdown {

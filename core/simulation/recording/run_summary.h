@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "core/numerics/spectrum.h"
-#include "core/physics/contact/characteristic_fit.h"
-#include "core/simulation/recording/field_snapshot.h"
+#include "core/physics/contact/ono_yamane.h"
 #include "core/simulation/recording/quantity.h"
 
 namespace touchdown {
+
+struct FieldSnapshot;
+struct RecordedFields;
 
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);

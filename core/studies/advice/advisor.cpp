@@ -2,11 +2,13 @@
 #include "core/studies/advice/advisor.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/formats/quotation.h"
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/run.h"
 #include "core/studies/advice/advisor_report.h"
+#include "core/studies/advice/advisor_study.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -19,20 +21,18 @@ constexpr double longestBudget = 1e6; // [s]
 
 StudyReport performAdvice(const AdvisorTask& task, int jobs, const StudyCallback& callback)
 {
-    const double begin = wallClock();
     const auto reportOf = [&](const AdvisorResult& result) {
         StudyReport report;
         report.kind = "advise";
         report.title = "No more model than the scene needs" + (task.start.title.empty() ? "" : ": " + task.start.title);
         reportAdvice(task, result, report);
-        report.wallSeconds = wallClock() - begin;
         return report;
     };
     const auto tell = [&](double share, const std::string& doing, const AdvisorResult* more) {
         if (!callback) return true;
-        if (more == nullptr) return callback({.share = share, .doing = doing, .soFar = nullptr});
-        const StudyReport soFar = reportOf(*more);
-        return callback({.share = share, .doing = doing, .soFar = &soFar});
+        std::optional<StudyReport> soFar;
+        if (more != nullptr) soFar = reportOf(*more);
+        return callback({share, doing, soFar ? &*soFar : nullptr});
     };
     return reportOf(advise(task, jobs, tell));
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/formats/units.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -87,21 +86,6 @@ bool wanted(const AdvisorTask& task, CandidateKind kind)
 
 } // namespace
 
-std::string_view name(CandidateKind kind)
-{
-    switch (kind) {
-    case CandidateKind::Full: return "full";
-    case CandidateKind::Static: return "static";
-    case CandidateKind::ContactRest: return "contact-rest";
-    case CandidateKind::WaveAnswer: return "wave-answer";
-    case CandidateKind::SmallMotion: return "small-motion";
-    case CandidateKind::Springs: return "springs";
-    case CandidateKind::Part: return "parts";
-    case CandidateKind::Sum: return "sums";
-    }
-    return {};
-}
-
 std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
 {
     const Case& c = task.start;
@@ -137,13 +121,13 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
             }
             // Springs hold the roll at that of their static state.
             if (candidate.kind == CandidateKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
-            if (wanted(task, candidate.kind) && applySettings(on.c, grid.settings).empty())
+            if (wanted(task, candidate.kind) && changeCase(on.c, grid.settings).empty())
                 candidates.push_back(std::move(on));
         }
     if (!wanted(task, CandidateKind::Part) && !wanted(task, CandidateKind::Sum)) return candidates;
     for (const ModelPart& part : partsOf(c, roll)) {
         Candidate candidate{CandidateKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
-        if (applySettings(candidate.c, part.settings).empty()) candidates.push_back(std::move(candidate));
+        if (changeCase(candidate.c, part.settings).empty()) candidates.push_back(std::move(candidate));
     }
     return candidates;
 }
@@ -159,7 +143,7 @@ std::optional<Candidate> sumOf(const AdvisorTask& task, const std::vector<ModelP
     Candidate candidate{CandidateKind::Sum, "film, " + listed(kept, &ModelPart::name),
                         listed(kept, &ModelPart::leavesOut), kept, task.start};
     for (const ModelPart& part : kept)
-        if (!applySettings(candidate.c, part.settings).empty()) return {};
+        if (!changeCase(candidate.c, part.settings).empty()) return {};
     return candidate;
 }
 

@@ -13,12 +13,15 @@
 //   sums          the film in time without several of these parts
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/studies/runs/measured_run.h"
+#include "core/case/case.h"
+#include "core/case_files/case_settings.h"
 
 namespace touchdown {
 
@@ -34,7 +37,12 @@ struct AdvisorTask {
 };
 
 enum class CandidateKind : std::uint8_t { Full, Static, ContactRest, WaveAnswer, SmallMotion, Springs, Part, Sum };
-std::string_view name(CandidateKind kind);
+inline std::string_view name(CandidateKind kind)
+{
+    constexpr std::array<std::string_view, 8> names{"full",         "static",  "contact-rest", "wave-answer",
+                                                    "small-motion", "springs", "parts",        "sums"};
+    return names[static_cast<std::size_t>(kind)];
+}
 
 /// What can be left out of a film's run.
 struct ModelPart {
@@ -50,6 +58,7 @@ struct Candidate {
     std::string leavesOut;
     std::vector<ModelPart> parts;
     Case c; // the case to run; of a model without a film in time the case of its film
+    bool inTime() const { return kind == CandidateKind::Part || kind == CandidateKind::Sum; }
 };
 
 /// Models without a film in time, on the grid of the case and on coarser ones, and models without one part that the

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
+#include "core/studies/advice/advisor_candidates.h"
 
 namespace touchdown {
 
@@ -63,18 +64,6 @@ CandidateErrors errorsOf(const TailEstimate& candidate, const TailEstimate& full
     errors.meanUncertainty = full.meanUncertainty;
     errors.spreadUncertainty = full.spreadUncertainty;
     return errors;
-}
-
-std::string_view name(Verdict verdict)
-{
-    switch (verdict) {
-    case Verdict::Within: return "within";
-    case Verdict::TooFar: return "too far";
-    case Verdict::AnotherEnd: return "another end";
-    case Verdict::AnotherPeak: return "another peak";
-    case Verdict::NotKnown: return "not known";
-    }
-    return {};
 }
 
 Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed)

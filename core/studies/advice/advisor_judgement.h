@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a model's end is from the full one's, what of that is claimed, and whether it is within what is allowed.
+// The error of a model's end against the full model's end, how much of it is claimed, and whether it is allowed.
 //
-// Errors: of the mean spacing over the last tenth, of its standard deviation there. Allowed are tolerance times the
-// mean or, where a bounce has more, the spread; and spread_tolerance times the spread or, where that is more, times
-// tolerance times the mean; of both at least twice what one step of the full model may displace the slider by. Besides,
-// a model must end in the same state (flying, in contact, in and out of it) and, where the spread is more than
-// tolerance times the mean and than that, have its largest peak at the same frequency.
+// Errors: of the mean spacing over the last tenth, and of its standard deviation there. Allowed are
 //
-// An error e that is known to u lies between e - u and e + u. With u <= e/2 that is a factor of two, and e is claimed;
-// else nothing but that it is below e + u.
+//   of the mean    tolerance times the mean, or times the spread where that is larger (a bounce)
+//   of the spread  spread_tolerance times the spread, or times `tolerance` times the mean where that is larger
+//
+// and at least twice what one step of the full model may displace the slider by. A model must also end in the same
+// state (flying, in contact, in and out of it); where the spread is larger than tolerance times the mean and than that
+// displacement, its largest peak must lie at the same frequency.
+//
+// An error e that is known to u lies between e - u and e + u. If u <= e/2, e is claimed: it is known to a factor of
+// two. Otherwise the claim is that the error is below e + u.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
-#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/tail_estimate.h"
 
 namespace touchdown {
+
+struct AdvisorTask;
 
 struct Claim {
     double value = 0.0; // [m]; infinite where nothing is known
@@ -55,7 +60,11 @@ Allowance allowanceOf(const TailEstimate& full, const AdvisorTask& task);
 CandidateErrors errorsOf(const TailEstimate& candidate, const TailEstimate& full, const AdvisorTask& task);
 
 enum class Verdict : std::uint8_t { Within, TooFar, AnotherEnd, AnotherPeak, NotKnown };
-std::string_view name(Verdict verdict); // "within", "too far", ...
+inline std::string_view name(Verdict verdict)
+{
+    constexpr std::array<std::string_view, 5> names{"within", "too far", "another end", "another peak", "not known"};
+    return names[static_cast<std::size_t>(verdict)];
+}
 Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed);
 
 } // namespace touchdown

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/advice/advisor_study.h"
 
 namespace touchdown {
 
@@ -16,7 +18,6 @@ std::string times(double ratio) { return fewDigits(ratio, "") + " times"; }
 /// What a model takes against the full one, which takes `ratio` times that.
 std::string lessOrMore(double ratio) { return ratio >= 1.0 ? times(ratio) + " less" : times(1.0 / ratio) + " as much"; }
 std::string saving(double ratio) { return ratio >= 1.0 ? "saves " + times(ratio) : "costs " + lessOrMore(ratio); }
-std::string readableTime(double seconds) { return fewDigitsOfTime(seconds); }
 
 /// The full model's end is known, and so how far the others are from it.
 bool isJudged(const AdvisorResult& result) { return result.pilotTime > 0.0 && result.full.answers(); }
@@ -51,9 +52,9 @@ std::string endText(const TailEstimate& end)
 /// How far the full model was run.
 std::string windowText(const AdvisorTask& task, const AdvisorResult& result)
 {
-    const std::string duration = readableTime(task.start.run.duration);
+    const std::string duration = fewDigitsOfTime(task.start.run.duration);
     return result.pilotWhole ? "over the whole run of " + duration
-                             : "over the first " + readableTime(result.pilotTime) + " of " + duration;
+                             : "over the first " + fewDigitsOfTime(result.pilotTime) + " of " + duration;
 }
 
 std::string applyText(const CandidateOutcome& advice)
@@ -80,8 +81,9 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
         return;
     }
     if (!result.full.answers()) {
-        report.findings.push_back("There is no advice: the full model was run for " + readableTime(result.pilotTime) +
-                                  " of " + readableTime(task.start.run.duration) +
+        report.findings.push_back("There is no advice: the full model was run for " +
+                                  fewDigitsOfTime(result.pilotTime) + " of " +
+                                  fewDigitsOfTime(task.start.run.duration) +
                                   ". Its end predicted from that: " + endText(result.full.tail) + ".");
         return;
     }
@@ -97,8 +99,8 @@ void tellAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
     } else {
         const CandidateOutcome& advice = result.candidates[*result.advice];
         report.findings.push_back((all ? "Advice: " : "Advice so far: ") + advice.model.name + ". It leaves out " +
-                                  advice.model.leavesOut + ", and takes " + readableTime(advice.seconds) +
-                                  " of a processor instead of " + readableTime(result.full.seconds) + ": " +
+                                  advice.model.leavesOut + ", and takes " + fewDigitsOfTime(advice.seconds) +
+                                  " of a processor instead of " + fewDigitsOfTime(result.full.seconds) + ": " +
                                   times(result.full.seconds / advice.seconds) + " less.");
         report.findings.push_back(
             "Claimed error over the last tenth of the run: " + errorsText(advice.errors, result.allowed) +
@@ -132,15 +134,15 @@ void tellConfirmed(const AdvisorResult& result, StudyReport& report)
     const auto one = [](const Claim& claim, double error, bool held) {
         return nm(error) + " (claimed " + textOf(claim) + (held ? ")" : ": missed)");
     };
-    report.findings.insert(report.findings.begin() + 2,
-                           std::string(came ? "Confirmed" : "NOT confirmed") +
-                               " by the full model to its end: error of the mean spacing " +
-                               one(mean, found.mean, meanCame) + ", of the spread " +
-                               one(spread, found.spread, spreadCame) +
-                               (found.samePeak ? "" : ", its largest peak elsewhere: missed") +
-                               (found.sameEnd ? "" : ", and it ends in another state: missed") + "; " +
-                               readableTime(result.adviceSeconds) + " instead of " + readableTime(result.fullSeconds) +
-                               ", " + lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
+    report.findings.insert(
+        report.findings.begin() + 2,
+        std::string(came ? "Confirmed" : "NOT confirmed") +
+            " by the full model to its end: error of the mean spacing " + one(mean, found.mean, meanCame) +
+            ", of the spread " + one(spread, found.spread, spreadCame) +
+            (found.samePeak ? "" : ", its largest peak elsewhere: missed") +
+            (found.sameEnd ? "" : ", and it ends in another state: missed") + "; " +
+            fewDigitsOfTime(result.adviceSeconds) + " instead of " + fewDigitsOfTime(result.fullSeconds) + ", " +
+            lessOrMore(result.fullSeconds / result.adviceSeconds) + ".");
     if (!came)
         report.warnings.push_back(
             "the whole run of the full model does not confirm the claims of the pilot; use a longer pilot");
@@ -177,20 +179,11 @@ void tellCandidates(const AdvisorTask& task, const AdvisorResult& result, StudyR
                     saving(result.full.seconds / candidate.seconds);
         report.findings.push_back(text + ".");
     }
-    if (givenUp == 1)
-        report.findings.push_back(
-            "1 model in time was stopped as soon as it had taken too long to be advised; all = true measures it.");
-    if (givenUp > 1)
-        report.findings.push_back(std::to_string(givenUp) +
-                                  " models in time were stopped as soon as they had taken too long to be advised; "
-                                  "all = true measures them.");
-}
-
-std::string listOf(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    return list;
+    const bool one = givenUp == 1;
+    if (givenUp > 0)
+        report.findings.push_back(counted(givenUp, "model") + " in time " + (one ? "was" : "were") +
+                                  " stopped as soon as " + (one ? "it" : "they") +
+                                  " had taken too long to be advised; all = true measures " + (one ? "it." : "them."));
 }
 
 void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report)
@@ -229,16 +222,16 @@ void tellLimits(const AdvisorTask& task, const AdvisorResult& result, StudyRepor
             "with larger steps the scene ends in another state: it is close to the border between "
             "two states, and no model predicts its end reliably; study it by an ensemble of starts");
     if (!result.missing.empty())
-        report.warnings.push_back(
-            (result.late ? "the budget of " + readableTime(task.budget) + " was spent before these models were tried: "
-                         : "the study was stopped before these models were tried: ") +
-            listOf(result.missing));
+        report.warnings.push_back((result.late ? "the budget of " + fewDigitsOfTime(task.budget) +
+                                                     " was spent before these models were tried: "
+                                               : "the study was stopped before these models were tried: ") +
+                                  joined(result.missing));
     const bool confirmed = result.fullEnd && (!result.advice || result.found);
     if (task.confirm && !confirmed && isJudged(result) && (result.late || result.status == StudyStatus::Cancelled))
-        report.warnings.push_back((result.late ? "the budget of " + readableTime(task.budget) + " was spent"
+        report.warnings.push_back((result.late ? "the budget of " + fewDigitsOfTime(task.budget) + " was spent"
                                                : std::string("the study was stopped")) +
                                   " before the advice was confirmed");
-    report.findings.push_back("The study took " + readableTime(result.studySeconds) + " of a processor" +
+    report.findings.push_back("The study took " + fewDigitsOfTime(result.studySeconds) + " of a processor" +
                               (result.full.seconds > 0.0 ? ", " + times(result.studySeconds / result.full.seconds) +
                                                                " what the full model takes."
                                                          : "."));
@@ -258,9 +251,9 @@ StudyChart chartOf(const AdvisorResult& result)
         ChartPanel panel;
         panel.x = {"Time of one processor", "s", "s", true};
         panel.y = {spread ? "Error of the spread" : "Error of the mean spacing", "m", "nm", true};
-        ChartSeries reduced{.name = "without a film in time", .points = {}, .line = ChartLine::None};
-        ChartSeries film{.name = "film without a part", .points = {}, .line = ChartLine::None};
-        ChartSeries full{.name = "full model", .points = {}, .line = ChartLine::None};
+        ChartSeries reduced{.name = "without a film in time", .line = ChartLine::None};
+        ChartSeries film{.name = "film without a part", .line = ChartLine::None};
+        ChartSeries full{.name = "full model", .line = ChartLine::None};
         const auto add = [&](ChartSeries& series, const CandidateOutcome& candidate, bool chosen) {
             const Claim claim = spread ? candidate.errors.claimedSpread() : candidate.errors.claimedMean();
             if (!candidate.answers() || !std::isfinite(claim.value) || !(claim.value > 0.0)) return;
@@ -276,9 +269,7 @@ StudyChart chartOf(const AdvisorResult& result)
         };
         for (std::size_t k = 0; k < result.candidates.size(); ++k) {
             const CandidateOutcome& candidate = result.candidates[k];
-            const bool inTime =
-                candidate.model.kind == CandidateKind::Part || candidate.model.kind == CandidateKind::Sum;
-            add(inTime ? film : reduced, candidate, result.advice == k);
+            add(candidate.model.inTime() ? film : reduced, candidate, result.advice == k);
         }
         add(full, result.full, result.advisesFull());
         panel.series = {reduced, film, full};
@@ -311,11 +302,10 @@ StudyTable tableOf(const AdvisorResult& result)
                     {"spread", "m", "nm", "Standard deviation of the spacing", true},
                     {"peak_frequency", "Hz", "kHz", "Frequency of the largest peak", true},
                     {"peak_amplitude", "m", "nm", "Amplitude of the largest peak", true},
-                    {"remark", "", "", "Remark", true}},
-        .rows = {}};
-    const auto known = [](double value) { return value > 0.0 ? StudyValue(value) : StudyValue(); };
+                    {"remark", "", "", "Remark", true}}};
+    const auto positive = [](double value) { return known(value > 0.0, value); };
     const auto number = [](const Claim& claim, bool bound) {
-        return claim.bound == bound && std::isfinite(claim.value) ? StudyValue(claim.value) : StudyValue();
+        return known(claim.bound == bound && std::isfinite(claim.value), claim.value);
     };
     const bool judged = isJudged(result);
     const auto row = [&](const CandidateOutcome& candidate, const std::string& verdict) {
@@ -326,7 +316,7 @@ StudyTable tableOf(const AdvisorResult& result)
                      {},
                      {},
                      {},
-                     candidate.givenUp ? StudyValue() : known(candidate.seconds),
+                     candidate.givenUp ? StudyValue() : positive(candidate.seconds),
                      {},
                      candidate.model.leavesOut};
             cells.resize(table.columns.size() - 1);
@@ -340,8 +330,8 @@ StudyTable tableOf(const AdvisorResult& result)
                  std::string(name(candidate.tail.kind)),
                  ifJudged(textOf(mean)),
                  ifJudged(textOf(spread)),
-                 known(candidate.seconds),
-                 ifJudged(known(result.full.seconds / std::max(candidate.seconds, 1e-9))),
+                 positive(candidate.seconds),
+                 ifJudged(positive(result.full.seconds / std::max(candidate.seconds, 1e-9))),
                  candidate.model.leavesOut,
                  ifJudged(number(mean, false)),
                  ifJudged(number(mean, true)),
@@ -349,8 +339,8 @@ StudyTable tableOf(const AdvisorResult& result)
                  ifJudged(number(spread, true)),
                  candidate.tail.mean,
                  candidate.tail.spread,
-                 known(candidate.tail.peakFrequency),
-                 known(candidate.tail.peakAmplitude),
+                 positive(candidate.tail.peakFrequency),
+                 positive(candidate.tail.peakAmplitude),
                  candidate.remark};
     };
     for (std::size_t k = 0; k < result.candidates.size(); ++k)

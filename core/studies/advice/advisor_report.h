@@ -3,10 +3,11 @@
 // The report of advice: the advice with its claimed error and saving, what was left out, chart and tables.
 #pragma once
 
-#include "core/studies/advice/advisor_study.h"
-#include "core/studies/study/study.h"
-
 namespace touchdown {
+
+struct AdvisorResult;
+struct AdvisorTask;
+struct StudyReport;
 
 /// Findings, warnings, charts, tables and the case that is advised.
 void reportAdvice(const AdvisorTask& task, const AdvisorResult& result, StudyReport& report);

@@ -10,7 +10,6 @@
 #include "core/numerics/wall_clock.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"
-#include "core/studies/advice/scene_motion.h"
 #include "core/studies/runs/parallel.h"
 
 namespace touchdown {
@@ -18,11 +17,6 @@ namespace touchdown {
 namespace {
 
 constexpr double knownTo = 0.25; // of what is allowed, for the pilot to end
-
-bool inTime(const Candidate& candidate)
-{
-    return candidate.kind == CandidateKind::Part || candidate.kind == CandidateKind::Sum;
-}
 
 void lower(std::atomic<double>& least, double value)
 {
@@ -70,7 +64,7 @@ private:
         if (rest.status == SteadyStatus::Converged) result_.gridError = rest.discretisationError.minimumSpacing;
         std::vector<Candidate> fast;
         for (Candidate& candidate : candidatesOf(task_, rest.attitude.roll))
-            (inTime(candidate)                              ? parts_
+            (candidate.inTime()                             ? parts_
              : candidate.kind == CandidateKind::ContactRest ? rests_
                                                             : fast)
                 .push_back(std::move(candidate));
@@ -288,7 +282,7 @@ private:
     CandidateOutcome solve(const Candidate& candidate, const GoOn& goOn, double& seconds)
     {
         CandidateOutcome outcome;
-        if (!inTime(candidate)) {
+        if (!candidate.inTime()) {
             const bool known =
                 candidate.kind == CandidateKind::SmallMotion && candidate.c.film.nodes == task_.start.film.nodes;
             outcome = known ? describeSmallMotion(candidate, scene_.motion, scene_.seconds)
@@ -359,7 +353,7 @@ private:
         const CandidateOutcome& advice = result_.candidates[*result_.advice];
         TailEstimate end = advice.tail;
         result_.adviceSeconds = advice.seconds;
-        if (inTime(advice.model)) {
+        if (advice.model.inTime()) {
             PilotRun run;
             const bool went = runParallel(
                 1, 1, [&](std::size_t, const GoOn& goOn) { run = pilotRun(advice.model.c, {}, goOn); },

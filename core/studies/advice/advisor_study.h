@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Error and cost of each candidate against the full model. First come the models without a film in time, which take
-// milliseconds and have a known end. Then the full model runs until its mean over the last tenth is predicted to a
-// quarter of the allowed error, and the cheapest of those models within the tolerance has an error known to a factor of
-// two. The full model runs to its end where a first part predicts nothing: an unstable mode, unknown modes, a moving
-// rough disk. Last come the models in time without a part, to their ends; they are stopped as soon as they have taken
-// too long to be advised.
+// Error and cost of each candidate against the full model, in this order:
+//
+//   1. Models without a film in time. They take milliseconds, and their end is known.
+//   2. The full model, until its mean over the last tenth is predicted to a quarter of the allowed error, and the
+//   cheapest
+//      model of step 1 within the tolerance has an error known to a factor of two. It runs to its end where a first
+//      part predicts nothing: an unstable mode, unknown modes, a moving rough disk.
+//   3. Models in time without a part, to their ends; each is stopped as soon as it has taken too long to be advised.
 #pragma once
 
 #include <functional>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/advisor_judgement.h"
 #include "core/studies/study/study.h"
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first part of a run, with what it took. The case runs as to its end, so that its steps are those of the whole
-// run, and is stopped where enough is known. What it takes is the time of its thread on a processor, so that runs at
-// the same time do not count.
+// The first part of a run, its cost, and whether it can predict the rest. The case runs as if to its end, so that its
+// steps are those of the whole run, and is stopped where enough is known. The cost is the time of its thread on a
+// processor, so that other runs at the same time do not count.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "core/simulation/small_motions/linear_motion.h"
 #include "core/studies/advice/tail_estimate.h"
 #include "core/studies/runs/parallel.h"
 
@@ -38,5 +39,20 @@ using PilotEnough = std::function<bool(const SpacingSamples&)>;
 
 /// Runs a valid case of model "film" or "springs".
 PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn);
+
+/// The linear film before any run: static state, rates of its motions and of their excitation.
+struct SceneMotion {
+    LinearMotion motion;            // its static state, too, where there is one
+    double seconds = 0.0;           // time of a processor
+    std::vector<RingingRate> rates; // of modes, of air that creeps, of waves; none where modes are not known
+    double growth = 0.0;            // e-folds of a mode that grows, over the run; zero: none does, or it is not known
+    std::string growthProblem;      // why it is not known, in a sentence
+    bool roughPasses = false;       // a rough disk moves under the slider
+    /// A first part of a run predicts the rest: no mode grows too much, and no new surface comes under the slider.
+    bool predicts() const;
+};
+
+/// Of a valid case of model "film".
+SceneMotion sceneMotion(const Case& c, const GoOn& goOn);
 
 } // namespace touchdown

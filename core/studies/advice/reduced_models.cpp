@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/formats/units.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/small_motions/linear_motion.h"
 #include "core/simulation/static_state/slider_body.h"
+#include "core/studies/advice/advisor_study.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/spring_fit.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double restShare = 0.1;     // of a run, to see that it rests
 constexpr double restSamples = 100.0; // at least
-
-std::string percent(double share) { return fewDigits(100.0 * share, "", 2) + " %"; }
 
 /// The end of a motion at rest.
 TailEstimate atRest(double spacing)

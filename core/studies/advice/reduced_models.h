@@ -3,11 +3,13 @@
 // The candidates without a film in time: the end of the run that each predicts, and its cost.
 #pragma once
 
-#include "core/simulation/small_motions/linear_motion.h"
-#include "core/studies/advice/advisor_study.h"
 #include "core/studies/runs/parallel.h"
 
 namespace touchdown {
+
+struct Candidate;
+struct CandidateOutcome;
+struct LinearMotion;
 
 /// `candidate` is not of kind Full, Part or Sum. Where there are several equilibria in contact, the result is the one
 /// nearest to `end`, the spacing of the full model [m].

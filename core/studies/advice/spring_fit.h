@@ -2,17 +2,17 @@
 //
 // Two lumped air springs that stand for a film: the springs case nearest to a film case about its static state.
 //
-// The film's stiffness of height and pitch about the mass centre, K (at the middle of its two modes' frequencies,
-// symmetric part), has three numbers; two springs have four, k_f0, k_r0, d_f, d_r. The rear spring is put where the
-// slider is lowest, whose spacing rules when it comes near the disk. With the mean arm m = K_12/K_11 and the variance v
-// = K_22/K_11 - m^2:
+// The film's stiffness of height and pitch about the mass centre, K (symmetric part, at the middle of its two modes'
+// frequencies), has three numbers; two springs have four, k_f0, k_r0, d_f, d_r. The rear spring is put where the slider
+// is lowest, since the spacing there decides near the disk. With the mean arm m = K_12/K_11 and the variance v =
+// K_22/K_11 - m^2:
 //
 //   d_f = m + v/(m + d_r),  k_f0 = K_11 (m + d_r)/(d_f + d_r),  k_r0 = K_11 - k_f0
 //
-// The dashpots are those that give both modes the damping ratios of the film's; one that would have to push instead is
-// left out. Static spacing and pitch, suspension, contact characteristic and start are taken over. What two springs
-// cannot represent: roll, a disk that is not flat, what is not symmetric in K, its change with frequency, and the
-// film's own law of spacing, for which theirs, k_0 z_0^2 (z_0 - z)/z^2, stands.
+// The dashpots give both modes the damping ratios of the film's modes; a negative one is left out. Static spacing and
+// pitch, suspension, contact characteristic and start are taken over. Two springs cannot represent roll, a disk that is
+// not flat, an asymmetric K, its change with frequency, and the film's own law of spacing; theirs is k_0 z_0^2 (z_0 -
+// z)/z^2.
 #pragma once
 
 #include <array>

@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the spacing does over the last tenth of a run: as it is, where the run went to its end, and as the first part of
-// a run predicts it. Where the second half of what is there rings as the slider's modes do and as the waves of the
-// disk make it (ringing_fit.h), that continues. Else three overlapping blocks of that half, each weighted by Hann's
-// window so that the phase in which it begins and ends does not count, have means m_i and variances v_i. Where the
-// variance still changes, by a constant factor r from block to block, it tends to
+// The spacing over the last tenth of a run: measured where the run went to its end, else predicted from its first part.
+//
+// If the second half of the part rings at the rates of the slider's modes and of the waves of the disk, the fit of
+// ringing_fit.h is continued. Otherwise three overlapping blocks of that half, weighted by Hann's window so that the
+// phase at their ends does not matter, have means m_i and variances v_i. A variance that changes by a constant factor r
+// from block to block tends to
 //
 //   v = v_3 + (v_3 - v_2) r/(1 - r),  r = (v_3 - v_2)/(v_2 - v_1)          (Aitken 1926)
 //
-// or dies out, and the mean goes along, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), as a motion shifts it by its
-// square, or tends to a limit of its own as the variance does, where it creeps by more than a motion in it can make a
-// block's mean differ.
+// or to zero. The mean follows, m = m_3 + (v - v_3) (m_3 - m_1)/(v_3 - v_1), since a motion shifts it by its square; or
+// it tends to a limit of its own in the same way, where it creeps by more than a motion can shift the mean of a block.
 //
-// None of this knows what it leaves out: motion that is not small, a rough disk, a rate that changes. So a forecast is
-// believed as far as the same forecast, made earlier, has come true: from 0.65 and from half of the part the rest of it
-// is predicted, in stretches of the tail's length, and compared with what was seen there. What that missed at most is
-// taken to grow in proportion to the time between what was known and what is predicted, as an unknown drift does. By
-// how much the outcome moves when the last tenth, or fifth, of the part is left out is another measure; the largest of
-// all is the uncertainty. Where there are too few samples for that, nothing is known. The kind is that of the part's
-// last quarter; of a slider that goes in and out of contact it is not known how long it will.
+// Uncertainty: the same prediction is made from 0.65 and from half of the part, and compared with the rest of the part
+// in stretches of the tail's length. The largest miss is scaled by the time from the known part to the prediction, as
+// an unknown drift grows. A second measure is the change of the result when the last tenth or fifth of the part is left
+// out. The largest of all counts; with too few samples nothing is known. The kind is that of the part's last quarter;
+// how long a slider bounces is not known.
 #pragma once
 
 #include <vector>

@@ -14,11 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/case/case.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/studies/study/study.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 inline constexpr int fewestLevels = 3;
 inline constexpr int mostLevels = 6;
@@ -51,7 +53,6 @@ struct ConvergenceStudy {
     std::vector<Quantity> quantities;     // contact_force, contact_area, ...
     std::vector<ConvergenceLevel> levels; // from coarse to fine
     std::vector<ObservedOrder> observed;  // one for each quantity, of the three finest levels
-    double wallSeconds = 0.0;
 };
 
 /// Why a valid case cannot be studied so, in a sentence; "" when it can.
@@ -61,5 +62,10 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
 /// study.
 ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
                                   const std::function<bool(int)>& done = {});
+
+StudyReport convergenceReport(const ConvergenceStudy& study);
+
+StudyPerformance planConvergence(StudyReader& reader);
+StudyForm convergenceForm(const Case& c);
 
 } // namespace touchdown

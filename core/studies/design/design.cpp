@@ -2,7 +2,6 @@
 #include "core/studies/design/design.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -59,7 +58,7 @@ public:
         Trial best = evaluate(u);
         accept(best);
         double damping = firstDamping;
-        while (!ended() && best.known && !reached(best) && iteration_ < task_.maximumIterations) {
+        while (!cancelled_ && best.known && !reached(best) && iteration_ < task_.maximumIterations) {
             ++iteration_;
             Slopes slopes;
             if (!differentiate(u, best, slopes)) break;
@@ -79,7 +78,6 @@ private:
         Case tried;
     };
 
-    bool ended() const { return cancelled_; }
     bool reached(const Trial& trial) const { return trial.point.misfit <= 1.0; }
 
     Trial evaluate(const std::vector<double>& u)
@@ -136,7 +134,7 @@ private:
                 moved[i] += step;
                 if (slopes.size() > i || moved[i] < 0.0 || moved[i] > 1.0) continue;
                 const Trial trial = evaluate(moved);
-                if (ended()) return false;
+                if (cancelled_) return false;
                 if (!trial.known) {
                     obstacle_ = trial.point.problem;
                     continue;
@@ -159,7 +157,7 @@ private:
             std::vector<double> moved = u;
             for (std::size_t i = 0; i < u.size(); ++i) moved[i] = std::clamp(u[i] + step[i], 0.0, 1.0);
             Trial trial = evaluate(moved);
-            if (ended()) return false;
+            if (cancelled_) return false;
             if (trial.known && (reached(trial) || squares(trial.misfits) < squares(best.misfits))) {
                 u = moved;
                 best = std::move(trial);
@@ -186,7 +184,7 @@ private:
 
     DesignStudy conclude(const Trial& best)
     {
-        if (ended()) {
+        if (cancelled_) {
             study_.status = StudyStatus::Cancelled;
             study_.message = "stopped before the targets were reached";
         } else if (!best.known) {
@@ -254,10 +252,7 @@ std::string applyParameters(Case& c, const std::vector<DesignParameter>& paramet
 
 DesignStudy studyDesign(const Case& c, const DesignTask& task, const DesignCallback& callback)
 {
-    const auto begin = std::chrono::steady_clock::now();
-    DesignStudy study = DesignSearch(c, task, callback).search();
-    study.wallSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return study;
+    return DesignSearch(c, task, callback).search();
 }
 
 } // namespace touchdown

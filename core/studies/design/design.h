@@ -54,9 +54,8 @@ struct DesignStudy {
     std::string message;
     std::vector<DesignPoint> steps; // the start and every better set that was found; the last one is the best
     Case found;                     // the case with the values of the best
-    SteadyResult state;             // of the best, without its fields
+    SteadyResult state;             // of the best, without pressure, gap and recess
     int solves = 0;                 // static states
-    double wallSeconds = 0.0;
 };
 
 /// Told while a static state is solved; return false to stop.

@@ -6,9 +6,10 @@
 #include <limits>
 #include <mutex>
 
+#include "core/formats/units.h"
 #include "core/studies/design/design_task.h"
 #include "core/studies/runs/parallel.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -50,14 +51,14 @@ void addFindings(const DesignTask& task, const DesignStudy& study, StudyReport& 
 
 StudyChart chartOf(const DesignStudy& study)
 {
-    ChartSeries best{.name = "best set", .points = {}, .line = ChartLine::Steps};
+    ChartSeries best{.name = "best set", .line = ChartLine::Steps};
     for (const DesignPoint& point : study.steps)
         if (point.problem.empty() && point.misfit > 0.0)
             best.points.push_back({.x = double(point.iteration), .y = point.misfit});
     if (!best.points.empty()) best.points.back().chosen = true;
     ChartPanel panel;
-    panel.x = {.label = "Iteration", .unit = "", .displayUnit = ""};
-    panel.y = {.label = "Largest misfit, in tolerances", .unit = "", .displayUnit = "", .logarithmic = true};
+    panel.x = {.label = "Iteration"};
+    panel.y = {.label = "Largest misfit, in tolerances", .logarithmic = true};
     panel.series = {best};
     panel.bands = {{.alongX = false,
                     .lower = -std::numeric_limits<double>::infinity(),
@@ -71,7 +72,7 @@ StudyChart chartOf(const DesignStudy& study)
 
 StudyTable stepsOf(const DesignTask& task, const DesignStudy& study)
 {
-    StudyTable table{.name = "steps", .columns = {{"iteration", "", "", "Iteration"}}, .rows = {}};
+    StudyTable table{.name = "steps", .columns = {{"iteration", "", "", "Iteration"}}};
     for (const DesignParameter& parameter : task.parameters) {
         const DesignKey& key = parameter.keys.front();
         table.columns.push_back({key.key, key.unit, key.displayUnit, "Parameter " + key.key});
@@ -87,7 +88,7 @@ StudyTable stepsOf(const DesignTask& task, const DesignStudy& study)
         for (const double value : point.parameters) row.emplace_back(value);
         for (const double value : point.quantities) row.emplace_back(value);
         row.resize(table.columns.size() - 1);
-        row.push_back(point.problem.empty() ? StudyValue(point.misfit) : StudyValue());
+        row.push_back(known(point.problem.empty(), point.misfit));
     }
     return table;
 }
@@ -101,15 +102,13 @@ StudyTable targetsOf(const DesignTask& task, const DesignStudy& study)
                                  {"value", "", "", "Wanted value"},
                                  {"tolerance", "", "", "Tolerance"},
                                  {"found", "", "", "Value of the best set"},
-                                 {"grid_error", "", "", "Estimated error of the grid"}},
-                     .rows = {}};
+                                 {"grid_error", "", "", "Estimated error of the grid"}}};
     const std::vector<double>& found = study.steps.back().quantities;
     for (std::size_t i = 0; i < task.targets.size(); ++i) {
         const DesignTarget& target = task.targets[i];
         const double error = gridError(study.state.discretisationError, target.quantity.name);
         table.rows.push_back({target.quantity.name, target.quantity.unit, target.value, target.tolerance,
-                              i < found.size() ? StudyValue(found[i]) : StudyValue(),
-                              error > 0.0 ? StudyValue(error) : StudyValue()});
+                              i < found.size() ? StudyValue(found[i]) : StudyValue(), known(error > 0.0, error)});
     }
     return table;
 }
@@ -159,7 +158,6 @@ StudyReport designReport(const DesignTask& task, const DesignStudy& study)
     StudyReport report;
     report.status = study.status;
     report.message = study.message;
-    report.wallSeconds = study.wallSeconds;
     if (study.steps.empty()) return report;
     addFindings(task, study, report);
     report.charts = {chartOf(study)};

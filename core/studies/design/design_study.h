@@ -4,17 +4,15 @@
 #pragma once
 
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 struct DesignStudy;
 struct DesignTask;
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
 StudyPerformance planDesign(StudyReader& reader);
-/// Its keys with their defaults for a case.
-StudyForm designForm(const Case& c);
 
 /// The case that was found is in the report where all targets are reached.
 StudyReport designReport(const DesignTask& task, const DesignStudy& study);

@@ -12,8 +12,7 @@
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
 #include "core/simulation/static_state/steady_quantities.h"
-#include "core/studies/design/design_study.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 

@@ -5,13 +5,17 @@
 #pragma once
 
 #include "core/studies/design/design.h"
-#include "core/studies/study/study_reader.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 inline constexpr std::size_t mostParameters = 20;
 inline constexpr std::size_t mostTargets = 20;
 
+/// The keys of the study with their defaults for a case.
+StudyForm designForm(const Case& c);
 /// Adds what is wrong to the reader's problems; of use only where there is none.
 DesignTask readDesignTask(StudyReader& reader);
 

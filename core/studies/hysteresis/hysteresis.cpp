@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/hysteresis/hysteresis.h"
-#include "core/simulation/equilibria/film_branches.h"
-#include "core/simulation/equilibria/film_equilibria.h"
-#include "core/simulation/equilibria/spring_equilibria.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,10 +9,14 @@
 
 #include "core/case/fields.h"
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
+#include "core/simulation/equilibria/film_branches.h"
+#include "core/simulation/equilibria/film_equilibria.h"
+#include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/simulation/run.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/runs/parallel.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -105,7 +106,6 @@ public:
 
     StudyReport perform(int jobs)
     {
-        const double begin = wallClock();
         const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
         stepWarnings_.resize(sweeps);
         const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
@@ -135,7 +135,6 @@ public:
             report.message = "stopped before all values were held";
             report.findings.clear();
         }
-        report.wallSeconds = wallClock() - begin;
         return report;
     }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/hysteresis_result.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/hysteresis/hysteresis_findings.h"
+#include "core/studies/hysteresis/hysteresis_result.h"
 
 namespace touchdown {
 
@@ -61,7 +64,7 @@ void addEquilibria(ChartPanel& panel, const HysteresisResult& result, const Ordi
         }
     }
     const auto addMarks = [&](const char* name, EquilibriumMark kind) {
-        ChartSeries series{.name = name, .points = {}, .line = ChartLine::None};
+        ChartSeries series{.name = name, .line = ChartLine::None};
         for (const StudiedMark& mark : result.marks)
             if (mark.kind == kind) add(series, mark.at, mark.name);
         if (!series.points.empty()) panel.series.push_back(std::move(series));
@@ -88,58 +91,46 @@ void addSteps(ChartPanel& panel, const HeldSteps& task, const HysteresisResult& 
     }
 }
 
-ChartPoint spacingPoint(const HeldStep& step)
+ChartPanel pitchPanel(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    return {.x = step.value, .y = step.end.spacing, .yError = 0.5 * (step.spacing.max - step.spacing.min)};
+    ChartPanel panel{{text.label, text.unit, text.displayUnit}, {"Pitch", "rad", "urad"}};
+    addEquilibria(panel, result, [](const StudiedEquilibrium& at) { return at.pitch; });
+    addSteps(panel, task, result, [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
+    return panel;
+}
+
+/// Of equilibria: above zero a motion grows.
+ChartPanel growthPanel(const HysteresisResult& result, const ParameterText& text)
+{
+    ChartPanel panel{{text.label, text.unit, text.displayUnit}, {"Largest real part of an eigenvalue", "1/s", "1/s"}};
+    addEquilibria(panel, result, [](const StudiedEquilibrium& at) { return at.growth(); });
+    panel.bands.push_back({.alongX = false, .lower = 0.0, .upper = 0.0, .label = "above: unstable"});
+    return panel;
 }
 
 StudyChart spacingChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyChart chart{.title = "Spacing over " + text.inSentence(), .caption = {}, .panels = {}};
-    const ChartAxis x{.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
-    ChartPanel& spacing = chart.panels.emplace_back();
-    spacing.x = x;
-    spacing.y = {.label = task.start.model == ModelKind::Springs ? "Flying height" : "Minimum spacing",
-                 .unit = "m",
-                 .displayUnit = "nm"};
+    const std::string name = task.start.model == ModelKind::Springs ? "Flying height" : "Minimum spacing";
+    ChartPanel spacing{{text.label, text.unit, text.displayUnit}, {name, "m", "nm"}};
     addEquilibria(spacing, result, [](const StudiedEquilibrium& at) { return at.spacing; });
-    addSteps(spacing, task, result, spacingPoint);
-
-    ChartPanel second;
-    second.x = x;
-    if (!result.lines.empty()) {
-        second.y = {.label = "Largest real part of an eigenvalue", .unit = "1/s", .displayUnit = "1/s"};
-        addEquilibria(second, result, [](const StudiedEquilibrium& at) { return at.growth(); });
-        second.bands.push_back({.alongX = false, .lower = 0.0, .upper = 0.0, .label = "above: unstable"});
-    } else {
-        second.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};
-        addSteps(second, task, result,
-                 [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
-    }
-    chart.panels.push_back(std::move(second));
-    chart.caption = "Points: mean over the last tenth of the hold of " + fewDigitsOfTime(task.hold, 3) +
-                    " at each value; bars: the range there.";
+    addSteps(spacing, task, result, [](const HeldStep& step) {
+        return ChartPoint{
+            .x = step.value, .y = step.end.spacing, .yError = 0.5 * (step.spacing.max - step.spacing.min)};
+    });
+    std::string caption = "Points: mean over the last tenth of the hold of " + fewDigitsOfTime(task.hold, 3) +
+                          " at each value; bars: the range there.";
     if (!result.lines.empty())
-        chart.caption += std::string(" Lines: equilibria") +
-                         (task.start.model == ModelKind::Film ? ", all on one grid" : "") +
-                         ". An equilibrium ends where the contact law or a spring switches with a jump of its force.";
-    return chart;
-}
-
-StudyChart pitchChart(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
-{
-    StudyChart chart{.title = "Pitch over " + text.inSentence(), .caption = {}, .panels = {}};
-    ChartPanel& panel = chart.panels.emplace_back();
-    panel.x = {.label = text.label, .unit = text.unit, .displayUnit = text.displayUnit};
-    panel.y = {.label = "Pitch", .unit = "rad", .displayUnit = "urad"};
-    addEquilibria(panel, result, [](const StudiedEquilibrium& at) { return at.pitch; });
-    addSteps(panel, task, result, [](const HeldStep& step) { return ChartPoint{.x = step.value, .y = step.pitch}; });
-    return chart;
+        caption += std::string(" Lines: equilibria") +
+                   (task.start.model == ModelKind::Film ? ", all on one grid" : "") +
+                   ". An equilibrium ends where the contact law or a spring switches with a jump of its force.";
+    return {"Spacing over " + uncapitalized(text.label),
+            caption,
+            {spacing, result.lines.empty() ? pitchPanel(task, result, text) : growthPanel(result, text)}};
 }
 
 StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "steps", .columns = {}, .rows = {}};
+    StudyTable table{.name = "steps"};
     table.columns = {{"way", "", "", "Way"},
                      {"value", text.unit, text.displayUnit, text.label},
                      {"end", "", "", "End"},
@@ -169,7 +160,7 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
 
 StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "equilibria", .columns = {}, .rows = {}};
+    StudyTable table{.name = "equilibria"};
     table.columns = {{"branch", "", "", "Branch"},
                      {"state", "", "", "State"},
                      {"value", text.unit, text.displayUnit, text.label},
@@ -189,8 +180,9 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
         ++branch;
         for (const StudiedEquilibrium& at : line.points) {
             const bool known = !at.incomplete() || at.stability == Stability::Divergence;
-            std::vector<StudyValue> row{branch,     line.state, at.value,
-                                        at.spacing, at.pitch,   std::string(known ? name(at.stability) : "not known")};
+            std::vector<StudyValue> row{branch,   line.state(),
+                                        at.value, at.spacing,
+                                        at.pitch, std::string(known ? name(at.stability) : "not known")};
             for (const std::complex<double>& value : at.eigenvalues)
                 row.insert(row.end(), {value.real(), frequency(value)});
             row.resize(table.columns.size());
@@ -202,7 +194,7 @@ StudyTable equilibriumTable(const HysteresisResult& result, const ParameterText&
 
 StudyTable markTable(const HysteresisResult& result, const ParameterText& text)
 {
-    StudyTable table{.name = "special_points", .columns = {}, .rows = {}};
+    StudyTable table{.name = "special_points"};
     table.columns = {{"kind", "", "", "Kind"},
                      {"name", "", "", "Name"},
                      {"value", text.unit, text.displayUnit, text.label},
@@ -233,7 +225,8 @@ StudyReport hysteresisReport(const HeldSteps& task, const HysteresisResult& resu
             result.steps.empty() ? "no value was held" : "no value has a valid end: " + result.steps.front().problem;
     }
     report.charts.push_back(spacingChart(task, result, text));
-    if (!result.lines.empty()) report.charts.push_back(pitchChart(task, result, text));
+    if (!result.lines.empty())
+        report.charts.push_back({"Pitch over " + uncapitalized(text.label), "", {pitchPanel(task, result, text)}});
     report.tables.push_back(stepTable(task, result, text));
     if (result.traced) {
         report.tables.push_back(equilibriumTable(result, text));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a hysteresis study has seen, and how it is reported.
+// What a hysteresis study has seen: its runs and its equilibria.
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,8 +12,7 @@
 
 #include "core/simulation/equilibria/equilibrium.h"
 #include "core/studies/hysteresis/held_steps.h"
-#include "core/studies/hysteresis/parameter_text.h"
-#include "core/studies/study/study.h"
+#include "core/studies/hysteresis/value_ranges.h"
 
 namespace touchdown {
 
@@ -38,10 +38,11 @@ struct StudiedEquilibrium {
 
 /// Equilibria of one smooth law, in their order along its branch.
 struct EquilibriumLine {
-    std::string state;    // "flying", "in contact", "rear spring lost"
+    bool flying = true;   // without contact
     bool outside = false; // of what the model means: with a spring lost, or the pad below the mean plane of the disk
     std::vector<StudiedEquilibrium> points;
-    bool flies() const { return state.starts_with("flying"); }
+    bool frontLost = false, rearLost = false; // springs
+    std::string state() const;                // "flying", "in contact, rear spring lost"
 };
 
 struct StudiedMark {
@@ -107,7 +108,12 @@ struct EquilibriumAt {
 };
 std::vector<EquilibriumAt> equilibriaAt(const std::vector<EquilibriumLine>& lines, double value);
 
-std::vector<std::string> hysteresisFindings(const HeldSteps& task, const HysteresisResult& result);
-StudyReport hysteresisReport(const HeldSteps& task, const HysteresisResult& result);
+/// Where points of lines within the model have a property: neighbours along a line are one range, which reaches to a
+/// fold or Hopf point next to it.
+std::vector<ValueRange> rangesAlong(const std::vector<EquilibriumLine>& lines,
+                                    const std::function<bool(const StudiedEquilibrium&)>& isSo);
+
+/// Where more than one equilibrium is stable or neutral, interpolated between the points of the lines.
+std::vector<ValueRange> coexistence(const std::vector<EquilibriumLine>& lines);
 
 } // namespace touchdown

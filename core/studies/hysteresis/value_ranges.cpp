@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
-#include "core/studies/hysteresis/parameter_text.h"
+#include "core/case/fields.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/runs/design_key.h"
 
 namespace touchdown {
 
@@ -12,6 +15,18 @@ namespace {
 constexpr std::size_t mostNamed = 3; // ranges in a sentence
 
 } // namespace
+
+std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
+
+ParameterText parameterText(const DesignKey& key)
+{
+    ParameterText text{key.key, key.unit, key.displayUnit};
+    if (const Field* field = findField(key.key)) {
+        text.label = capitalized(field->label);
+        if (!field->symbol.empty()) text.label += " " + field->symbol;
+    }
+    return text;
+}
 
 std::vector<ValueRange> merged(std::vector<ValueRange> ranges)
 {

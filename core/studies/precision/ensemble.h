@@ -24,6 +24,8 @@
 
 namespace touchdown {
 
+struct StudyReport;
+
 struct EnsembleTask {
     std::string key = "initial.flying_height"; // of a number
     int starts = 300;
@@ -82,5 +84,9 @@ ShareDifference shareDifference(const std::vector<std::size_t>& first, const std
                                 std::size_t end);
 /// Starts that end in another class.
 std::size_t otherwise(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
+
+/// `all`: the first one is the reference. Adds findings, a chart, and the tables "shares" (a row for each end of each
+/// ensemble) and "ensembles" (a row for each).
+void reportEnsembles(const Case& c, const EnsembleTask& task, const std::vector<Ensemble>& all, StudyReport& report);
 
 } // namespace touchdown

@@ -3,18 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <functional>
 
 #include "core/formats/units.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/words.h"
+#include "core/studies/precision/precision_runs.h"
+#include "core/studies/precision/precision_task.h"
 
 namespace touchdown {
 
 namespace {
 
 constexpr std::size_t mostTold = 5; // in a sentence
-
-double timeOf(const PrecisionPoint& point) { return point.fastest(); }
 
 std::string endText(const PrecisionPoint& point)
 {
@@ -34,60 +34,48 @@ std::string verdictText(const PrecisionPoint& point, const ProvenReference& refe
 StudyValue valueOf(const std::vector<TrajectoryError>& errors, std::size_t quantity, ErrorMeasure measure)
 {
     if (quantity >= errors.size()) return {};
-    const std::optional<double> value = errors[quantity].at(measure);
-    return value ? StudyValue(*value) : StudyValue();
+    return known(errors[quantity].at(measure));
 }
-
-constexpr std::array measures{ErrorMeasure::Final,        ErrorMeasure::L2,        ErrorMeasure::Worst,
-                              ErrorMeasure::Mean,         ErrorMeasure::Deviation, ErrorMeasure::PeakFrequency,
-                              ErrorMeasure::PeakAmplitude};
 
 StudyTable runsTable(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    StudyTable table{
-        "runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}, {}};
-    const std::size_t shown = task.inTime ? measures.size() : 1;
+    StudyTable table{"runs", {{.name = "method", .longName = "Method"}, {.name = "setting", .longName = "Setting"}}};
+    const std::size_t shown = task.inTime ? errorMeasures : 1;
     for (std::size_t i = 0; i < shown; ++i) {
-        const ErrorUnit unit = unitOf(task, measures[i]);
-        StudyColumn column{"error_" + std::string(name(measures[i])), unit.si, unit.displayed,
-                           std::string(title(measures[i]))};
+        const auto measure = static_cast<ErrorMeasure>(i);
+        const ErrorUnit unit = unitOf(task, measure);
+        StudyColumn column{"error_" + std::string(name(measure)), unit.si, unit.displayed, std::string(title(measure))};
         std::ranges::replace(column.name, '-', '_');
-        column.secondary = task.inTime && measures[i] != task.measure;
+        column.secondary = task.inTime && measure != task.measure;
         table.columns.push_back(std::move(column));
     }
     for (const Quantity& also : task.also)
         table.columns.push_back(
             {"error_" + also.name, also.unit, also.displayUnit, "Largest error: " + also.longName, true});
-    for (const StudyColumn& column : std::vector<StudyColumn>{
-             {.name = "time", .unit = "s", .displayUnit = "ms", .longName = "Shortest time of the solver"},
-             {.name = "time_median",
-             .unit = "s",
-             .displayUnit = "ms",
-             .longName = "Median time of the solver",
-             .secondary = true},
-             {.name = "timed", .longName = "Timed runs", .secondary = true},
-             {.name = "work", .longName = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves"},
-             {.name = "steps",
-             .longName = task.inTime ? "Accepted steps" : "Iterations on the finest grid",
-             .secondary = true},
-             {.name = "verdict", .longName = "Against the reference"},
-             {.name = "end", .longName = "End"},
-             {.name = "end_spacing", .unit = "m", .displayUnit = "nm", .longName = "Mean spacing over the last tenth"},
-             {.name = "chosen", .longName = "The case's own", .secondary = true},
-             {.name = "message", .longName = "Reason of the end"}})
-        table.columns.push_back(column);
+    const std::string work = task.start.model == ModelKind::Springs ? "Right-hand sides" : "Film solves";
+    const std::vector<StudyColumn> more{
+        {"time", "s", "ms", "Shortest time of the solver"},
+        {"time_median", "s", "ms", "Median time of the solver", true},
+        {"timed", "", "", "Timed runs", true},
+        {"work", "", "", work},
+        {"steps", "", "", task.inTime ? "Accepted steps" : "Iterations on the finest grid", true},
+        {"verdict", "", "", "Against the reference"},
+        {"end", "", "", "End"},
+        {"end_spacing", "m", "nm", "Mean spacing over the last tenth"},
+        {"chosen", "", "", "The case's own", true},
+        {"message", "", "", "Reason of the end"}};
+    table.columns.insert(table.columns.end(), more.begin(), more.end());
     for (const PrecisionPoint& point : runs.points) {
         const MethodSetting& setting = task.methods[point.method].settings[point.setting];
         std::vector<StudyValue> row{task.methods[point.method].name, setting.label};
-        for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, measures[i]));
+        for (std::size_t i = 0; i < shown; ++i) row.push_back(valueOf(point.errors, 0, static_cast<ErrorMeasure>(i)));
         for (std::size_t i = 0; i < task.also.size(); ++i)
             row.push_back(valueOf(point.errors, i + 1, ErrorMeasure::Worst));
-        const auto number = [&](double value) { return point.ran ? StudyValue(value) : StudyValue(); };
         row.insert(row.end(),
-                   {number(point.fastest()), number(point.median()), number(static_cast<double>(point.seconds.size())),
-                    number(point.work), number(static_cast<double>(point.summary.steps)),
-                    verdictText(point, runs.reference), endText(point),
-                    point.ran && point.end.kind != EndKind::Failed ? StudyValue(point.end.spacing) : StudyValue(),
+                   {known(point.ran, point.fastest()), known(point.ran, point.median()),
+                    known(point.ran, static_cast<double>(point.seconds.size())), known(point.ran, point.work),
+                    known(point.ran, static_cast<double>(point.summary.steps)), verdictText(point, runs.reference),
+                    endText(point), known(point.ran && point.end.kind != EndKind::Failed, point.end.spacing),
                     std::string(setting.chosen ? "yes" : ""), point.summary.message});
         table.rows.push_back(std::move(row));
     }
@@ -102,9 +90,8 @@ StudyTable frontTable(const PrecisionTask& task, const PrecisionRuns& runs)
                       {.name = "setting", .longName = "Setting"},
                       {"worth", unit.si, unit.displayed,
                        std::string(title(task.measure)) + ", no less than those of finer settings"},
-                      {"time", "s", "ms", "Time of the solver"}},
-                     {}};
-    for (const PrecisionPoint* point : paretoFront(task, runs, timeOf)) {
+                      {"time", "s", "ms", "Time of the solver"}}};
+    for (const PrecisionPoint* point : paretoFront(task, runs, &PrecisionPoint::fastest)) {
         const SweptMethod& method = task.methods[point->method];
         table.rows.push_back(
             {method.name, method.settings[point->setting].label, *worthOf(task, runs, *point), point->fastest()});
@@ -129,9 +116,8 @@ std::string timesAs(double ratio, const std::string& more, const std::string& le
 /// "largest error is 8.2 nm"
 std::string errorText(const PrecisionTask& task, double error)
 {
-    std::string what(title(task.measure));
-    what.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(what.front())));
-    return what + " is " + fewDigits(error, unitOf(task, task.measure).displayed);
+    return uncapitalized(std::string(title(task.measure))) + " is " +
+           fewDigits(error, unitOf(task, task.measure).displayed);
 }
 
 std::string costOf(const PrecisionTask& task, const PrecisionPoint& point)
@@ -173,7 +159,7 @@ void tellChosen(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
 /// A few of a front of many, its ends among them.
 void tellFront(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
 {
-    std::vector<const PrecisionPoint*> front = paretoFront(task, runs, timeOf);
+    std::vector<const PrecisionPoint*> front = paretoFront(task, runs, &PrecisionPoint::fastest);
     if (front.empty()) return;
     std::ranges::reverse(front); // from the fastest on
     const std::size_t all = front.size(), told = std::min(all, mostTold);
@@ -274,51 +260,120 @@ void tellOthers(const PrecisionTask& task, const PrecisionRuns& runs, StudyRepor
                                   " was spent before these were run: " + listOf(task, missing) + ".");
 }
 
+/// An error below this share of what the reference does not know is drawn there.
+constexpr double lowestShare = 0.01;
+/// Runs without a valid end stand so far beyond the largest error, behind a border at its root [-].
+constexpr double failedBeyond = 10.0;
+
+/// Where on the axis of errors things stand.
+struct ErrorScale {
+    double uncertainty = 0.0; // of the reference
+    double lowest = 0.0;      // > 0: a logarithmic axis has no zero
+    double failed = 0.0, border = 0.0;
+};
+
+ErrorScale scaleOf(const PrecisionTask& task, const PrecisionRuns& runs)
+{
+    ErrorScale scale;
+    scale.uncertainty = uncertaintyOf(task, runs);
+    double least = INFINITY, largest = 0.0;
+    for (const PrecisionPoint& point : runs.points)
+        if (const auto error = errorOf(task, point); error && *error > 0.0) {
+            least = std::min(least, *error);
+            largest = std::max(largest, *error);
+        }
+    constexpr double some = 1e-15; // [unit of the quantity]
+    if (largest == 0.0)
+        least = largest = scale.uncertainty > 0.0         ? scale.uncertainty
+                          : std::isfinite(task.agreement) ? task.agreement
+                                                          : some;
+    scale.lowest = scale.uncertainty > 0.0 ? lowestShare * scale.uncertainty : least;
+    scale.failed = failedBeyond * std::max(largest, scale.uncertainty);
+    scale.border = scale.failed / std::sqrt(failedBeyond);
+    return scale;
+}
+
+ChartAxis errorAxis(const PrecisionTask& task)
+{
+    const ErrorUnit unit = unitOf(task, task.measure);
+    return {std::string(title(task.measure)) +
+                (task.measure >= ErrorMeasure::PeakFrequency ? "" : ", " + uncapitalized(task.quantity.longName)),
+            unit.si, unit.displayed, true};
+}
+
+ChartAxis workAxis(const PrecisionTask& task)
+{
+    if (!task.inTime) return {"Linear solves", "", "", true};
+    return {task.start.model == ModelKind::Film ? "Attitudes at which the film is solved" : "Right-hand sides", "", "",
+            true};
+}
+
+ChartPanel panelOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale, ChartAxis y,
+                   const std::function<double(const PrecisionPoint&)>& height)
+{
+    ChartPanel panel{errorAxis(task), std::move(y)};
+    for (const SweptMethod& method : task.methods) panel.series.push_back({method.name});
+    bool failed = false, elsewhere = false;
+    for (const PrecisionPoint& point : runs.points) {
+        const std::optional<double> error = errorOf(task, point);
+        if (!point.ran || !(height(point) > 0.0) || (!error && point.kind == PointKind::Good)) continue;
+        const MethodSetting& setting = task.methods[point.method].settings[point.setting];
+        const double x = error ? std::max(*error, scale.lowest) : scale.failed;
+        panel.series[point.method].points.push_back({x, height(point), setting.label, point.kind, setting.chosen});
+        failed = failed || point.kind == PointKind::Failed;
+        elsewhere = elsewhere || (!error && point.kind == PointKind::WrongState);
+    }
+    std::erase_if(panel.series, [](const ChartSeries& series) { return series.points.empty(); });
+    ChartSeries front{"best of all", {}, ChartLine::Steps, false, true};
+    for (const PrecisionPoint* point : paretoFront(task, runs, height))
+        front.points.push_back({std::max(*worthOf(task, runs, *point), scale.lowest), height(*point)});
+    if (!front.points.empty()) panel.series.push_back(std::move(front));
+    if (scale.uncertainty > 0.0)
+        panel.bands.push_back({true, -INFINITY, scale.uncertainty, "unknown to the reference"});
+    if (failed || elsewhere)
+        panel.bands.push_back({true, scale.border, INFINITY, elsewhere ? "without an error" : "no valid end"});
+    return panel;
+}
+
+std::string captionOf(const PrecisionTask& task, const PrecisionRuns& runs, const ErrorScale& scale)
+{
+    const ProvenReference& reference = runs.reference;
+    std::string caption =
+        "Left is more accurate, down is faster. Time: the least of " + std::to_string(task.repeats) +
+        " repeats after a warm-up; of one run where that takes longer than " + fewDigitsOfTime(task.timeLimit) +
+        ". Ringed: the case's own setting. Grey line: settings that no other beats in both; for it the "
+        "largest error of a setting and of all "
+        "finer ones of its method counts, as a smaller one is by chance.";
+    if (scale.uncertainty > 0.0)
+        caption += " Shaded at the left: the reference and the run that proves it differ by " +
+                   fewDigits(scale.uncertainty, errorAxis(task).displayUnit) +
+                   "; smaller errors cannot be distinguished.";
+    const auto isAny = [&](PointKind kind) {
+        return std::ranges::any_of(runs.points,
+                                   [&](const PrecisionPoint& point) { return point.ran && point.kind == kind; });
+    };
+    if (isAny(PointKind::WrongState))
+        caption += " Hollow: ends in another state than the reference; at the right edge where that leaves it without "
+                   "an error.";
+    if (isAny(PointKind::Failed))
+        caption += " Crosses at the right edge: no valid end, and the time after which they failed.";
+    if (reference.horizon)
+        caption += " From " + fewDigitsOfTime(*reference.horizon, 3) +
+                   " of simulated time on the trajectory is not determined; errors are those before that time.";
+    return caption;
+}
+
 } // namespace
 
-ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure)
+StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    if (measure == ErrorMeasure::PeakFrequency) return {"Hz", "kHz"};
-    if (measure == ErrorMeasure::PeakAmplitude) return {"m", "nm"};
-    return {task.quantity.unit, task.quantity.displayUnit};
-}
-
-std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point)
-{
-    if (!point.ran || point.kind == PointKind::Failed || point.errors.empty()) return {};
-    return point.errors[0].at(task.measure);
-}
-
-double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
-{
-    return runs.uncertainty.empty() ? 0.0 : runs.uncertainty[0].at(task.measure).value_or(0.0);
-}
-
-std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point)
-{
-    std::optional<double> worth = errorOf(task, point);
-    if (!worth) return worth;
-    *worth = std::max(*worth, uncertaintyOf(task, runs));
-    if (!task.methods[point.method].ordered) return worth;
-    for (const PrecisionPoint& finer : runs.points)
-        if (finer.method == point.method && finer.setting > point.setting)
-            *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
-    return worth;
-}
-
-std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs,
-                                               const std::function<double(const PrecisionPoint&)>& cost)
-{
-    std::vector<const PrecisionPoint*> order, front;
-    const auto error = [&](const PrecisionPoint* point) { return *worthOf(task, runs, *point); };
-    for (const PrecisionPoint& point : runs.points)
-        if (point.kind == PointKind::Good && errorOf(task, point) && cost(point) > 0.0) order.push_back(&point);
-    std::ranges::stable_sort(order, {},
-                             [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
-    for (const PrecisionPoint* point : order)
-        if (front.empty() || error(point) < error(front.back())) front.push_back(point);
-    std::ranges::reverse(front);
-    return front;
+    const ErrorScale scale = scaleOf(task, runs);
+    StudyChart chart{"Accuracy against speed", captionOf(task, runs, scale), {}};
+    chart.panels.push_back(panelOf(
+        task, runs, scale, {"Time of the solver", "s", task.start.model == ModelKind::Springs ? "ms" : "s", true},
+        &PrecisionPoint::fastest));
+    chart.panels.push_back(panelOf(task, runs, scale, workAxis(task), &PrecisionPoint::work));
+    return chart;
 }
 
 std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs)

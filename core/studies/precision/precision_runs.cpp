@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "core/formats/units.h"
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/precision/precision_task.h"
 
 namespace touchdown {
 
@@ -283,6 +285,51 @@ double PrecisionPoint::median() const
 bool performRuns(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback)
 {
     return Performance(task, jobs, runs, callback).perform();
+}
+
+ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure)
+{
+    if (measure == ErrorMeasure::PeakFrequency) return {"Hz", "kHz"};
+    if (measure == ErrorMeasure::PeakAmplitude) return {"m", "nm"};
+    return {task.quantity.unit, task.quantity.displayUnit};
+}
+
+std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point)
+{
+    if (!point.ran || point.kind == PointKind::Failed || point.errors.empty()) return {};
+    return point.errors[0].at(task.measure);
+}
+
+double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs)
+{
+    return runs.uncertainty.empty() ? 0.0 : runs.uncertainty[0].at(task.measure).value_or(0.0);
+}
+
+std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point)
+{
+    std::optional<double> worth = errorOf(task, point);
+    if (!worth) return worth;
+    *worth = std::max(*worth, uncertaintyOf(task, runs));
+    if (!task.methods[point.method].ordered) return worth;
+    for (const PrecisionPoint& finer : runs.points)
+        if (finer.method == point.method && finer.setting > point.setting)
+            *worth = std::max(*worth, errorOf(task, finer).value_or(0.0));
+    return worth;
+}
+
+std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs,
+                                               const std::function<double(const PrecisionPoint&)>& cost)
+{
+    std::vector<const PrecisionPoint*> order, front;
+    const auto error = [&](const PrecisionPoint* point) { return *worthOf(task, runs, *point); };
+    for (const PrecisionPoint& point : runs.points)
+        if (point.kind == PointKind::Good && errorOf(task, point) && cost(point) > 0.0) order.push_back(&point);
+    std::ranges::stable_sort(order, {},
+                             [&](const PrecisionPoint* point) { return std::tuple(cost(*point), error(point)); });
+    for (const PrecisionPoint* point : order)
+        if (front.empty() || error(point) < error(front.back())) front.push_back(point);
+    std::ranges::reverse(front);
+    return front;
 }
 
 } // namespace touchdown

@@ -14,10 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/studies/precision/precision_task.h"
+#include "core/studies/runs/proven_reference.h"
+#include "core/studies/runs/trajectory_error.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
+
+struct PrecisionTask;
 
 struct PrecisionPoint {
     std::size_t method = 0, setting = 0;
@@ -51,5 +54,24 @@ using RunsCallback = std::function<bool(double share, const std::string& doing, 
 
 /// `runs` is filled as it goes. Returns false where the callback stopped it.
 bool performRuns(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback);
+
+struct ErrorUnit {
+    std::string si, displayed;
+};
+ErrorUnit unitOf(const PrecisionTask& task, ErrorMeasure measure);
+
+/// The error that the chart shows; none of a run that failed or was not made.
+std::optional<double> errorOf(const PrecisionTask& task, const PrecisionPoint& point);
+
+/// The error that a run is worth: no less than the reference's uncertainty, and no less than those of finer settings of
+/// its method, which show that a small error was luck.
+std::optional<double> worthOf(const PrecisionTask& task, const PrecisionRuns& runs, const PrecisionPoint& point);
+/// What the reference itself does not know, in the measure of the chart.
+double uncertaintyOf(const PrecisionTask& task, const PrecisionRuns& runs);
+
+/// Points than which no other costs as little and is worth as much, from the most accurate one to the cheapest; of
+/// those that cost something.
+std::vector<const PrecisionPoint*> paretoFront(const PrecisionTask& task, const PrecisionRuns& runs,
+                                               const std::function<double(const PrecisionPoint&)>& cost);
 
 } // namespace touchdown

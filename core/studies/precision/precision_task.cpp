@@ -7,10 +7,11 @@
 #include "core/case/fields.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
+#include "core/formats/units.h"
+#include "core/numerics/cvode.h"
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady_quantities.h"
-#include "core/studies/precision/precision_methods.h"
-#include "core/studies/precision/work_precision.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -18,6 +19,113 @@ namespace {
 
 constexpr int mostRepeats = 1000, mostStarts = 100000;
 constexpr double longestBudget = 1e6; // [s]
+
+constexpr double mostSteps = 1e7; // of a method's finest run
+constexpr double fewestReferenceSteps = 4e6, mostReferenceSteps = 4e7;
+constexpr std::size_t mostOfSeries = 13; // 1, 2, 5, 10 ..: four decades
+
+/// 1, 2, 5 times a power of ten, from coarse to fine.
+std::vector<std::string> stepSeries(double duration)
+{
+    const double least = duration / mostSteps * (1.0 - 1e-9);
+    std::vector<std::string> series;
+    for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade < duration; decade *= 10.0)
+        for (const double mantissa : {1.0, 2.0, 5.0})
+            if (const double step = roundedTo(mantissa * decade, 1);
+                step >= least && step < duration && series.size() < mostOfSeries)
+                series.push_back(fewDigits(step, step < 0.999e-6 ? "ns" : "us", 1));
+    std::ranges::reverse(series);
+    return series;
+}
+
+std::vector<MethodSpec> springMethods(const Case& c)
+{
+    const std::vector<std::string> steps = stepSeries(c.run.duration);
+    const std::vector<std::string> tolerances{"1e-4", "1e-5",  "1e-6",  "1e-7", "1e-8",
+                                              "1e-9", "1e-10", "1e-11", "1e-12"};
+    std::vector<MethodSpec> methods;
+    for (const std::string integrator : {"rk4", "rk4-events", "newmark"}) {
+        methods.push_back({integrator, {{"run.integrator", integrator}}, "run.step", steps, {"10 ns"}});
+        if (integrator == "rk4") methods.back().ensemble.push_back("5 ns");
+    }
+    for (const std::string integrator : {"dopri5", "cvode"})
+        if (integrator != "cvode" || haveCvode)
+            methods.push_back({integrator, {{"run.integrator", integrator}}, "run.tolerance", tolerances, {"1e-8"}});
+    return methods;
+}
+
+std::vector<MethodSpec> filmMethods(const Case& c, bool inTime)
+{
+    const std::vector<std::string> nodes = inTime
+                                               ? std::vector<std::string>{"49", "97", "145", "193"}
+                                               : std::vector<std::string>{"33", "49", "65", "97", "145", "193", "289"};
+    const std::string ownScheme = toText(c, *findField("film.scheme")), ownGrid = toText(c, *findField("film.grid"));
+    std::vector<MethodSpec> methods;
+    const auto add = [&](const std::string& scheme, const std::string& grid) {
+        methods.push_back(
+            {scheme + ", " + grid, {{"film.scheme", scheme}, {"film.grid", grid}}, "film.nodes", nodes, {"97"}});
+    };
+    for (const std::string grid : {"adapted", "graded", "uniform"}) add(ownScheme, grid);
+    for (const std::string scheme : {"upwind", "power-law", "exponential", "complete-flux"})
+        if (scheme != ownScheme) add(scheme, ownGrid);
+    if (!inTime) {
+        methods.push_back({"line-multigrid", {{"film.solver", "line-multigrid"}}, "film.nodes", nodes, {}});
+        return methods;
+    }
+    const std::vector<std::string> errors{"0.5 nm", "0.05 nm", "0.005 nm", "0.0005 nm"};
+    for (const std::string coupling : {"monolithic", "staggered"})
+        methods.push_back({coupling, {{"film.coupling", coupling}}, "run.step_error", errors, {"0.005 nm"}});
+    return methods;
+}
+
+int nodesOfFinest(const std::vector<SweptMethod>& methods)
+{
+    int most = 17;
+    for (const SweptMethod& method : methods)
+        for (const MethodSetting& setting : method.settings)
+            most = std::max({most, setting.c.film.nodes[0], setting.c.film.nodes[1]});
+    return most;
+}
+
+template <class Get>
+double leastOf(const std::vector<SweptMethod>& methods, double least, Get get)
+{
+    for (const SweptMethod& method : methods)
+        for (const MethodSetting& setting : method.settings) least = std::min(least, get(setting.c));
+    return least;
+}
+
+/// Finer than any fixed step of the methods, within some bounds.
+double referenceStep(const Case& c, const std::vector<SweptMethod>& methods)
+{
+    const double finest = leastOf(methods, 2.0 * c.run.duration / fewestReferenceSteps, [](const Case& each) {
+        const IntegratorKind kind = each.run.integrator;
+        return hasFixedStep(kind) ? each.run.step : each.run.duration;
+    });
+    return std::max(0.5 * finest, c.run.duration / mostReferenceSteps);
+}
+
+/// Springs: every integrator over four decades of steps, whose finest takes up to ten million of them, or eight of
+/// tolerances. Film: grids and schemes over the number of nodes; in time also the step error, with both couplings; in a
+/// static state also the solvers.
+std::vector<MethodSpec> defaultMethods(const Case& c, bool inTime)
+{
+    if (c.model == ModelKind::Springs) return springMethods(c);
+    return c.model == ModelKind::Film ? filmMethods(c, inTime) : std::vector<MethodSpec>{};
+}
+
+/// Finer than any setting of the methods. Springs: rk4-events at half of the finest step, with four to forty million of
+/// them. Film: grids with half as many nodes more than the finest, in time with a quarter of the smallest step error.
+std::vector<ReferenceCase> defaultReferences(const Case& c, bool inTime, const std::vector<SweptMethod>& methods)
+{
+    if (c.model == ModelKind::Springs) return springReferences(c, referenceStep(c, methods));
+    if (c.model != ModelKind::Film) return {};
+    const int cells = nodesOfFinest(methods) - 1;
+    const int nodes = std::min(2049, std::max(cells / 16 + 1, cells * 3 / 2 / 16) * 16 + 1);
+    if (!inTime) return gridReferences(c, nodes, {});
+    return gridReferences(
+        c, nodes, 0.25 * leastOf(methods, c.run.stepError, [](const Case& each) { return each.run.stepError; }));
+}
 
 /// Those of which errors can be.
 std::vector<Quantity> quantitiesOf(const PrecisionTask& task)
@@ -113,8 +221,7 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
-        if (const std::string problem = applySettings(reference.c, readSettings(reader, table + ".set"));
-            !problem.empty())
+        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set")); !problem.empty())
             reader.add(table, problem);
         task.references.push_back(std::move(reference));
     }
@@ -138,9 +245,7 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     if (const auto key = reader.text("ensemble.key")) {
         const Field* field = findField(*key);
         if (field == nullptr || field->kind != FieldKind::Number) {
-            const std::string near = nearestKey(*key);
-            reader.add("ensemble.key", inQuotes(*key) + " is no key of a number" +
-                                           (near.empty() ? "" : "; did you mean " + near + "?"));
+            reader.add("ensemble.key", inQuotes(*key) + " is no key of a number" + didYouMean(nearestKey(*key)));
         } else if (const std::string unused = unusedMessage(task.start, *field); !unused.empty()) {
             reader.add("ensemble.key", inQuotes(*key) + " " + unused);
         } else {
@@ -151,13 +256,13 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     if (field.unit != "m") ensemble.spread = 0.01 * std::abs(std::get<double>(field.get(task.start)));
     if (const auto spread = reader.number("ensemble.spread", field.unit, field.displayUnit, 0.0, INFINITY))
         ensemble.spread = *spread;
-    const std::vector<CaseSetting> settings = readSettings(reader, "ensemble.set");
+    const std::vector<CaseSetting> settings = reader.settings("ensemble.set");
     task.ensembleReference = ensembleReference(task.start);
     if (settings.empty()) return;
     task.ensembleReference = {"", task.start};
     for (const CaseSetting& setting : settings)
         task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
-    if (const std::string problem = applySettings(task.ensembleReference.c, settings); !problem.empty())
+    if (const std::string problem = changeCase(task.ensembleReference.c, settings); !problem.empty())
         reader.add("ensemble.set", problem);
 }
 

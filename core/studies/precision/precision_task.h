@@ -10,6 +10,7 @@
 #include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/runs/trajectory_error.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
@@ -30,6 +31,8 @@ struct PrecisionTask {
     ReferenceCase ensembleReference;
 };
 
+/// The keys of the study with their defaults for a case.
+StudyForm workPrecisionForm(const Case& c);
 /// Adds what is wrong to the reader's problems; of use only where there is none.
 PrecisionTask readPrecisionTask(StudyReader& reader);
 

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "core/formats/toml_document.h"
+#include "core/formats/units.h"
 #include "core/numerics/wall_clock.h"
-#include "core/studies/precision/ensemble_report.h"
-#include "core/studies/precision/precision_methods.h"
+#include "core/studies/precision/ensemble.h"
 #include "core/studies/precision/precision_report.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/precision/precision_runs.h"
+#include "core/studies/precision/precision_task.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -26,7 +28,6 @@ public:
 
     StudyReport perform()
     {
-        const double begin = wallClock();
         const double runsShare = task_.ensembleWanted ? 0.4 : 1.0; // of the progress, for the timed runs
         bool went = performRuns(task_, jobs_, runs_, [&](double share, const std::string& doing, bool changed) {
             if (changed) renew();
@@ -41,10 +42,7 @@ public:
             task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
         if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
         StudyReport report = reportNow();
-        if (went && !ensembles_.empty())
-            reportEnsembles({describeStarts(task_.start, task_.ensemble),
-                             task_.start.model == ModelKind::Film ? "Film solves" : "Right-hand sides", ensembles_},
-                            report);
+        if (went && !ensembles_.empty()) reportEnsembles(task_.start, task_.ensemble, ensembles_, report);
         if (!went) {
             report.status = StudyStatus::Cancelled;
             report.message = "stopped before all runs were made";
@@ -61,7 +59,6 @@ public:
             report.message = "the budget of " + fewDigitsOfTime(task_.budget) +
                              " was spent on the reference: no run was made; give it more";
         }
-        report.wallSeconds = wallClock() - begin;
         return report;
     }
 

@@ -4,26 +4,21 @@
 // every run (work-precision diagrams; as in Mazzia & Magherini, Test Set for IVP Solvers, 2008, and SciML's
 // DiffEqDevTools).
 //
-// A method is any change of the case together with any key that it sweeps. Integrators, steps, tolerances, grids,
-// schemes, slip paths, couplings and contact patches are therefore all compared by the same means. The effect of
-// physics that a setting leaves out counts as error, too.
+// A method is any change of the case, with any key that it sweeps: integrators, steps, tolerances, grids, schemes,
+// couplings and contact patches are compared by the same means. Physics that a setting leaves out counts as error.
 //
-// Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h): two finer runs
-// of different families that agree. Where no two agree the trajectory is not determined, and ensembles of starts are
-// compared instead (ensemble.h). The time is the solver's own, without samples and statistics for springs.
-// It is given as the minimum and the median of several repeats after a warm-up run; timed runs run alone.
+// Errors are those of trajectory_error.h against a reference that the study proves (precision_runs.h). Where no two
+// reference runs agree, the trajectory is not determined, and ensembles of starts are compared instead (ensemble.h).
+// The time is the solver's own; for springs, without samples and statistics. It is the minimum and the median of
+// several repeats after a warm-up run; timed runs run alone.
 #pragma once
 
-#include <string>
-
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
+class StudyReader;
+
 StudyPerformance planWorkPrecision(StudyReader& reader);
-/// Its keys with their defaults for a case.
-StudyForm workPrecisionForm(const Case& c);
 
 } // namespace touchdown

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A number of a case that a design study may change: a field of its file, or of a rail [m]
+// A number of a case that a design study may change: a key of its file, or a length of a rail [m]
 //
 //   abs.rail[2].recess   a ramp keeps its slopes
 //   abs.rail[2].x, y     middle of the rectangle around it, from the leading and from the inner edge; the rail is moved

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "core/case/fields.h"
-#include "core/case_files/case_file.h"
+#include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/simulation/run.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -17,17 +16,6 @@ TouchColumns::TouchColumns(const Case& c) : menisci_(c.contact == ContactKind::O
     const std::vector<Quantity> quantities = recordedQuantities(c);
     contact_ = findQuantity(quantities, "contact_force");
     adhesion_ = findQuantity(quantities, "adhesion_force");
-}
-
-std::string_view name(EndKind kind)
-{
-    switch (kind) {
-    case EndKind::Flying: return "flying";
-    case EndKind::Contact: return "contact";
-    case EndKind::Intermittent: return "in and out of contact";
-    case EndKind::Failed: return "failed";
-    }
-    return {};
 }
 
 std::string_view spacingOf(const Case& c)
@@ -106,22 +94,6 @@ std::string outcomeText(const MeasuredRun& run)
     case EndKind::Failed: break;
     }
     return "has no end";
-}
-
-std::string applySettings(Case& c, const std::vector<CaseSetting>& settings)
-{
-    Case changed = c;
-    for (const CaseSetting& setting : settings) {
-        const Field* field = findField(setting.key);
-        if (field == nullptr) {
-            const std::string near = nearestKey(setting.key);
-            return setting.key + ": unknown key" + (near.empty() ? "" : "; did you mean " + near + "?");
-        }
-        if (const auto problem = setFromText(changed, *field, setting.value)) return setting.key + ": " + *problem;
-    }
-    for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
-    c = std::move(changed);
-    return {};
 }
 
 } // namespace touchdown

@@ -3,15 +3,17 @@
 // One run of a case as studies need it: its summary, its samples of a few quantities, and the state in which it ends.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/case/case.h"
 #include "core/simulation/recording/run_summary.h"
 #include "core/studies/runs/parallel.h"
 
 namespace touchdown {
+
+struct Case;
 
 /// The last part of a run, by which its end is judged [-].
 inline constexpr double tailShare = 0.1;
@@ -47,7 +49,11 @@ enum class EndKind : std::uint8_t {
     Intermittent, // in and out of contact
     Failed        // no valid end: the summary tells why
 };
-std::string_view name(EndKind kind);
+inline std::string_view name(EndKind kind)
+{
+    constexpr std::array<std::string_view, 4> names{"flying", "contact", "in and out of contact", "failed"};
+    return names[static_cast<std::size_t>(kind)];
+}
 
 struct EndState {
     EndKind kind = EndKind::Failed;
@@ -66,8 +72,8 @@ struct MeasuredRun {
 /// The quantity that tells the spacing in a run of this case: "flying_height" of springs, else "minimum_spacing".
 std::string_view spacingOf(const Case& c);
 
-/// Runs the case, without what costs time beside the solution, its check of the step and snapshots of fields; keeps the
-/// samples of `quantities`, names of recordedQuantities(c). `goOn` may be empty.
+/// Runs the case without the check of its step and without maps, which cost time; keeps the samples of `quantities`,
+/// names of recordedQuantities(c). `goOn` may be empty.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
                        const RunOptions& options = {});
 
@@ -81,13 +87,5 @@ bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance = s
 /// "flies at 7 nm", "flies at 7 nm +- 0.14 nm" where it has not come to rest, "ends in contact at 1.59 nm", "fails:
 /// chattering at 12 us".
 std::string outcomeText(const MeasuredRun& run);
-
-/// A key of a case and the value that a study gives it, as a person writes it.
-struct CaseSetting {
-    std::string key;   // "run.step"
-    std::string value; // "10 ns"
-};
-/// The case with the settings; the problem in a sentence that names the key, or "". The combination is checked, too.
-std::string applySettings(Case& c, const std::vector<CaseSetting>& settings);
 
 } // namespace touchdown

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/case/fields.h"
+#include "core/formats/units.h"
 #include "core/numerics/cvode.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/runs/trajectory_error.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 

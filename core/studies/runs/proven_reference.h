@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A reference that two runs of different families prove: which runs those are, and what they tell together.
+// A reference that two runs of different families prove.
 //
-// Of all runs the two that end alike and lie closest are taken; their distance stands for what the reference itself
-// does not know. Where they part by more than the agreement the trajectory is not determined: from there on, the
-// horizon, no error has a meaning. The end may be determined nevertheless: where both end alike, and starts that differ
-// by less than anybody can set do, too.
+// Of all runs, the two that end alike and lie closest are taken; their distance is the uncertainty of the reference.
+// Where they part by more than the agreement, the horizon, the trajectory is no longer determined, and errors have no
+// meaning from there on. The end may still be determined: if both end alike, and so do runs from starts that differ by
+// less than anybody can set.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/studies/runs/measured_run.h"
 
 namespace touchdown {

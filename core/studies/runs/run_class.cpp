@@ -2,10 +2,12 @@
 #include "core/studies/runs/run_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/formats/units.h"
+#include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/trajectory_error.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -20,43 +22,28 @@ double figure(const Summary& summary, std::string_view wanted)
     return 0.0;
 }
 
+struct ClassText {
+    std::string_view name;
+    int severity;
+};
+constexpr std::array<ClassText, runClasses> classes{{
+    {"agrees with the reference", 0},
+    {"right end by another way", 1},
+    {"steps were cut", 1},
+    {"not determined", 1},
+    {"fails as the reference", 1},
+    {"drifting energy", 2},
+    {"wrong end state", 2},
+    {"chatter", 3},
+    {"lost spring", 3},
+    {"diverged", 3},
+    {"stopped", 3},
+}};
+
 } // namespace
 
-std::string_view name(RunClass kind)
-{
-    switch (kind) {
-    case RunClass::Agrees: return "agrees with the reference";
-    case RunClass::OtherWay: return "right end by another way";
-    case RunClass::CutSteps: return "steps were cut";
-    case RunClass::NotDetermined: return "not determined";
-    case RunClass::AsReference: return "fails as the reference";
-    case RunClass::DriftingEnergy: return "drifting energy";
-    case RunClass::WrongEnd: return "wrong end state";
-    case RunClass::Chatter: return "chatter";
-    case RunClass::LostSpring: return "lost spring";
-    case RunClass::Diverged: return "diverged";
-    case RunClass::Stopped: return "stopped";
-    }
-    return {};
-}
-
-int severity(RunClass kind)
-{
-    switch (kind) {
-    case RunClass::Agrees: return 0;
-    case RunClass::OtherWay:
-    case RunClass::CutSteps:
-    case RunClass::NotDetermined:
-    case RunClass::AsReference: return 1;
-    case RunClass::DriftingEnergy:
-    case RunClass::WrongEnd: return 2;
-    case RunClass::Chatter:
-    case RunClass::LostSpring:
-    case RunClass::Diverged:
-    case RunClass::Stopped: return 3;
-    }
-    return 3;
-}
+std::string_view name(RunClass kind) { return classes[static_cast<std::size_t>(kind)].name; }
+int severity(RunClass kind) { return classes[static_cast<std::size_t>(kind)].severity; }
 
 RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference& reference, const ClassRule& rule)
 {
@@ -91,8 +78,8 @@ RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference
     } else if (verdict.imbalance >
                std::max(rule.energyDrift, gridsEnergy * figure(reference.run.summary, "energy_balance"))) {
         verdict.kind = RunClass::DriftingEnergy;
-        verdict.sentence = "the energy imbalance is " + fewDigits(100.0 * verdict.imbalance, "") +
-                           " % of the largest change of the energy; it " + outcomeText(run);
+        verdict.sentence = "the energy imbalance is " + percent(verdict.imbalance) +
+                           " of the largest change of the energy; it " + outcomeText(run);
     } else if (fixedFilm && run.summary.rejectedSteps > 0) {
         verdict.kind = RunClass::CutSteps;
         verdict.sentence =

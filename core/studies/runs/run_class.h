@@ -15,12 +15,15 @@
 //   agrees            none of these
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "core/studies/runs/proven_reference.h"
-
 namespace touchdown {
+
+struct Case;
+struct MeasuredRun;
+struct ProvenReference;
 
 enum class RunClass : std::uint8_t {
     Agrees,

@@ -8,7 +8,9 @@
 
 #include "core/case/fields.h"
 #include "core/formats/quotation.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/toml_document.h"
+#include "core/formats/units.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -22,16 +24,6 @@ int finenessOf(std::string_view key)
     if (key.ends_with("step") || key.ends_with("tolerance") || key.ends_with("step_error") || key == "elastic.cell")
         return -1;
     return key == "film.nodes" ? 1 : 0;
-}
-
-double numberOf(const Field& field, const Case& c)
-{
-    const FieldValue value = field.get(c);
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    if (const auto* whole = std::get_if<int>(&value)) return *whole;
-    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
-        return list->front();
-    return std::nan("");
 }
 
 /// "97, 97" of "97" for a list of two.
@@ -84,7 +76,7 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 {
     for (const CaseSetting& setting : settings)
         if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
-    if (std::string problem = applySettings(c, settings); !problem.empty()) return problem;
+    if (std::string problem = changeCase(c, settings); !problem.empty()) return problem;
     for (const CaseSetting& setting : settings)
         if (const std::string message = unusedMessage(c, *findField(setting.key)); !message.empty())
             return setting.key + ": " + message;
@@ -93,11 +85,14 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 
 } // namespace
 
-std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table)
+double numberOf(const Field& field, const Case& c)
 {
-    std::vector<CaseSetting> settings;
-    for (auto& [key, value] : reader.settings(table)) settings.push_back({key, value});
-    return settings;
+    const FieldValue value = field.get(c);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* whole = std::get_if<int>(&value)) return *whole;
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
+        return list->front();
+    return std::nan("");
 }
 
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
@@ -107,7 +102,7 @@ std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
     for (const std::string& table : reader.tables("method")) {
         MethodSpec& spec = specs.emplace_back();
         spec.name = reader.text(table + ".name").value_or("");
-        spec.set = readSettings(reader, table + ".set");
+        spec.set = reader.settings(table + ".set");
         spec.key = reader.text(table + ".key").value_or("");
         if (const auto values = reader.texts(table + ".values")) spec.values = *values;
         if (const auto some = ensembles ? reader.texts(table + ".ensemble") : std::nullopt) spec.ensemble = *some;

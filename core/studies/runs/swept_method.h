@@ -15,13 +15,16 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/studies/runs/measured_run.h"
-#include "core/studies/study/study_reader.h"
+#include "core/case/case.h"
+#include "core/case_files/case_settings.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+class StudyReader;
+struct Field;
 
 /// As a study's file writes it.
 struct MethodSpec {
@@ -35,7 +38,6 @@ struct MethodSpec {
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles);
 /// The keys of each [[method]].
 std::vector<StudyKey> methodKeys(bool ensembles);
-std::vector<CaseSetting> readSettings(StudyReader& reader, const std::string& table);
 /// As readMethods reads it.
 std::string methodText(const MethodSpec& spec);
 
@@ -53,6 +55,9 @@ struct SweptMethod {
     bool ordered = false; // its settings go from coarse to fine
     std::vector<MethodSetting> settings{};
 };
+/// The value of a number, the first one of a list [unit of the field]; NaN of others.
+double numberOf(const Field& field, const Case& c);
+
 /// "rk4 (10 ns)".
 std::string nameOf(const std::string& method, const std::string& setting);
 

@@ -6,36 +6,29 @@
 #include <span>
 
 #include "core/numerics/moments.h"
+#include "core/studies/runs/measured_run.h"
 
 namespace touchdown {
 
-std::string_view name(ErrorMeasure measure)
-{
-    switch (measure) {
-    case ErrorMeasure::Final: return "final";
-    case ErrorMeasure::L2: return "l2";
-    case ErrorMeasure::Worst: return "worst";
-    case ErrorMeasure::Mean: return "mean";
-    case ErrorMeasure::Deviation: return "deviation";
-    case ErrorMeasure::PeakFrequency: return "peak-frequency";
-    case ErrorMeasure::PeakAmplitude: return "peak-amplitude";
-    }
-    return {};
-}
+namespace {
 
-std::string_view title(ErrorMeasure measure)
-{
-    switch (measure) {
-    case ErrorMeasure::Final: return "Error at the end";
-    case ErrorMeasure::L2: return "Root mean square error";
-    case ErrorMeasure::Worst: return "Largest error";
-    case ErrorMeasure::Mean: return "Error of the mean over the last tenth";
-    case ErrorMeasure::Deviation: return "Error of the standard deviation over the last tenth";
-    case ErrorMeasure::PeakFrequency: return "Error of the largest peak's frequency";
-    case ErrorMeasure::PeakAmplitude: return "Error of the largest peak's amplitude";
-    }
-    return {};
-}
+struct MeasureText {
+    std::string_view name, title;
+};
+constexpr std::array<MeasureText, errorMeasures> texts{{
+    {"final", "Error at the end"},
+    {"l2", "Root mean square error"},
+    {"worst", "Largest error"},
+    {"mean", "Error of the mean over the last tenth"},
+    {"deviation", "Error of the standard deviation over the last tenth"},
+    {"peak-frequency", "Error of the largest peak's frequency"},
+    {"peak-amplitude", "Error of the largest peak's amplitude"},
+}};
+
+} // namespace
+
+std::string_view name(ErrorMeasure measure) { return texts[static_cast<std::size_t>(measure)].name; }
+std::string_view title(ErrorMeasure measure) { return texts[static_cast<std::size_t>(measure)].title; }
 
 TrajectoryError trajectoryError(const MeasuredRun& run, const MeasuredRun& reference, std::size_t column,
                                 std::size_t samples)

@@ -16,9 +16,9 @@
 #include <optional>
 #include <string_view>
 
-#include "core/studies/runs/measured_run.h"
-
 namespace touchdown {
+
+struct MeasuredRun;
 
 enum class ErrorMeasure : std::uint8_t { Final, L2, Worst, Mean, Deviation, PeakFrequency, PeakAmplitude };
 inline constexpr std::size_t errorMeasures = 7;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/formats/units.h"
 #include "core/physics/film/film_newton.h"
 #include "core/physics/slider/recess.h"
 #include "core/simulation/static_state/film_setup.h"
-#include "core/studies/study/few_digits.h"
+#include "core/studies/stability/stability_curves.h"
 
 namespace touchdown {
 
@@ -90,7 +91,7 @@ double jumpOfQ(const Case& c, double pressure)
 
 } // namespace
 
-bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool addClosingGap(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     if (c.disk.speed * c.disk.radius == 0.0) return true;
     const double ambient = airOf(c.air).pressure;
@@ -110,8 +111,7 @@ bool addClosingGap(const Case& c, LinearPicture& picture, const std::function<bo
                       {"at_1_nm", "Pa", "kPa", "Pressure at a gap of 1 nm"},
                       {"at_0_1_nm", "Pa", "kPa", "Pressure at 0.1 nm"},
                       {"at_0_01_nm", "Pa", "kPa", "Pressure at 0.01 nm"},
-                      {"growth", "", "", "From 0.1 nm to 0.01 nm"}},
-                     {}};
+                      {"growth", "", "", "From 0.1 nm to 0.01 nm"}}};
     constexpr double bounded = 1.5; // growth over a decade of gap
     for (std::size_t k = 0; k < slipLaws().size(); ++k) {
         if (goOn && !goOn()) return false;

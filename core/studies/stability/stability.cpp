@@ -2,12 +2,22 @@
 #include "core/studies/stability/stability.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 
-#include "core/formats/toml_document.h"
+#include "core/case/fields.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/formats/units.h"
 #include "core/numerics/wall_clock.h"
+#include "core/simulation/run.h"
+#include "core/studies/stability/stability_curves.h"
+#include "core/studies/stability/stability_map.h"
 #include "core/studies/stability/stability_picture.h"
 #include "core/studies/stability/stability_report.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -16,17 +26,15 @@ namespace {
 constexpr double pictureShare = 0.1;    // of the time
 constexpr double longestSilence = 0.03; // between calls [s]
 
-StudyReport cancelled(StudyReport report, double begin)
+StudyReport cancelled(StudyReport report)
 {
     report.status = StudyStatus::Cancelled;
     report.message = "stopped before all runs were made";
-    report.wallSeconds = wallClock() - begin;
     return report;
 }
 
 StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& callback)
 {
-    const double begin = wallClock();
     StudyReport report;
     double lastCall = 0.0;
     const auto tell = [&](double share, const std::string& doing, const StudyReport* soFar) {
@@ -34,22 +42,16 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
         return !callback || callback({share, doing, soFar});
     };
     if (task.picture) {
-        LinearPicture picture;
         const auto goOn = [&] {
             return wallClock() - lastCall < longestSilence || tell(0.0, "linear picture", nullptr);
         };
-        if (!makeLinearPicture(task.start, picture, goOn)) return cancelled(std::move(report), begin);
-        report.charts = std::move(picture.charts);
-        report.tables = std::move(picture.tables);
-        report.findings = std::move(picture.findings);
-        report.warnings = std::move(picture.warnings);
-        if (!picture.problem.empty())
-            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + picture.problem + ".");
-        if (!picture.problem.empty() && !task.map) {
-            report.status = StudyStatus::Failed;
-            report.message = "there is no linear picture: " + picture.problem;
+        if (!makeLinearPicture(task.start, report, goOn)) return cancelled({});
+        if (const std::string reason = std::exchange(report.message, {}); !reason.empty()) {
+            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + reason + ".");
+            report.status = task.map ? StudyStatus::Completed : StudyStatus::Failed;
+            if (!task.map) report.message = "there is no linear picture: " + reason;
         }
-        if (!tell(task.map ? pictureShare : 1.0, "runs", &report)) return cancelled(std::move(report), begin);
+        if (!tell(task.map ? pictureShare : 1.0, "runs", &report)) return cancelled(std::move(report));
     }
     if (task.map) {
         const double from = task.picture ? pictureShare : 0.0;
@@ -57,7 +59,7 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
         if (!performMap(task, jobs, map, [&](double share, const std::string& doing) {
                 return tell(from + (1.0 - from) * share, doing, nullptr);
             }))
-            return cancelled(std::move(report), begin);
+            return cancelled(std::move(report));
         StudyReport whole;
         tellMap(task, map, whole);
         // What became of the runs comes first; the linear picture explains it.
@@ -67,16 +69,158 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
         std::vector<StudyTable> tables = mapTables(task, map);
         report.tables.insert(report.tables.begin(), tables.begin(), tables.end());
     }
-    report.wallSeconds = wallClock() - begin;
     return report;
 }
 
+constexpr std::size_t mostRuns = 100000;
+constexpr double checkStep = 1e-9; // of rk4-events, of a reference [s]
+constexpr double mostCheckSteps = 4e6;
+
+std::vector<std::string> multiples(double value, const std::string& displayUnit, const std::vector<double>& factors)
+{
+    std::vector<std::string> list;
+    for (const double factor : factors) list.push_back(fewDigits(factor * value, displayUnit, 6));
+    return list;
+}
+
+std::vector<MethodSpec> defaultStabilityMethods(const Case& c)
+{
+    if (c.model == ModelKind::Film) {
+        const std::vector<std::string> steps{"2 us", "1 us", "0.5 us", "0.2 us", "0.1 us", "0.05 us"};
+        return {{"monolithic", {{"film.coupling", "monolithic"}, {"run.steps", "fixed"}}, "run.step", steps, {}},
+                {"staggered", {{"film.coupling", "staggered"}, {"run.steps", "fixed"}}, "run.step", steps, {}}};
+    }
+    if (c.model != ModelKind::Springs) return {};
+    const std::vector<std::string> steps{"500 ns", "200 ns", "100 ns", "50 ns", "20 ns",
+                                         "10 ns",  "5 ns",   "2 ns",   "1 ns"};
+    return {{"rk4", {{"run.integrator", "rk4"}}, "run.step", steps, {}},
+            {"rk4-events", {{"run.integrator", "rk4-events"}}, "run.step", steps, {}},
+            {"dopri5",
+             {{"run.integrator", "dopri5"}},
+             "run.tolerance",
+             {"1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10"},
+             {}}};
+}
+
+/// The parameter, and its values as they are given; one empty label where nothing is varied.
+std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
+{
+    const DefaultParameter otherwise = defaultParameter(task.start);
+    const auto key = reader.text("parameter");
+    const auto values = reader.texts("values");
+    if (task.start.model == ModelKind::Contact) {
+        reader.add("case", "is of model \"contact\", whose pad follows a prescribed motion; a stability study takes a "
+                           "case of model \"springs\" or \"film\"");
+        return {};
+    }
+    const std::string chosen = key ? *key : values ? std::string() : otherwise.key;
+    if (!key && values)
+        reader.add("values", "are of no parameter; name it with parameter = \"ono_yamane.contact_stiffness\"");
+    if (chosen.empty()) return {""};
+    task.parameter = findField(chosen);
+    if (task.parameter == nullptr) {
+        reader.add("parameter", inQuotes(chosen) + " is no key of a case" + didYouMean(nearestKey(chosen)));
+        return {};
+    }
+    if (const std::string unused = unusedMessage(task.start, *task.parameter); !unused.empty())
+        reader.add("parameter", inQuotes(chosen) + " " + unused);
+    for (const char* fixed : {"model", "run.integrator", "run.sample_interval"})
+        if (chosen == fixed) reader.add("parameter", inQuotes(chosen) + " cannot be varied here");
+    task.parameterIsNumber = task.parameter->kind == FieldKind::Number || task.parameter->kind == FieldKind::Integer;
+    if (key && !values && chosen != otherwise.key) reader.add("parameter", "has no values");
+    return values ? *values : otherwise.values;
+}
+
+void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::string>& labels)
+{
+    std::size_t runs = 0;
+    for (const std::string& label : labels) {
+        StabilityRow row{.label = label, .value = double(task.rows.size() + 1), .references = {}, .methods = {}};
+        Case base = task.start;
+        if (task.parameter != nullptr) {
+            if (const std::string problem = changeCase(base, {{task.parameter->key, label}}); !problem.empty()) {
+                reader.add("values", problem);
+                continue;
+            }
+            if (task.parameterIsNumber) row.value = numberOf(*task.parameter, base);
+        }
+        row.references = base.model == ModelKind::Springs
+                             ? springReferences(base, std::max(checkStep, base.run.duration / mostCheckSteps))
+                             : couplingReferences(base);
+        for (const MethodSpec& spec : task.methods) {
+            SweptMethod& method = row.methods.emplace_back();
+            if (const std::string problem = makeMethod(base, spec, method, false); !problem.empty()) {
+                reader.add("method", spec.name + ": " + problem);
+                return; // the others would say the same
+            }
+            runs += method.settings.size();
+        }
+        task.rows.push_back(std::move(row));
+    }
+    if (runs > mostRuns)
+        reader.add("values", "make " + std::to_string(runs) + " runs; " + std::to_string(mostRuns) + " are the most");
+}
+
 } // namespace
+
+DefaultParameter defaultParameter(const Case& c)
+{
+    const std::vector<double> factors{0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
+    if (c.model == ModelKind::Film)
+        return {"suspension.preload", multiples(c.suspension.preload, "mN", {0.7, 1.0, 1.4})};
+    if (c.contact == ContactKind::OnoYamane && c.onoYamane.contactStiffness > 0.0)
+        return {"ono_yamane.contact_stiffness", multiples(c.onoYamane.contactStiffness, "N/m", factors)};
+    if (c.springs.rearStiffness > 0.0)
+        return {"springs.rear_stiffness", multiples(c.springs.rearStiffness, "N/m", factors)};
+    return {"initial.flying_height", multiples(c.initial.flyingHeight, "nm", {0.5, 1.0, 2.0})};
+}
+
+StabilityTask readStabilityTask(StudyReader& reader)
+{
+    StabilityTask task;
+    task.start = reader.start();
+    task.picture = reader.flag("picture");
+    task.map = reader.flag("map");
+    task.rule = {.agreement = reader.number("agreement"), .energyDrift = reader.number("energy_drift")};
+    if (!task.picture && !task.map) reader.add("map", "is false, and so is picture; at least one of them must be true");
+    const std::vector<std::string> labels = readParameter(reader, task);
+    task.methods = readMethods(reader, false);
+    if (task.methods.empty()) task.methods = defaultStabilityMethods(task.start);
+    if (task.start.model == ModelKind::Contact) return task;
+    if (const std::string reason = reasonNotToRun(task.start); !reason.empty())
+        reader.add("case", reason);
+    else if (task.map)
+        makeRows(reader, task, labels);
+    return task;
+}
 
 StudyPerformance planStability(StudyReader& reader)
 {
     const auto task = std::make_shared<const StabilityTask>(readStabilityTask(reader));
     return [task](int jobs, const StudyCallback& callback) { return perform(*task, jobs, callback); };
+}
+
+StudyForm stabilityForm(const Case& c)
+{
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const DefaultParameter parameter = defaultParameter(c);
+    const ClassRule rule;
+    // A film moves less.
+    const double agreement = c.model == ModelKind::Film ? 0.01e-9 : rule.agreement;
+    StudyForm form;
+    form.keys = {
+        booleanKey("picture", true, "stability region of each method, with the eigenvalues of the case times its step"),
+        booleanKey("map", true, "runs over settings and a parameter, each compared with a reference"),
+        textKey("parameter", parameter.key, "", "a key of the case"),
+        listKey("values", parameter.values, "values of the parameter"),
+        numberKey("agreement", agreement, "m", "nm", 1e-24, endless,
+                  "largest distance between two trajectories that agree"),
+        numberKey("energy_drift", rule.energyDrift, "", "", 1e-12, endless,
+                  "largest energy imbalance of a good run, relative to the largest change of a part of the energy"),
+    };
+    for (StudyKey& key : methodKeys(false)) form.keys.push_back(std::move(key));
+    for (const MethodSpec& method : defaultStabilityMethods(c)) form.lists += methodText(method);
+    return form;
 }
 
 } // namespace touchdown

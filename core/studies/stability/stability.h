@@ -13,15 +13,27 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/studies/study/study.h"
-#include "core/studies/study/study_reader.h"
+#include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
-/// Reads the study's keys; what is wrong, or why this case cannot be studied so, is added to the reader's problems.
+class StudyReader;
+
 StudyPerformance planStability(StudyReader& reader);
-/// Its keys with their defaults for a case.
 StudyForm stabilityForm(const Case& c);
+
+/// The parameter that a study of this case varies by default, with its values; an empty key: nothing.
+struct DefaultParameter {
+    std::string key;
+    std::vector<std::string> values;
+};
+DefaultParameter defaultParameter(const Case& c);
+
+struct StabilityTask;
+/// Adds what is wrong to the reader's problems; the task is complete where there is none.
+StabilityTask readStabilityTask(StudyReader& reader);
 
 } // namespace touchdown

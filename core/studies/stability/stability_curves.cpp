@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
 
 namespace touchdown {
 
@@ -70,6 +70,28 @@ PlaneWindow frameOf(const std::vector<LinearMethod>& methods, const std::vector<
 
 } // namespace
 
+double LocalMotion::fastest() const
+{
+    double most = 0.0;
+    for (const Complex rate : rates) most = std::max(most, std::abs(rate));
+    return most;
+}
+
+double largestStableStep(const std::function<double(Complex)>& growth, const LocalMotion& motion)
+{
+    constexpr double shortest = 1e-4, longest = 1e4; // |lambda| h
+    double least = std::numeric_limits<double>::infinity();
+    for (const Complex rate : motion.rates) {
+        const double size = std::abs(rate);
+        if (size == 0.0 || rate.real() > 1e-9 * size) continue;
+        const Complex direction(std::min(0.0, rate.real() / size), rate.imag() / size);
+        const double z =
+            largestStable([&](double h) { return growth(h * direction) <= stableGrowth; }, shortest, longest);
+        if (z < longest) least = std::min(least, z / size);
+    }
+    return least;
+}
+
 double dampingRatio(const LocalMotion& motion)
 {
     const Complex rate = fastestRate(motion);
@@ -79,20 +101,19 @@ double dampingRatio(const LocalMotion& motion)
 ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)
 {
     ChartPanel panel;
-    panel.x = {.label = "Re lambda h", .unit = "", .displayUnit = ""};
-    panel.y = {.label = "Im lambda h", .unit = "", .displayUnit = ""};
+    panel.x = {.label = "Re lambda h"};
+    panel.y = {.label = "Im lambda h"};
     panel.equalScales = true;
     const PlaneWindow window = frameOf(methods, motions, step);
     for (const LinearMethod& method : methods)
         for (const std::vector<Complex>& line : stabilityBoundary(method.growth, window)) {
-            ChartSeries series{.name = method.name, .points = {}, .markers = false};
+            ChartSeries series{.name = method.name, .markers = false};
             for (const Complex z : upperPart(line))
                 series.points.push_back({.x = z.real(), .y = std::max(0.0, z.imag())});
             if (!series.points.empty()) panel.series.push_back(std::move(series));
         }
     for (const LocalMotion& motion : motions) {
-        ChartSeries& series =
-            panel.series.emplace_back(ChartSeries{.name = motion.where, .points = {}, .line = ChartLine::None});
+        ChartSeries& series = panel.series.emplace_back(ChartSeries{.name = motion.where, .line = ChartLine::None});
         for (const Complex rate : motion.rates)
             series.points.push_back({.x = step * rate.real(), .y = step * rate.imag()});
     }
@@ -118,8 +139,8 @@ void addGrowth(ChartPanel& panel, const std::string& name, const std::function<d
 ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to)
 {
     ChartPanel panel;
-    panel.x = {.label = "Angular frequency times step", .unit = "", .displayUnit = "", .logarithmic = true};
-    panel.y = {.label = "Growth in a step", .unit = "", .displayUnit = ""};
+    panel.x = {.label = "Angular frequency times step", .logarithmic = true};
+    panel.y = {.label = "Growth in a step"};
     panel.bands.push_back({.alongX = false, .lower = 1.0, .upper = 1.0, .label = "stable up to here"});
     const Complex direction(-damping, std::sqrt(std::max(0.0, 1.0 - damping * damping)));
     for (const LinearMethod& method : methods)
@@ -142,14 +163,12 @@ StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vecto
                       {"where"},
                       {"largest_stable_step", "s", "ns", "Largest stable step"},
                       {"case_step", "s", "ns", "Step of the case"},
-                      {"share", "", "", "Step of the case against the largest stable one"}},
-                     {}};
+                      {"share", "", "", "Step of the case against the largest stable one"}}};
     for (const LinearMethod& method : methods)
         for (const LocalMotion& motion : motions) {
             const double limit = largestStableStep(method.growth, motion);
             const bool finite = std::isfinite(limit);
-            table.rows.push_back({method.name, motion.where, finite ? StudyValue(limit) : StudyValue(), step,
-                                  finite ? StudyValue(step / limit) : StudyValue()});
+            table.rows.push_back({method.name, motion.where, known(finite, limit), step, known(finite, step / limit)});
         }
     return table;
 }
@@ -161,13 +180,12 @@ StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions)
                       {"real", "1/s", "1/us", "Real part"},
                       {"imaginary", "1/s", "1/us", "Imaginary part"},
                       {"frequency", "Hz", "kHz", "Frequency"},
-                      {"damping_ratio", "", "", "Damping ratio"}},
-                     {}};
+                      {"damping_ratio", "", "", "Damping ratio"}}};
     for (const LocalMotion& motion : motions)
         for (const Complex rate : motion.rates) {
             const double size = std::abs(rate);
             table.rows.push_back({motion.where, rate.real(), rate.imag(), rate.imag() / (2.0 * std::numbers::pi),
-                                  size > 0.0 ? StudyValue(-rate.real() / size) : StudyValue()});
+                                  known(size > 0.0, -rate.real() / size)});
         }
     return table;
 }
@@ -187,7 +205,7 @@ std::string motionText(const LocalMotion& motion)
 }
 
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
-                LinearPicture& picture)
+                StudyReport& picture)
 {
     std::string unlimited;
     for (const LinearMethod& method : methods) {

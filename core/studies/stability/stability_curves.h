@@ -9,9 +9,22 @@
 #include <vector>
 
 #include "core/numerics/stability_region.h"
-#include "core/studies/stability/stability_picture.h"
+#include "core/studies/study/study.h"
 
 namespace touchdown {
+
+/// Small motions of the case about one state.
+struct LocalMotion {
+    std::string where;                       // "closest to the disk"
+    std::vector<std::complex<double>> rates; // [1/s], those with an imaginary part >= 0
+    bool isMode = false;                     // an air bearing mode, whose name gives its frequency
+
+    double fastest() const; // |lambda| [1/s]
+};
+
+/// The largest step with which a method amplifies none of these motions, except those that are unstable themselves.
+/// Infinite where no step is too long.
+double largestStableStep(const std::function<double(std::complex<double>)>& growth, const LocalMotion& motion);
 
 struct LinearMethod {
     std::string name;     // "rk4"
@@ -47,10 +60,6 @@ std::string limitSentence(const std::string& subject, double limit, const std::s
 std::string motionText(const LocalMotion& motion);
 /// A sentence for each method.
 void tellLimits(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, const CaseStep& step,
-                LinearPicture& picture);
-
-/// As makeLinearPicture; of springs, of a film.
-bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);
-bool makeFilmPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn);
+                StudyReport& picture);
 
 } // namespace touchdown

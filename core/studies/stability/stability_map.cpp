@@ -86,17 +86,6 @@ void judgeByCriterion(const StabilityTask& task, StabilityMap& map)
 
 } // namespace
 
-std::string_view name(CriterionVerdict verdict)
-{
-    switch (verdict) {
-    case CriterionVerdict::Right: return "right";
-    case CriterionVerdict::Fooled: return "fooled";
-    case CriterionVerdict::FalseAlarm: return "false alarm";
-    case CriterionVerdict::NotDetermined: return "not determined";
-    }
-    return {};
-}
-
 bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback)
 {
     map = {};

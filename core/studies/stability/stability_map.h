@@ -1,27 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs of every method with every setting at every value of a parameter, each classified (run_class.h), and beside that
-// what the paper's own criterion says of it: does the answer change when the step is made ten times shorter, from 1e-8
-// to 1e-9 s?
+// the result of the paper's own criterion: does the answer change when the step is ten times shorter, 1e-9 instead of
+// 1e-8 s?
 //
 //   fooled           it does not change, and is not the reference's
-//   false alarm      it changes, though the one at the longer step is the reference's already
+//   false alarm      it changes, though it is the reference's with the longer step already
 //   right            it does not change and is the reference's, or changes from one that is not
-//   not determined   neither is the reference's end, so that there is nothing to be right about
+//   not determined   the end of the reference is not determined
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/run_class.h"
-#include "core/studies/stability/stability_task.h"
+#include "core/studies/runs/swept_method.h"
 
 namespace touchdown {
 
+struct Field;
+
+/// One value of the parameter.
+struct StabilityRow {
+    std::string label;  // "5 N/um", as it was given; "" where there is no parameter
+    double value = 0.0; // [unit of the parameter]; its number in the list where it is no number
+    std::vector<ReferenceCase> references;
+    std::vector<SweptMethod> methods; // as many as MethodSpecs, with as many settings
+};
+
+struct StabilityTask {
+    Case start;
+    bool picture = true;
+    bool map = true;
+    const Field* parameter = nullptr; // null: none is varied
+    bool parameterIsNumber = false;
+    std::vector<MethodSpec> methods;
+    std::vector<StabilityRow> rows;
+    ClassRule rule;
+};
+
 enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDetermined };
-std::string_view name(CriterionVerdict verdict);
+inline std::string_view name(CriterionVerdict verdict)
+{
+    constexpr std::array<std::string_view, 4> names{"right", "fooled", "false alarm", "not determined"};
+    return names[static_cast<std::size_t>(verdict)];
+}
 
 struct CriterionResult {
     std::string finer; // the setting with which it is compared, "1 ns"

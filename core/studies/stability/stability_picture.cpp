@@ -6,12 +6,17 @@
 #include <limits>
 #include <numbers>
 
+#include "core/formats/units.h"
 #include "core/numerics/small_matrix.h"
 #include "core/numerics/stability_region.h"
+#include "core/physics/film/film_rate.h"
+#include "core/simulation/flight/step_length.h"
 #include "core/simulation/springs/spring_model.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 #include "core/studies/runs/measured_run.h"
+#include "core/studies/stability/closing_gap.h"
 #include "core/studies/stability/stability_curves.h"
-#include "core/studies/study/few_digits.h"
 
 namespace touchdown {
 
@@ -74,31 +79,7 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     return true;
 }
 
-} // namespace
-
-double LocalMotion::fastest() const
-{
-    double most = 0.0;
-    for (const Complex rate : rates) most = std::max(most, std::abs(rate));
-    return most;
-}
-
-double largestStableStep(const std::function<double(Complex)>& growth, const LocalMotion& motion)
-{
-    constexpr double shortest = 1e-4, longest = 1e4; // |lambda| h
-    double least = std::numeric_limits<double>::infinity();
-    for (const Complex rate : motion.rates) {
-        const double size = std::abs(rate);
-        if (size == 0.0 || rate.real() > 1e-9 * size) continue;
-        const Complex direction(std::min(0.0, rate.real() / size), rate.imag() / size);
-        const double z =
-            largestStable([&](double h) { return growth(h * direction) <= stableGrowth; }, shortest, longest);
-        if (z < longest) least = std::min(least, z / size);
-    }
-    return least;
-}
-
-bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+bool makeSpringPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     SpringWay way;
     if (!followSprings(c, way, goOn)) return false;
@@ -138,7 +119,147 @@ bool makeSpringPicture(const Case& c, LinearPicture& picture, const std::functio
     return true;
 }
 
-bool makeLinearPicture(const Case& c, LinearPicture& picture, const std::function<bool()>& goOn)
+/// How film and slider are solved together in a step.
+struct CoupledMethod {
+    std::string name, sentence;
+    CoupledRule rule;
+    bool isTheCases = false;
+};
+
+std::vector<CoupledMethod> coupledMethods(const Case& c)
+{
+    const bool staggered = c.film.coupling == FilmCoupling::Staggered;
+    return {
+        {"monolithic, Fox & Goodwin",
+         "film and slider at once (Fox and Goodwin's rule)",
+         {.beta = 1.0 / 12},
+         !staggered},
+        {"monolithic, trapezoidal",
+         "film and slider at once (the trapezoidal rule, which runs take near the limit of the other one)",
+         {.beta = 0.25},
+         false},
+        {"staggered, iterated",
+         "film and slider staggered until they agree",
+         {.coupling = CouplingKind::Iterated},
+         staggered},
+        {"staggered, twice", "film and slider staggered twice", {.coupling = CouplingKind::InTurns, .turns = 2}, false},
+        {"one-way", "film and slider staggered once", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
+}
+
+std::vector<LinearMethod> filmMethods()
+{
+    const auto backward = [](BackwardRule rule) { return [rule](Complex z) { return backwardGrowth(rule, z); }; };
+    const auto newmark = [](double beta) { return [beta](Complex z) { return newmarkGrowth(beta, 0.5, z); }; };
+    return {{"Euler", "Euler for the air", backward(BackwardRule::Euler)},
+            {"BDF2", "BDF2 for the air", backward(BackwardRule::Bdf2)},
+            {"BDF2OPT", "BDF2OPT for the air", backward(BackwardRule::Bdf2Opt)},
+            {"trapezoidal", "the trapezoidal rule for the slider", newmark(0.25)},
+            {"Fox & Goodwin", "Fox and Goodwin's rule for the slider", newmark(1.0 / 12)}};
+}
+
+/// Largest omega h, of the mode as a slider on a film that leaks [-]; infinite where there is none.
+double coupledLimit(const CoupledRule& rule, double damping)
+{
+    constexpr double shortest = 1e-4, longest = 100.0;
+    const double w = largestStable(
+        [&](double at) { return coupledGrowth(rule, at, 0.0, 2.0 * damping) <= stableGrowth; }, shortest, longest);
+    return w < longest ? w : std::numeric_limits<double>::infinity();
+}
+
+LocalMotion motionOf(const AirBearingMode& mode)
+{
+    const double size = 2.0 * std::numbers::pi * mode.frequency /
+                        std::sqrt(std::max(1e-12, 1.0 - mode.dampingRatio * mode.dampingRatio));
+    return {mode.kind + " mode at " + fewDigits(mode.frequency, "kHz", 3),
+            {{-mode.dampingRatio * size, 2.0 * std::numbers::pi * mode.frequency}},
+            true};
+}
+
+double explicitLimit(const Case& c, const SteadyResult& rest)
+{
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    FilmLevel level(c, recess, MinimumSpacing(c.surface, recess), rest.grid);
+    level.gaps.pad.pad<double>(rest.pressure, level.pressure);
+    level.film.setAttitude(rest.attitude);
+    std::vector<double> residual(level.pressure.size());
+    level.film.linearise(level.pressure, residual);
+    const double rate = fastestFilmRate(level.film);
+    return rate > 0.0 ? 2.0 / rate : std::numeric_limits<double>::infinity();
+}
+
+bool makeFilmPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
+{
+    Case at = c;
+    at.steady.sensitivities = at.steady.allEquilibria = at.steady.fixedAttitude = false;
+    const ModesResult result = modes(at, [&](const SteadyProgress&) { return goOn(); });
+    if (result.status == SteadyStatus::Cancelled) return false;
+    if (result.modes.empty()) {
+        picture.message = "there are no modes: " + (result.message.empty() ? "none oscillates" : result.message);
+        return true;
+    }
+    std::vector<LocalMotion> motions;
+    for (const AirBearingMode& mode : result.modes) motions.push_back(motionOf(mode));
+    if (!result.message.empty()) picture.warnings.push_back("Modes: " + result.message + ".");
+    const LocalMotion& fastest = *std::ranges::max_element(motions, {}, &LocalMotion::fastest);
+    const bool fixed = c.run.steps == StepControl::Fixed;
+    const double length = fixed ? c.run.step : StepLength::longestPhase / fastest.fastest();
+    const CaseStep step{length, (fixed ? "steps of " : "steps of at most ") + fewDigitsOfTime(length), !fixed};
+    const double damping = std::max(0.0, dampingRatio(fastest));
+
+    const std::vector<LinearMethod> methods = filmMethods();
+    StudyChart regions;
+    regions.title = "Where each method is stable";
+    regions.caption = "Euler, BDF2 and BDF2OPT, of the air, are stable outside of their lines; the trapezoidal rule, "
+                      "of the slider, left of its line, Fox & Goodwin's inside. "
+                      "Marks: the modes of the static state times its " +
+                      step.text +
+                      "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
+    regions.panels.push_back(regionPanel(methods, motions, step.length));
+
+    StudyChart growth;
+    growth.title = "Growth in one step against the step";
+    growth.caption = "Left: rules alone, on the fastest mode, whose damping ratio is " + fewDigits(damping, "") +
+                     ". Right: slider and film together, the film a spring with the leak that gives it that damping. "
+                     "Above 1 a method is unstable; the staggered, iterated method "
+                     "ends where its iterations do not converge.";
+    growth.panels.push_back(growthPanel(methods, damping, 0.01, 10.0));
+    addStepBands(growth.panels.back(), motions, step.length);
+    ChartPanel& together = growth.panels.emplace_back(growthPanel({}, damping, 0.01, 10.0));
+    for (const CoupledMethod& method : coupledMethods(c))
+        addGrowth(
+            together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); }, 0.01,
+            10.0);
+    addStepBands(together, motions, step.length);
+    picture.charts = {std::move(regions), std::move(growth)};
+
+    tellLimits(methods, motions, step, picture);
+    StudyTable limits = limitTable(methods, motions, step.length);
+    for (const CoupledMethod& method : coupledMethods(c)) {
+        double least = std::numeric_limits<double>::infinity();
+        const LocalMotion* first = &motions.front();
+        for (const LocalMotion& motion : motions) {
+            const double limit = coupledLimit(method.rule, std::max(0.0, dampingRatio(motion))) / motion.fastest();
+            if (limit < least) least = limit, first = &motion;
+            const bool finite = std::isfinite(limit);
+            limits.rows.push_back(
+                {method.name, motion.where, known(finite, limit), step.length, known(finite, step.length / limit)});
+        }
+        picture.findings.push_back(limitSentence(method.sentence, least, motionText(*first)) +
+                                   (method.isTheCases ? "; this case takes " + step.text + "." : "."));
+    }
+    if (!goOn()) return false;
+    const double air = explicitLimit(c, result.steady);
+    limits.rows.push_back({"explicit", "air alone", air, step.length, step.length / air});
+    picture.findings.push_back("Explicit steps of the air would be stable up to " + fewDigitsOfTime(air) +
+                               " on this grid; those of runs are implicit.");
+    picture.tables = {std::move(limits), eigenvalueTable(motions)};
+    if (!goOn()) return false;
+    return addClosingGap(c, picture, goOn);
+}
+
+} // namespace
+
+bool makeLinearPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     return c.model == ModelKind::Springs ? makeSpringPicture(c, picture, goOn) : makeFilmPicture(c, picture, goOn);
 }

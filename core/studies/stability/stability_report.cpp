@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/case/fields.h"
 #include "core/formats/units.h"
-#include "core/studies/study/few_digits.h"
+#include "core/formats/words.h"
+#include "core/studies/stability/stability_map.h"
 
 namespace touchdown {
 
@@ -16,17 +18,12 @@ namespace {
 constexpr double paperStep = 1e-8;      // the coarser one [s]
 constexpr double logarithmicFrom = 9.0; // largest of an axis against its smallest
 
-std::string times(std::size_t count, const std::string& one, const std::string& many)
-{
-    return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 /// An axis of a key's numbers.
 ChartAxis axisOf(const Field& field, const std::vector<double>& values)
 {
-    ChartAxis axis{
-        .label = field.label.empty() ? field.key : field.label, .unit = field.unit, .displayUnit = field.displayUnit};
-    axis.label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(axis.label.front())));
+    ChartAxis axis{.label = capitalized(field.label.empty() ? field.key : field.label),
+                   .unit = field.unit,
+                   .displayUnit = field.displayUnit};
     if (axis.unit.empty() || axis.unit == "1") axis.unit = axis.displayUnit = "";
     const auto [least, most] = std::ranges::minmax(values);
     axis.logarithmic = least > 0.0 && most >= logarithmicFrom * least;
@@ -40,13 +37,6 @@ std::vector<std::size_t> orderOf(const std::vector<double>& values)
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
     return order;
-}
-
-std::vector<double> sorted(const std::vector<double>& values)
-{
-    std::vector<double> rising = values;
-    std::ranges::sort(rising);
-    return rising;
 }
 
 std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
@@ -74,15 +64,16 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
     for (const StabilityRow& row : task.rows) ys.push_back(row.value);
 
     ChartPanel panel;
-    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key, .unit = "", .displayUnit = ""}
-                       : axisOf(*findField(first.key), xs);
+    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key} : axisOf(*findField(first.key), xs);
     panel.x.label = first.name + ": " + panel.x.label;
     panel.y = task.parameter != nullptr && task.parameterIsNumber
                   ? axisOf(*task.parameter, ys)
-                  : ChartAxis{.label = task.parameter ? task.parameter->key : "", .unit = "", .displayUnit = ""};
+                  : ChartAxis{.label = task.parameter ? task.parameter->key : ""};
     ChartMap& chart = panel.map.emplace();
-    chart.x = sorted(xs);
-    chart.y = sorted(ys);
+    chart.x = xs;
+    chart.y = ys;
+    std::ranges::sort(chart.x);
+    std::ranges::sort(chart.y);
     std::array<int, runClasses> index;
     index.fill(-1);
     for (const std::size_t row : orderOf(ys))
@@ -123,8 +114,7 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
                       {"end_changes", "", "", "Paper's criterion: the end changes", true},
                       {"trajectory_change", "m", "nm", "Paper's criterion: largest change of the spacing", true},
                       {"criterion", "", "", "Paper's criterion is"},
-                      {.name = "detail", .secondary = true}},
-                     {}};
+                      {.name = "detail", .secondary = true}}};
     for (const StabilityCell& cell : map.cells) {
         const StabilityRow& row = task.rows[cell.row];
         const SweptMethod& method = row.methods[cell.method];
@@ -163,13 +153,12 @@ StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
                       {"apart", "m", "nm", "Largest distance of the two"},
                       {"horizon", "s", "us", "Time from which on the trajectory is not determined"},
                       {"end_is_known"},
-                      {"detail"}},
-                     {}};
+                      {"detail"}}};
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const ProvenReference& reference = map.references[row];
         table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
-                              reference.horizon ? StudyValue(*reference.horizon) : StudyValue(),
-                              std::string(reference.endKnown ? "yes" : "no"), knowledgeOf(reference)});
+                              known(reference.horizon), std::string(reference.endKnown ? "yes" : "no"),
+                              knowledgeOf(reference)});
     }
     return table;
 }
@@ -191,7 +180,7 @@ std::string countsOf(const StabilityTask& task, const StabilityMap& map, std::si
             right += isRight(cell) ? 1 : 0;
             if (!isRight(cell) && cell.verdict.kind != RunClass::NotDetermined) from = std::max(from, cell.setting + 1);
         }
-    std::string text = task.methods[method].name + ", " + times(all, "run", "runs") + ": ";
+    std::string text = task.methods[method].name + ", " + counted(all, "run") + ": ";
     for (std::size_t k = 0; k < count.size(); ++k)
         if (count[k] > 0)
             text += (text.ends_with(": ") ? "" : "; ") + std::to_string(count[k]) + ' ' +
@@ -242,18 +231,18 @@ void tellCriterion(const StabilityTask& task, const StabilityMap& map, StudyRepo
                                : ", as with " + placeOf(task, *cell) + " against " + cell->criterion->finer;
     };
     std::string text = "The paper's criterion asks whether the end of a run changes with a tenth of the step. Of " +
-                       times(all.pairs, "pair", "pairs") + " of runs it was fooled by " + std::to_string(all.fooled) +
+                       counted(all.pairs, "pair") + " of runs it was fooled by " + std::to_string(all.fooled) +
                        " (the end stays, and is not the reference's" + first(all.firstFooled) +
                        ") and raised a false alarm at " + std::to_string(all.alarms) +
                        " (the end changes, though at the longer step it was the reference's" + first(all.firstAlarm) +
                        ").";
     if (own.pairs > 0)
-        text += " With the paper's own steps, 10 ns and 1 ns: " + times(own.pairs, "pair", "pairs") + ", fooled by " +
+        text += " With the paper's own steps, 10 ns and 1 ns: " + counted(own.pairs, "pair") + ", fooled by " +
                 std::to_string(own.fooled) + ", false alarm at " + std::to_string(own.alarms) + ".";
-    if (unknown > 0) text += " The true end of " + times(unknown, "pair", "pairs") + " is not determined.";
+    if (unknown > 0) text += " The true end of " + counted(unknown, "pair") + " is not determined.";
     report.findings.push_back(text);
     if (moved > 0)
-        report.findings.push_back("In " + times(moved, "pair", "pairs") +
+        report.findings.push_back("In " + counted(moved, "pair") +
                                   " the end does not change while the trajectory changes by more than " +
                                   fewDigits(task.rule.agreement, "nm") + ", which the criterion does not detect.");
 }
@@ -268,8 +257,8 @@ StudyChart mapChart(const StabilityTask& task, const StabilityMap& map)
         "Each cell is a run, compared with a reference that two methods prove. By another way: the trajectory "
         "is at some time more than " +
         fewDigits(task.rule.agreement, "nm") + " from the reference's. Drifting energy: an energy imbalance above " +
-        fewDigits(100.0 * task.rule.energyDrift, "") +
-        " % of the largest change of a part. Not determined: starts that hardly differ end differently.";
+        percent(task.rule.energyDrift) +
+        " of the largest change of a part. Not determined: starts that hardly differ end differently.";
     if (task.parameter != nullptr && !task.parameterIsNumber)
         for (const StabilityRow& row : task.rows)
             chart.caption += " " + fewDigits(row.value, "") + ": " + row.label + ".";

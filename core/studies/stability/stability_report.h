@@ -3,10 +3,12 @@
 // A map of stability as a chart, tables and sentences.
 #pragma once
 
-#include "core/studies/stability/stability_map.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
+
+struct StabilityMap;
+struct StabilityTask;
 
 /// A panel for each method: its settings along x, the parameter along y.
 StudyChart mapChart(const StabilityTask& task, const StabilityMap& map);

@@ -18,13 +18,17 @@
 namespace touchdown {
 
 enum class StudyStatus : std::uint8_t { Completed, Cancelled, Failed };
-std::string_view name(StudyStatus status);
+inline std::string_view name(StudyStatus status)
+{
+    constexpr std::array<std::string_view, 3> names{"completed", "cancelled", "failed"};
+    return names[static_cast<std::size_t>(status)];
+}
 
 struct ChartAxis {
-    std::string label;        // "Largest error of the flying height"
-    std::string unit;         // SI, of the numbers; empty when dimensionless
-    std::string displayUnit;  // "nm"; empty when dimensionless
-    bool logarithmic = false; // then every number that is drawn is > 0
+    std::string label{};       // "Largest error of the flying height"
+    std::string unit{};        // SI, of the numbers; empty when dimensionless
+    std::string displayUnit{}; // "nm"; empty when dimensionless
+    bool logarithmic = false;  // then every number that is drawn is > 0
 };
 
 /// How a point came out.
@@ -33,7 +37,11 @@ enum class PointKind : std::uint8_t {
     WrongState, // looks right and ends in another state than the reference: drawn hollow
     Failed      // no valid answer: drawn as a cross
 };
-std::string_view name(PointKind kind); // "good", "wrong-state", "failed"
+inline std::string_view name(PointKind kind)
+{
+    constexpr std::array<std::string_view, 3> names{"good", "wrong-state", "failed"};
+    return names[static_cast<std::size_t>(kind)];
+}
 
 struct ChartPoint {
     double x = 0.0, y = 0.0; // [units of the axes]; finite
@@ -44,12 +52,16 @@ struct ChartPoint {
 };
 
 enum class ChartLine : std::uint8_t { None, Solid, Dashed, Steps };
-std::string_view name(ChartLine line); // "none", "solid", "dashed", "steps"
+inline std::string_view name(ChartLine line)
+{
+    constexpr std::array<std::string_view, 4> names{"none", "solid", "dashed", "steps"};
+    return names[static_cast<std::size_t>(line)];
+}
 
 /// Points in the order in which a line joins them; a point of kind Failed is not joined.
 struct ChartSeries {
-    std::string name;
-    std::vector<ChartPoint> points;
+    std::string name{};
+    std::vector<ChartPoint> points{};
     ChartLine line = ChartLine::Solid;
     bool markers = true;
     bool quiet = false; // thin and grey: the Pareto front, the edge of a stability region, a guide
@@ -59,7 +71,7 @@ struct ChartSeries {
 struct ChartBand {
     bool alongX = true;              // between two values of x; else of y
     double lower = 0.0, upper = 0.0; // [unit of that axis]; an infinite end reaches to the panel's edge
-    std::string label;
+    std::string label{};
 };
 
 /// How a cell of a map came out.
@@ -77,18 +89,18 @@ struct ChartMap {
 };
 
 struct ChartPanel {
-    ChartAxis x, y;
-    std::vector<ChartSeries> series;
-    std::vector<ChartBand> bands;
-    std::optional<ChartMap> map;
+    ChartAxis x{}, y{};
+    std::vector<ChartSeries> series{};
+    std::vector<ChartBand> bands{};
+    std::optional<ChartMap> map{};
     bool equalScales = false; // a unit of x is as long as one of y: the complex plane
 };
 
 /// Panels side by side. A series has one colour and one legend entry by its name, whatever panel it is in.
 struct StudyChart {
-    std::string title;
-    std::string caption; // a sentence or more below it: how to read it, what is uncertain
-    std::vector<ChartPanel> panels;
+    std::string title{};
+    std::string caption{}; // a sentence or more below it: how to read it, what is uncertain
+    std::vector<ChartPanel> panels{};
 };
 
 struct StudyColumn {
@@ -100,10 +112,13 @@ struct StudyColumn {
 };
 /// Monostate: not known, or it has no meaning.
 using StudyValue = std::variant<std::monostate, double, std::string>;
+/// A number where it is known.
+inline StudyValue known(bool isKnown, double value) { return isKnown ? StudyValue(value) : StudyValue(); }
+inline StudyValue known(const std::optional<double>& value) { return known(value.has_value(), value.value_or(0.0)); }
 struct StudyTable {
     std::string name; // "runs": a word of [a-z0-9_], a group of the HDF5 file
-    std::vector<StudyColumn> columns;
-    std::vector<std::vector<StudyValue>> rows; // each as long as `columns`; numbers are finite
+    std::vector<StudyColumn> columns{};
+    std::vector<std::vector<StudyValue>> rows{}; // each as long as `columns`; numbers are finite
 };
 
 struct StudyReport {
@@ -121,7 +136,7 @@ struct StudyReport {
 
 struct StudyProgress {
     double share = 0.0;                 // done, 0..1, by expected time
-    std::string doing;                  // "rk4, 10 ns"
+    std::string doing{};                // "rk4, 10 ns"
     const StudyReport* soFar = nullptr; // when there is more to show than before
 };
 /// Return false to stop. Called on the thread of the study, at least every 50 ms.

@@ -76,25 +76,20 @@ void writeSeries(const Hdf5Group& group, const ChartSeries& series)
     group.set("line", name(series.line));
     group.set("markers", std::int64_t{series.markers});
     group.set("quiet", std::int64_t{series.quiet});
-    std::vector<double> x, y, xError, yError, chosen;
-    std::vector<std::string> labels, kinds;
-    for (const ChartPoint& point : series.points) {
-        if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
-        x.push_back(point.x);
-        y.push_back(point.y);
-        xError.push_back(point.xError);
-        yError.push_back(point.yError);
-        chosen.push_back(point.chosen ? 1.0 : 0.0);
-        labels.push_back(point.label);
-        kinds.emplace_back(name(point.kind));
-    }
-    group.put("x", x);
-    group.put("y", y);
-    group.put("x_error", xError);
-    group.put("y_error", yError);
-    group.put("label", labels);
-    group.put("kind", kinds);
-    group.put("chosen", chosen);
+    std::vector<ChartPoint> points = series.points;
+    std::erase_if(points, [](const ChartPoint& point) { return !std::isfinite(point.x) || !std::isfinite(point.y); });
+    const auto put = [&](const char* name, const auto& member) {
+        std::vector<decltype(member(points.front()))> values;
+        for (const ChartPoint& point : points) values.push_back(member(point));
+        group.put(name, values);
+    };
+    put("x", [](const ChartPoint& point) { return point.x; });
+    put("y", [](const ChartPoint& point) { return point.y; });
+    put("x_error", [](const ChartPoint& point) { return point.xError; });
+    put("y_error", [](const ChartPoint& point) { return point.yError; });
+    put("label", [](const ChartPoint& point) { return point.label; });
+    put("kind", [](const ChartPoint& point) { return std::string(name(point.kind)); });
+    put("chosen", [](const ChartPoint& point) { return point.chosen ? 1.0 : 0.0; });
 }
 
 void writeBand(const Hdf5Group& group, const ChartBand& band)

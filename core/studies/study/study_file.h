@@ -19,7 +19,7 @@
 //                             unknown; details
 //   /found/text               the case that the study advises, if it does
 //
-// CSV as RFC 4180: the first table, units in the heading; an unknown value is an empty field.
+// CSV as RFC 4180: the first table, units in the heading; an unknown value is an empty cell.
 #pragma once
 
 #include <filesystem>

@@ -2,26 +2,66 @@
 #include "core/studies/study/study_head.h"
 
 #include <algorithm>
+#include <string_view>
 
-#include "core/case_files/case_settings.h"
+#include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "core/formats/quotation.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr const char* settingsOption = "--set"; // what applySettings calls their file
 constexpr const char* neededCase = "the file of a case, or the name of a sample case, in quotation marks";
 
-/// What was said of settings is said of the study's table.
-void nameTheStudy(const StudyReader& reader, std::vector<InputProblem>& problems)
+/// Gives problems of settings their place in the study's table `set`.
+void placeInStudy(const StudyReader& reader, std::vector<InputProblem>& problems)
 {
     for (InputProblem& problem : problems) {
-        if (problem.file != settingsOption) continue;
+        if (problem.kind != ProblemKind::Setting) continue;
         problem.file = reader.name();
         problem.line = std::max(reader.lineOf("set." + problem.key), reader.lineOf("set.\"" + problem.key + '"'));
         problem.key = "set." + problem.key;
     }
+}
+
+/// "steps", "ensemble.starts".
+bool isKey(std::string_view key)
+{
+    const bool bare = key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.") ==
+                      std::string_view::npos;
+    return bare && !key.empty() && !key.starts_with('.') && !key.ends_with('.') &&
+           key.find("..") == std::string_view::npos;
+}
+
+/// The one entry of "key = value"; text where the value is no TOML.
+TomlDocument readOption(const std::string& key, std::string_view value)
+{
+    TomlDocument toml = readToml(key + " = " + std::string(value));
+    const bool several = value.find_first_of("\r\n") != std::string_view::npos;
+    return toml.problem.empty() && !several ? toml : readToml(key + " = " + tomlString(value));
+}
+
+/// "" or why a key of the file cannot be an option.
+std::string reasonAgainst(const TomlDocument& toml, std::string_view key)
+{
+    const auto isListOf = [&](const TomlTable& table) {
+        return table.kind == TomlTableKind::Array && key.substr(0, key.find('.')) == table.key;
+    };
+    if (std::ranges::any_of(toml.tables, isListOf)) return "is of a list of tables; it stands in the study's file";
+    if (key == "set" || key.starts_with("set.")) return "is no option; --set KEY=VALUE changes the case";
+    if (key == "case" || key == "kind") return "is no option; it stands in the study's file";
+    return {};
+}
+
+void removeKey(TomlDocument& toml, const std::string& key)
+{
+    const auto isWithin = [&](const auto& each) {
+        return each.key == key || each.key.starts_with(key + '.') || each.key.starts_with(key + '[');
+    };
+    std::erase_if(toml.entries, isWithin);
+    std::erase_if(toml.tables, isWithin);
 }
 
 } // namespace
@@ -64,12 +104,49 @@ std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesy
 CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start, const std::vector<std::string>& settings)
 {
     std::vector<std::string> own;
-    for (const auto& [key, value] : reader.settings("set")) own.push_back(key + '=' + value);
+    for (const CaseSetting& each : reader.settings("set")) own.push_back(each.key + '=' + each.value);
     if (!own.empty()) applySettings(start, own);
-    nameTheStudy(reader, start.problems);
-    nameTheStudy(reader, start.unused);
+    placeInStudy(reader, start.problems);
+    placeInStudy(reader, start.unused);
     if (!settings.empty()) applySettings(start, settings);
     return start;
+}
+
+std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std::string>& options)
+{
+    std::vector<InputProblem> problems;
+    for (const std::string& option : options) {
+        const auto refuse = [&](const std::string& key, std::string message) {
+            problems.push_back({"--option", 0, shortenedKey(key), std::move(message)});
+        };
+        const auto equals = option.find('=');
+        const std::string key(trimmed(std::string_view(option).substr(0, equals), blanks));
+        if (equals == std::string::npos || !isKey(key)) {
+            refuse("", inQuotes(option) + " is not key=value");
+            continue;
+        }
+        if (const std::string reason = reasonAgainst(toml, key); !reason.empty()) {
+            refuse(key, reason);
+            continue;
+        }
+        TomlDocument one = readOption(key, trimmed(std::string_view(option).substr(equals + 1), blanks));
+        if (!one.problem.empty()) {
+            refuse(key, one.problem);
+            continue;
+        }
+        removeKey(toml, key);
+        for (TomlEntry& entry : one.entries) {
+            entry.line = optionLine;
+            toml.entries.push_back(std::move(entry));
+        }
+        for (TomlTable& table : one.tables) {
+            if (std::ranges::find(toml.tables, table.key, &TomlTable::key) != toml.tables.end())
+                continue; // it has one key more
+            table.line = optionLine;
+            toml.tables.push_back(std::move(table));
+        }
+    }
+    return problems;
 }
 
 } // namespace touchdown

@@ -1,36 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The keys that all studies have: title, kind, case and the changes of the case.
+// What the files of all studies share: title, kind, case and the changes of the case; and the options that replace keys
+// of a file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/case_files/case_file.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
+
+struct CaseDocument;
 
 /// Largest file of a study that is read [byte].
 inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
 
 std::vector<StudyKey> headKeys();
 
-/// Whether the file is of this kind, or does not say of which; else the reader has the problem.
+/// Whether the file is of this kind, or names none; else the kind is a problem of the reader.
 bool isOfKind(StudyReader& reader, const std::string& kind);
 
 /// Whether the file names a case.
 bool namesCase(StudyReader& reader);
 
-/// The case that the study names, beside it in `folder` or a sample case, with the changes of its `set` and then those
-/// of --set. What is wrong with the case is in the document's problems, each where it was said: in the study, in the
-/// case or by --set. Without a name the reader has the problem, and there is none.
+/// The case that the study names: a file in `folder` or a sample case, changed by the study's `set`, then by the
+/// settings of --set. Problems of the case are in the document, each with its place: the study, the case or --set.
+/// Without a name there is no case, and the reader has the problem.
 std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
                                           const std::vector<std::string>& settings);
 
 /// The same changes of a case that is there already.
 CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start, const std::vector<std::string>& settings);
+
+/// Puts each "key=value" of --option over what the file says; the last one of a key counts. A key of a table has its
+/// name before it: ensemble.starts. A value is TOML or bare text: 3, [1, 2], "10 ns", 10 ns. Returns the problems of
+/// texts that are no option; the reader reports keys that the study does not know.
+std::vector<InputProblem> applyOptions(TomlDocument& toml, const std::vector<std::string>& options);
 
 } // namespace touchdown

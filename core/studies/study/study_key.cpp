@@ -6,7 +6,7 @@
 
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
-#include "core/studies/study/key_path.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -32,13 +32,6 @@ std::string comment(const std::string& text)
     return lines + line + "\n";
 }
 
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string list;
-    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
-    return list;
-}
-
 /// As a value of TOML.
 std::string tomlDefault(const StudyKey& key)
 {
@@ -62,7 +55,7 @@ std::string lineText(const StudyKey& key, std::size_t width)
     if (key.help.empty()) return setting + "\n";
     const std::string line = setting + std::string(setting.size() < width ? width - setting.size() : 0, ' ') + " # ";
     if (key.kind == StudyKeyKind::Choice)
-        if (const std::string all = line + key.help + ": " + listed(key.choices); all.size() <= widestLine)
+        if (const std::string all = line + key.help + ": " + joined(key.choices); all.size() <= widestLine)
             return all + "\n";
     return line.size() + key.help.size() <= widestLine ? line + key.help + "\n" : comment(key.help) + setting + "\n";
 }
@@ -87,11 +80,6 @@ StudyKey integerKey(std::string key, int standard, int minimum, int maximum, std
     return {std::move(key), StudyKeyKind::Integer, standard, std::move(help), "", "", double(minimum), double(maximum)};
 }
 
-StudyKey booleanKey(std::string key, bool standard, std::string help)
-{
-    return {std::move(key), StudyKeyKind::Boolean, standard, std::move(help)};
-}
-
 StudyKey choiceKey(std::string key, std::string standard, std::vector<std::string> choices, std::string help)
 {
     StudyKey row{std::move(key), StudyKeyKind::Choice, std::move(standard), std::move(help)};
@@ -104,21 +92,6 @@ StudyKey textKey(std::string key, StudyDefault standard, std::string needed, std
     StudyKey row{std::move(key), StudyKeyKind::Text, std::move(standard), std::move(help)};
     row.needed = std::move(needed);
     return row;
-}
-
-StudyKey listKey(std::string key, StudyDefault standard, std::string help)
-{
-    return {std::move(key), StudyKeyKind::List, std::move(standard), std::move(help)};
-}
-
-StudyKey settingsKey(std::string key, std::string help)
-{
-    return {std::move(key), StudyKeyKind::Settings, {}, std::move(help)};
-}
-
-StudyKey tableKey(std::string key, std::string help)
-{
-    return {std::move(key), StudyKeyKind::Table, {}, std::move(help)};
 }
 
 StudyKey inList(StudyKey key)
@@ -148,7 +121,7 @@ std::string wholeRangeText(int minimum, int maximum)
 
 std::string choiceText(const std::vector<std::string>& choices)
 {
-    return (choices.size() > 1 ? "one of " : "") + listed(choices);
+    return (choices.size() > 1 ? "one of " : "") + joined(choices);
 }
 
 std::string allowedText(const StudyKey& key)
@@ -193,6 +166,43 @@ std::string templateText(const StudyForm& form)
             (tableOf(key.key).empty() ? text : tables) += lineText(key, width);
     }
     return text + form.lists + tables;
+}
+
+std::string settingKey(const std::string& key, const std::string& table)
+{
+    std::string name = key.substr(table.size() + 1);
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
+    return name;
+}
+
+std::string withoutNumbers(const std::string& key)
+{
+    std::string name;
+    bool inside = false;
+    for (const char c : key) {
+        if (c == '[') inside = true;
+        if (!inside) name += c;
+        if (c == ']') inside = false;
+    }
+    return name;
+}
+
+std::string tableOf(const std::string& key)
+{
+    const auto mark = key.find('"'); // a part in quotation marks may hold dots
+    const auto dot = mark == std::string::npos ? key.rfind('.') : mark == 0 ? mark : mark - 1;
+    return dot == std::string::npos ? std::string() : key.substr(0, dot);
+}
+
+std::string leafOf(const std::string& key)
+{
+    const std::string table = tableOf(key);
+    return table.empty() ? key : key.substr(table.size() + 1);
+}
+
+std::string ownerOf(const std::string& key)
+{
+    return key.ends_with(']') ? key.substr(0, key.rfind('[')) : tableOf(key);
 }
 
 } // namespace touchdown

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,15 +35,27 @@ struct StudyKey {
 StudyKey numberKey(std::string key, StudyDefault standard, std::string unit, std::string displayUnit, double minimum,
                    double maximum, std::string help);
 StudyKey integerKey(std::string key, int standard, int minimum, int maximum, std::string help);
-StudyKey booleanKey(std::string key, bool standard, std::string help);
+inline StudyKey booleanKey(std::string key, bool standard, std::string help)
+{
+    return {std::move(key), StudyKeyKind::Boolean, standard, std::move(help)};
+}
 StudyKey choiceKey(std::string key, std::string standard, std::vector<std::string> choices, std::string help);
 StudyKey textKey(std::string key, StudyDefault standard, std::string needed, std::string help);
 /// Of texts or numbers.
-StudyKey listKey(std::string key, StudyDefault standard, std::string help);
+inline StudyKey listKey(std::string key, StudyDefault standard, std::string help)
+{
+    return {std::move(key), StudyKeyKind::List, std::move(standard), std::move(help)};
+}
 /// Changes of the case: { "run.duration" = "1 ms" }.
-StudyKey settingsKey(std::string key, std::string help);
+inline StudyKey settingsKey(std::string key, std::string help)
+{
+    return {std::move(key), StudyKeyKind::Settings, {}, std::move(help)};
+}
 /// A table of the file; its keys follow it.
-StudyKey tableKey(std::string key, std::string help);
+inline StudyKey tableKey(std::string key, std::string help)
+{
+    return {std::move(key), StudyKeyKind::Table, {}, std::move(help)};
+}
 StudyKey inList(StudyKey key);
 StudyKey onlyOffered(StudyKey key);
 
@@ -68,5 +81,18 @@ struct StudyForm {
 };
 /// The text of a study with all defaults, with the help of each key as a comment; no line has more than 119 characters.
 std::string templateText(const StudyForm& form);
+
+// The parts of a dotted key of TOML, "method[2].set.\"run.step\"".
+
+/// "run.step" of "set.\"run.step\"" and of "set.run.step", where the table is "set".
+std::string settingKey(const std::string& key, const std::string& table);
+/// "method.name" of "method[2].name".
+std::string withoutNumbers(const std::string& key);
+/// "method[2]" of "method[2].name"; "" of a root key.
+std::string tableOf(const std::string& key);
+/// "name" of "method.name".
+std::string leafOf(const std::string& key);
+/// "method" of "method[2]", and "method[2]" of "method[2].name".
+std::string ownerOf(const std::string& key);
 
 } // namespace touchdown

@@ -11,7 +11,7 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_quantity.h"
-#include "core/studies/study/key_path.h"
+#include "core/formats/words.h"
 
 namespace touchdown {
 
@@ -27,13 +27,13 @@ std::optional<std::string> settingText(const TomlValue& value)
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     const auto* array = std::get_if<TomlArray>(&value);
     if (array == nullptr) return {};
-    std::string list;
+    std::vector<std::string> list;
     for (const TomlElement& element : array->elements) {
         const auto one = std::holds_alternative<TomlArray>(element.value) ? std::nullopt : settingText(element.value);
         if (!one) return {};
-        list += (list.empty() ? "" : ", ") + *one;
+        list.push_back(*one);
     }
-    return list;
+    return joined(list);
 }
 
 /// The values of a list, each as an element of its own; beside a file a text with commas is one, too. None where it is
@@ -182,16 +182,16 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
     return {};
 }
 
-std::vector<std::pair<std::string, std::string>> StudyReader::settings(const std::string& table)
+std::vector<CaseSetting> StudyReader::settings(const std::string& table)
 {
-    std::vector<std::pair<std::string, std::string>> list;
+    std::vector<CaseSetting> list;
     settled_.insert(table);
     if (entries_.contains(table) || (findTable(table) != nullptr && findTable(table)->kind == TomlTableKind::Array))
         add(table, std::string("must be ") + neededSettings);
     for (const TomlEntry& entry : toml_.entries) {
         if (!entry.key.starts_with(table + '.')) continue;
         if (auto value = settingText(entry.value))
-            list.emplace_back(settingKey(entry.key, table), std::move(*value));
+            list.push_back({settingKey(entry.key, table), std::move(*value)});
         else
             addAt(entry.line, entry.key,
                   "has the wrong type; a text, a number, true, false or a list of these is needed");

@@ -8,14 +8,16 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/case_files/case_file.h"
+#include "core/case_files/case_settings.h"
+#include "core/formats/input_problem.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
+
+struct Case;
 
 /// The line of an entry that was given by --option; its problems name "--option" as their file.
 inline constexpr int optionLine = -1;
@@ -51,7 +53,7 @@ public:
     std::optional<std::vector<double>> numbers(const std::string& key, const std::string& unit,
                                                const std::string& displayUnit, double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
-    std::vector<std::pair<std::string, std::string>> settings(const std::string& table);
+    std::vector<CaseSetting> settings(const std::string& table);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
     std::vector<std::string> tables(const std::string& list);
     /// A problem of a key, or of a table.

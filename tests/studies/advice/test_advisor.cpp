@@ -7,6 +7,8 @@
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/advice/advisor_report.h"
+#include "core/studies/advice/advisor_study.h"
+#include "core/studies/study/study_reader.h"
 #include "tests/support/taper_flat.h"
 #include "tests/support/test_program.h"
 

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/studies/advice/advisor_candidates.h"
 #include "core/studies/advice/advisor_judgement.h"
 #include "tests/support/test_program.h"
 

@@ -5,6 +5,7 @@
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/studies/advice/advisor_study.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"
 #include "tests/support/taper_flat.h"

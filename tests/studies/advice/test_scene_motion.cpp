@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "core/studies/advice/scene_motion.h"
+#include "core/studies/advice/pilot_run.h"
 #include "tests/support/taper_flat.h"
 #include "tests/support/test_program.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/convergence/convergence_study.h"
+#include "core/studies/convergence/convergence.h"
 
 #include <cmath>
 
 #include <QtTest>
 
-#include "core/studies/convergence/convergence.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"
 

@@ -3,8 +3,11 @@
 
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
+#include "core/formats/toml_document.h"
 #include "core/studies/design/design_study.h"
 #include "core/studies/study/sample_study.h"
+#include "core/studies/study/study_reader.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/hysteresis_answer.h"
+#include "core/studies/hysteresis/hysteresis_findings.h"
 
 #include <QTest>
 
@@ -19,7 +19,7 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Forced"));
         QVERIFY(says(findings, "decays by a factor of e within 100 us"));
@@ -31,7 +31,7 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+            {false, false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
         result.marks = {{EquilibriumMark::Hopf, "Hopf point", at(1.5e-3, 3e-9, Stability::Neutral, 0.0), false}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Self-excited"));
@@ -45,7 +45,7 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         result.steps[2].end.kind = result.steps[4].end.kind = EndKind::Intermittent;
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(says(findings, "Self-excited: from 2 mN to 3 mN the slider ends in and out of contact"));
@@ -59,7 +59,7 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(says(findings, "From 2 mN to 3 mN no equilibrium was found"));
         QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
@@ -76,7 +76,7 @@ private slots:
         result.traced = true;
         result.resolved = 99e3; // the oscillation has 100 kHz
         result.lines = {
-            {"in contact", false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
+            {false, false, {at(0.0, 3e-9, Stability::Stable, -1e4), at(3e-3, 3e-9, Stability::Flutter, 1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
         QVERIFY(findings.front().starts_with("Not known on this grid: at 3 mN"));
         QVERIFY(!says(findings, "Self-excited") && !says(findings, "Forced"));
@@ -91,8 +91,8 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stable, -1e4), at(1.5e-3, 7e-9, Stable, -1e4)}},
-            {"in contact",
+            {true, false, {at(0.0, 7e-9, Stable, -1e4), at(1.5e-3, 7e-9, Stable, -1e4)}},
+            {false,
              false,
              {at(0.5e-3, 3e-9, Stable, -1e4), at(1.0e-3, 3e-9, Stable, -1e4), at(1.01e-3, 3e-9, Flutter, 1e4),
               at(1.19e-3, 3e-9, Flutter, 1e4), at(1.2e-3, 3e-9, Stable, -1e4), at(3e-3, 3e-9, Stable, -1e4)}}};
@@ -109,8 +109,8 @@ private slots:
         result.traced = true;
         for (const std::size_t i : {2, 3, 4, 5}) result.steps[i].end.kind = EndKind::Intermittent;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}},
-            {"in contact",
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.5e-3, 7e-9, Stability::Stable, -1e4)}},
+            {false,
              false,
              {at(1.5e-3, 4e-9, Stability::Divergence, -1e4), at(3e-3, 4e-9, Stability::Divergence, -1e4)}}};
         const std::vector<std::string> findings = hysteresisFindings(task(), result);
@@ -126,12 +126,10 @@ private slots:
         result.traced = true;
         result.steps = {step(2e-3, false, EndKind::Contact, 3e-9), step(2e-3, true, EndKind::Flying, 7e-9)};
         result.lines = {
-            {"in contact",
+            {false,
              false,
              {at(1e-3, 3.1e-9, Stability::Divergence, -1e4), at(3e-3, 3.1e-9, Stability::Divergence, -1e4)}},
-            {"in contact",
-             false,
-             {at(1e-3, 2.5e-9, Stability::Stable, -1e4), at(3e-3, 2.5e-9, Stability::Stable, -1e4)}}};
+            {false, false, {at(1e-3, 2.5e-9, Stability::Stable, -1e4), at(3e-3, 2.5e-9, Stability::Stable, -1e4)}}};
         QVERIFY(says(hysteresisFindings(task(), result),
                      "1 of 2 runs at rest came to rest within 0.5 nm of an equilibrium that is stable"));
     }

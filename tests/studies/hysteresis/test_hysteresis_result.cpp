@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include "core/studies/hysteresis/hysteresis_findings.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 #include "tests/support/held_loop.h"
 #include "tests/support/test_program.h"
 
@@ -64,11 +66,11 @@ private slots:
     void betweenThePointsOfALine()
     {
         const std::vector<EquilibriumLine> lines{
-            {"flying",
+            {true,
              false,
              {at(0.0, 7e-9, Stability::Stable, -1e4), at(1.0, 5e-9, Stability::Stable, -1e4),
               at(2.0, 4e-9, Stability::Stable, -1e4)}},
-            {"in contact", true, {at(1.5, 2e-9, Stability::Divergence, 1e4)}}};
+            {false, true, {at(1.5, 2e-9, Stability::Divergence, 1e4)}}};
         QCOMPARE(equilibriaAt(lines, 0.5).size(), std::size_t(1));
         QVERIFY(std::abs(equilibriaAt(lines, 0.5)[0].spacing - 6e-9) < 1e-22);
         QCOMPARE(equilibriaAt(lines, 1.0).size(), std::size_t(1)); // a point between two spans counts once
@@ -120,7 +122,7 @@ private slots:
         result.steps = loop();
         result.traced = true;
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(3e-3, 7e-9, Stability::Stable, -1e4)}}};
         for (HeldStep& each : result.steps) {
             each.end.kind = EndKind::Failed;
             each.problem = "the slider left the film";
@@ -255,7 +257,7 @@ private slots:
         HysteresisResult result;
         result.steps = loop();
         result.lines = {
-            {"flying", false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
+            {true, false, {at(0.0, 7e-9, Stability::Stable, -1e4), at(2.5e-3, 7e-9, Stability::Stable, -1e4)}}};
         result.marks = {{EquilibriumMark::Switch, "touch-down", at(2.5e-3, 7e-9, Stability::Stable, -1e4), false}};
         QVERIFY(
             says(hysteresisFindings(task(), result), "ends only at 2.5 mN: the step itself made the slider oscillate"));

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/studies/hysteresis/equilibrium_ranges.h"
+#include "core/studies/hysteresis/hysteresis_result.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -51,12 +51,12 @@ private slots:
         using enum Stability;
         for (const Stability rounded : {Stable, Flutter}) {
             const std::vector<EquilibriumLine> lines{
-                {"flying",
+                {true,
                  false,
                  {at(0.0, Stable), at(1.0, rounded, true), at(2.0, Flutter), at(3.0, Flutter), at(4.0, Stable)}}};
             QVERIFY(same(rangesAlong(lines, flutters), {{1.0, 3.0}}));
         }
-        const std::vector<EquilibriumLine> outside{{"front spring lost", true, {at(0.0, Flutter)}}};
+        const std::vector<EquilibriumLine> outside{{true, true, {at(0.0, Flutter)}}};
         QVERIFY(rangesAlong(outside, flutters).empty());
     }
 
@@ -65,8 +65,8 @@ private slots:
     {
         using enum Stability;
         const std::vector<EquilibriumLine> lines{
-            {"flying", false, {at(0.0, Stable), at(2.0, Stable, true), at(4.0, Flutter)}},
-            {"in contact", false, {at(1.0, Stable), at(4.0, Stable)}}};
+            {true, false, {at(0.0, Stable), at(2.0, Stable, true), at(4.0, Flutter)}},
+            {false, false, {at(1.0, Stable), at(4.0, Stable)}}};
         QVERIFY(same(coexistence(lines), {{1.0, 2.0}}));
     }
 

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/studies/precision/precision_task.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/studies/runs/measured_run.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

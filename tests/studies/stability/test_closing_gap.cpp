@@ -6,18 +6,19 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/studies/stability/stability_curves.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
 
 namespace {
 
-LinearPicture pictureOf(SlipModel model, double blendWidth = 0.0)
+StudyReport pictureOf(SlipModel model, double blendWidth = 0.0)
 {
     Case c = openCase("film_pico").value;
     c.air.slip.model = model;
     c.air.slip.blendWidth = blendWidth;
-    LinearPicture picture;
+    StudyReport picture;
     addClosingGap(c, picture);
     return picture;
 }
@@ -37,7 +38,7 @@ private slots:
     /// the air of a case.
     void eachModel()
     {
-        const LinearPicture picture = pictureOf(SlipModel::FukuiKaneko);
+        const StudyReport picture = pictureOf(SlipModel::FukuiKaneko);
         QCOMPARE(picture.charts.size(), std::size_t{1});
         const StudyTable& table = picture.tables.front();
         QCOMPARE(table.rows.size(), std::size_t{9});
@@ -61,7 +62,7 @@ private slots:
     /// 3 Kn^2. At ten times ambient Kn = 63.5/3 = 21: D = 0.042, Q_P = 2.38, Q = 341 by 1430.
     void theHardSwitch()
     {
-        const LinearPicture hard = pictureOf(SlipModel::Combination);
+        const StudyReport hard = pictureOf(SlipModel::Combination);
         QVERIFY(says(hard.warnings, "hard switch of slip at 0.3 nm") && says(hard.warnings, "0.24 at ten times"));
         QVERIFY(!says(pictureOf(SlipModel::Combination, 0.1e-9).warnings, "hard switch"));
     }

@@ -7,9 +7,11 @@
 
 #include <QTest>
 
+#include "core/case/fields.h"
 #include "core/case_files/case_file.h"
+#include "core/formats/toml_document.h"
 #include "core/studies/stability/stability_map.h"
-#include "core/studies/stability/stability_task.h"
+#include "core/studies/study/study_reader.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

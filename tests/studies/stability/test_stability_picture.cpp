@@ -9,6 +9,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/numerics/stability_region.h"
+#include "core/studies/stability/stability_curves.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -16,13 +17,13 @@ using Complex = std::complex<double>;
 
 namespace {
 
-const StudyTable& tableOf(const LinearPicture& picture, const std::string& name)
+const StudyTable& tableOf(const StudyReport& picture, const std::string& name)
 {
     return *std::ranges::find(picture.tables, name, &StudyTable::name);
 }
 
 /// The largest stable step of a method at a place; NaN where it has no limit.
-double limitOf(const LinearPicture& picture, const std::string& method, const std::string& where)
+double limitOf(const StudyReport& picture, const std::string& method, const std::string& where)
 {
     for (const auto& row : tableOf(picture, "step_limits").rows)
         if (std::get<std::string>(row[0]) == method && std::get<std::string>(row[1]) == where)
@@ -31,9 +32,9 @@ double limitOf(const LinearPicture& picture, const std::string& method, const st
     return 0.0;
 }
 
-LinearPicture pictureOf(const Case& c)
+StudyReport pictureOf(const Case& c)
 {
-    LinearPicture picture;
+    StudyReport picture;
     if (!makeLinearPicture(c, picture, [] { return true; })) qFatal("it was not stopped");
     return picture;
 }
@@ -59,7 +60,7 @@ private slots:
     void textbookOscillator()
     {
         const Case c = openCase("textbook_oscillator").value;
-        const LinearPicture picture = pictureOf(c);
+        const StudyReport picture = pictureOf(c);
         const double omega = std::sqrt(c.suspension.stiffness / c.slider.mass),
                      turning = std::sqrt(c.suspension.pitchStiffness / c.slider.pitchInertia);
         std::vector<double> found;
@@ -77,7 +78,7 @@ private slots:
     {
         Case c;
         c.run.integrator = IntegratorKind::Rk4Events;
-        const LinearPicture picture = pictureOf(c);
+        const StudyReport picture = pictureOf(c);
         const double rest = limitOf(picture, "rk4", "in the static state"),
                      near = limitOf(picture, "rk4", "closest to the disk"),
                      contact = limitOf(picture, "rk4", "in contact");
@@ -107,7 +108,7 @@ private slots:
     /// The steps of an adaptive method are those that its own run takes.
     void adaptiveSteps()
     {
-        const LinearPicture picture = pictureOf(openCase("fig10a").value);
+        const StudyReport picture = pictureOf(openCase("fig10a").value);
         const double step = std::get<double>(tableOf(picture, "step_limits").rows.front()[3]);
         QVERIFY2(step > 20e-9 && step < 2e-6, qPrintable(QString::number(step)));
     }
@@ -117,8 +118,8 @@ private slots:
     {
         Case c = openCase("film_pico").value;
         c.film.nodes = {65, 65}; // on 33^2 the fastest mode grows, which no step can change
-        const LinearPicture picture = pictureOf(c);
-        QVERIFY2(picture.problem.empty(), picture.problem.c_str());
+        const StudyReport picture = pictureOf(c);
+        QVERIFY2(picture.message.empty(), picture.message.c_str());
         const auto& eigenvalues = tableOf(picture, "eigenvalues").rows;
         QCOMPARE(eigenvalues.size(), std::size_t{3});
         const auto& fastest = eigenvalues.back();
@@ -135,7 +136,7 @@ private slots:
     }
     void stops()
     {
-        LinearPicture picture;
+        StudyReport picture;
         QVERIFY(!makeLinearPicture(Case{}, picture, [] { return false; }));
         Case c = openCase("film_pico").value;
         c.film.nodes = {33, 33};

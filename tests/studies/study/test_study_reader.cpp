@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "core/case/case.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -105,9 +106,9 @@ private slots:
         a.reader.finish();
         QCOMPARE(text(a.said()), QString());
         QCOMPARE(list.size(), std::size_t{3});
-        QCOMPARE(list[0], (std::pair<std::string, std::string>{"run.step", "10 ns"}));
-        QCOMPARE(list[1], (std::pair<std::string, std::string>{"film.nodes", "97, 97"}));
-        QCOMPARE(list[2], (std::pair<std::string, std::string>{"slider.roll_free", "false"}));
+        QCOMPARE(list[0], (CaseSetting{"run.step", "10 ns"}));
+        QCOMPARE(list[1], (CaseSetting{"film.nodes", "97, 97"}));
+        QCOMPARE(list[2], (CaseSetting{"slider.roll_free", "false"}));
     }
     void tables()
     {
@@ -115,7 +116,7 @@ private slots:
                "\"c\"\n");
         QCOMPARE(a.reader.tables("method"), (std::vector<std::string>{"method[1]", "method[2]"}));
         QCOMPARE(*a.reader.text("method[1].name"), std::string("a"));
-        QCOMPARE(a.reader.settings("method[1].set").front().second, std::string("1e-9"));
+        QCOMPARE(a.reader.settings("method[1].set").front().value, std::string("1e-9"));
         QCOMPARE(*a.reader.text("method[2].name"), std::string("b"));
         a.reader.finish();
         QCOMPARE(text(a.said()), QString("a.toml:6: methods: unknown table; did you mean method?\n"));

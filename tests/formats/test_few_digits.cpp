@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/study/few_digits.h"
+#include "core/formats/units.h"
 
 #include <QTest>
 
