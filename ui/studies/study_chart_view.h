@@ -10,7 +10,7 @@
 
 #include <QWidget>
 
-#include "ui/plot/picture.h"
+#include "ui/plot/plot_export.h"
 #include "ui/studies/study_panel.h"
 
 namespace touchdown {

@@ -30,7 +30,6 @@
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
-#include "ui/style/icons.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"

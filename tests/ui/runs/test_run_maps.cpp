@@ -12,7 +12,7 @@
 #include "tests/ui/sample_slider.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
