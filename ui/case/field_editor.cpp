@@ -107,29 +107,22 @@ QWidget* FieldEditor::input() const
 
 void FieldEditor::buildInput()
 {
-    switch (field_.kind) {
-    case FieldKind::Choice:
+    if (field_.kind == FieldKind::Choice) {
         choice_ = new QComboBox(this);
         for (const std::string& name : field_.choices) choice_->addItem(QString::fromStdString(name));
         choice_->setFocusPolicy(Qt::StrongFocus);
         connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentText()); });
-        break;
-    case FieldKind::Boolean:
+    } else if (field_.kind == FieldKind::Boolean) {
         check_ = new QCheckBox(this);
         connect(check_, &QCheckBox::clicked, this,
                 [this](bool on) { emit entered(on ? QStringLiteral("true") : QStringLiteral("false")); });
-        break;
-    case FieldKind::Number:
-    case FieldKind::Integer:
-    case FieldKind::List:
-    case FieldKind::Text:
+    } else {
         line_ = new QLineEdit(this);
         if (!isWide(field_)) {
             line_->setAlignment(Qt::AlignRight);
             line_->setFixedWidth(inputWidth());
         }
         connect(line_, &QLineEdit::editingFinished, this, &FieldEditor::commitLine);
-        break;
     }
     input()->installEventFilter(this);
     input()->setAccessibleName(QString::fromStdString(field_.label));

@@ -13,13 +13,6 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
     : plot_(plot), theme_(theme), area_(plot.plotArea()), frame_(area_, plot.font(), plot.xAxis(), plot.yAxis(), 9)
 {}
 
-QRectF PlotPainter::plotArea(const QSizeF& size, const QFont& font, bool xNumbers)
-{
-    const double lastNumber = QFontMetricsF(plotNumberFont(font)).horizontalAdvance(QStringLiteral("00.0"));
-    return PlotFrame::areaWithin(size, font, QStringLiteral("\u2212000.000"), lastNumber / 2.0 + PlotFrame::gap,
-                                 xNumbers);
-}
-
 void PlotPainter::paintBehind(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);

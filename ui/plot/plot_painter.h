@@ -13,9 +13,6 @@ public:
     /// Both must outlive the painter.
     PlotPainter(const PlotWidget& plot, const PlotTheme& theme);
 
-    /// Where the curves go.
-    static QRectF plotArea(const QSizeF& size, const QFont& font, bool xNumbers);
-
     void paintBehind(QPainter& painter) const;
     void paintAbove(QPainter& painter) const;
     /// The curves themselves, cut at the border: for pictures. On the screen Qt Charts draws them.

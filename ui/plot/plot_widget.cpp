@@ -60,13 +60,6 @@ void PlotWidget::setYLabel(const AxisLabel& label)
     dataChanged();
 }
 
-void PlotWidget::setXScale(AxisScale scale)
-{
-    if (x_.label.scale == scale) return;
-    x_.label.scale = scale;
-    dataChanged();
-}
-
 void PlotWidget::setYScale(AxisScale scale)
 {
     if (y_.label.scale == scale) return;
@@ -297,7 +290,12 @@ void PlotWidget::userPin(bool pinned)
 
 void PlotWidget::showSelection(std::optional<QRectF> box) { canvas_->setSelection(box); }
 
-QRectF PlotWidget::plotArea() const { return PlotPainter::plotArea(size(), font(), xNumbersVisible_); }
+QRectF PlotWidget::plotArea() const
+{
+    const double lastNumber = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(QStringLiteral("00.0"));
+    return PlotFrame::areaWithin(size(), font(), QStringLiteral("\u2212000.000"), lastNumber / 2.0 + PlotFrame::gap,
+                                 xNumbersVisible_);
+}
 
 QPointF PlotWidget::toPixel(double x, double y) const
 {

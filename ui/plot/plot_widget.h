@@ -47,7 +47,6 @@ public:
     void setXLabel(const AxisLabel& label); // as made: "Time", "s"
     void setYLabel(const AxisLabel& label);
     void setYScale(AxisScale scale);
-    void setXScale(AxisScale scale);
     const PlotAxis& xAxis() const { return x_; }
     const PlotAxis& yAxis() const { return y_; }
     /// Only the lowest of stacked plots needs numbers and title below.

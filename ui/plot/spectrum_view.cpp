@@ -95,7 +95,9 @@ SpectrumView::SpectrumView(QWidget* parent)
     }
     connect(overlap_, &QSpinBox::valueChanged, this, &SpectrumView::request);
     connect(logFrequency_, &QCheckBox::toggled, this, [this](bool on) {
-        plot_->setXScale(on ? AxisScale::Logarithmic : AxisScale::Linear);
+        AxisLabel label = plot_->xAxis().label;
+        label.scale = on ? AxisScale::Logarithmic : AxisScale::Linear;
+        plot_->setXLabel(label);
         group_->fit();
     });
 }

@@ -58,20 +58,6 @@ QPalette paletteOf(const Tones& tones)
     return palette;
 }
 
-QPalette lightPalette()
-{
-    return paletteOf({"#f3f4f6", "#ffffff", "#f0f2f5", "#fbfbfc", "#1b1f24", "#7b838c", "#1f6fb5", "#ffffff", "#155d9c",
-                      "#fffdf2", "#c9ced5"});
-}
-
-QPalette darkPalette()
-{
-    // Fusion draws no lighter frame around a text box or a check box: the panel must be clearly lighter than their
-    // base.
-    return paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1", "#2f7fc4", "#ffffff", "#6db3ee",
-                      "#2f353c", "#545c66"});
-}
-
 QByteArray svgOf(const QString& name)
 {
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
@@ -103,7 +89,12 @@ void applyTheme(Theme theme, int pointSize)
     const SystemLook& system = systemLook();
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const bool dark = theme == Theme::Dark || (theme == Theme::System && system.dark);
-    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    // Fusion draws no lighter frame around a text box or a check box: the dark window is clearly lighter than their
+    // base.
+    QApplication::setPalette(dark ? paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1",
+                                               "#2f7fc4", "#ffffff", "#6db3ee", "#2f353c", "#545c66"})
+                                  : paletteOf({"#f3f4f6", "#ffffff", "#f0f2f5", "#fbfbfc", "#1b1f24", "#7b838c",
+                                               "#1f6fb5", "#ffffff", "#155d9c", "#fffdf2", "#c9ced5"}));
     QFont font = QApplication::font();
     font.setPointSize(pointSize > 0 ? pointSize : system.pointSize);
     QApplication::setFont(font);
