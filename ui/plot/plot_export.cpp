@@ -2,7 +2,6 @@
 #include "ui/plot/plot_export.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 
 #include <QClipboard>
@@ -13,7 +12,6 @@
 #include <QHash>
 #include <QImage>
 #include <QPageSize>
-#include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
