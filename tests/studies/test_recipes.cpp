@@ -7,7 +7,7 @@
 #include "core/case_files/case_file.h"
 #include "core/physics/film/slip.h"
 #include "core/simulation/run.h"
-#include "core/studies/precision/precision_methods.h"
+#include "core/studies/precision/precision_task.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"

@@ -2,11 +2,9 @@
 #include "ui/case/case_edits.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
-#include <QUndoCommand>
-
+#include "ui/case/field_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

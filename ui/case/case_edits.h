@@ -2,24 +2,21 @@
 //
 // The case that is being edited: its values, the entries that could not be taken, and undo.
 //
-// An entry that cannot be read stays where it was typed and is part of the state, so that undo and
-// redo treat it as any other edit.
+// An entry that cannot be read remains as it was typed and is part of the state: undo and redo treat it as any other
+// edit.
 #pragma once
-
-#include "core/case/fields.h"
-#include "core/case_files/case_file.h"
-
-#include <QObject>
-#include <QString>
-#include <QUndoStack>
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include <QUndoStack>
+
+#include "core/case/fields.h"
+
 namespace touchdown {
 
-/// Text typed into a field, and why it is not accepted.
+/// Text typed for a parameter, and why it is not accepted.
 struct BadEntry {
     QString text;
     QString reason;
@@ -49,7 +46,7 @@ public:
     bool changed(const Field& field) const;
     bool anyChanged() const;
 
-    /// nullptr when the field's entry was taken.
+    /// nullptr when the entry was taken.
     const BadEntry* badEntry(const Field& field) const;
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }

@@ -2,17 +2,16 @@
 #include "ui/case/case_files.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
+#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -22,6 +21,13 @@ constexpr int mostRecent = 10;
 constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
+
+QStringList textsOf(const std::vector<InputProblem>& problems)
+{
+    QStringList texts;
+    for (const InputProblem& problem : problems) texts << QString::fromStdString(problem.text());
+    return texts;
+}
 
 /// Name of the archive or of the folder; the file itself is always rail.dat.
 QString importedName(const QFileInfo& file)
@@ -50,9 +56,7 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     edits_.open(document.value);
     if (!file.isEmpty()) remember(file);
     emit opened();
-    QStringList warnings;
-    for (const auto* list : {&document.warnings, &document.unused})
-        for (const InputProblem& warning : *list) warnings << QString::fromStdString(warning.text());
+    const QStringList warnings = textsOf(document.warnings) + textsOf(document.unused);
     if (import)
         emit imported(file, warnings);
     else if (!warnings.isEmpty())
@@ -63,9 +67,7 @@ bool CaseFiles::openNow(const QString& fileOrSample)
 {
     const CaseDocument document = openCase(fileOrSample.toStdString());
     if (!document.valid()) {
-        QStringList problems;
-        for (const InputProblem& problem : document.problems) problems << QString::fromStdString(problem.text());
-        showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), problems);
+        showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), textsOf(document.problems));
         return false;
     }
     const QFileInfo info(fileOrSample);
@@ -115,17 +117,11 @@ void CaseFiles::askForFile(const QString& title, const QString& filter)
 
 void CaseFiles::chooseExport()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Export as a CML case"), QFileInfo(file_).absolutePath(),
-                                   tr("CML archive (*.cml);;Folder with rail.dat and run.dat (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("cml"));
-    dialog->selectFile(QFileInfo(shortName()).completeBaseName() + QStringLiteral(".cml"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.contains(QLatin1String("*.cml")) ? QStringLiteral("cml") : QString());
-    });
+    const QString name = QFileInfo(shortName()).completeBaseName() + QStringLiteral(".cml");
+    const QFileDialog* dialog = openSaveDialog(&window_, tr("Export as a CML case"),
+                                               {tr("CML archive (*.cml)"), tr("Folder with rail.dat and run.dat (*)")},
+                                               QFileInfo(file_).absoluteDir().filePath(name));
     connect(dialog, &QFileDialog::fileSelected, this, &CaseFiles::exportTo);
-    dialog->open();
 }
 
 void CaseFiles::exportTo(const QString& path)
@@ -156,14 +152,10 @@ void CaseFiles::save()
 
 void CaseFiles::saveAs()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Save the case"), file_, tr("Case files (*.toml)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("toml"));
-    if (file_.isEmpty()) dialog->selectFile(shortName() + QStringLiteral(".toml"));
+    const QFileDialog* dialog = openSaveDialog(&window_, tr("Save the case"), {tr("Case files (*.toml)")},
+                                               file_.isEmpty() ? shortName() + QStringLiteral(".toml") : file_);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { write(file); });
     connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
-    dialog->open();
 }
 
 void CaseFiles::whenSettled(const std::function<void()>& next)
@@ -180,14 +172,11 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
     connect(box, &QMessageBox::buttonClicked, this, [this, box, next](QAbstractButton* button) {
-        switch (box->standardButton(button)) {
-        case QMessageBox::Save:
-            afterSave_ = next;
-            save();
-            break;
-        case QMessageBox::Discard: next(); break;
-        default: break;
-        }
+        const auto chosen = box->standardButton(button);
+        if (chosen == QMessageBox::Discard) next();
+        if (chosen != QMessageBox::Save) return;
+        afterSave_ = next;
+        save();
     });
     box->open();
 }

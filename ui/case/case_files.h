@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The file of the case that is being edited: new, open, save, recent, and what happens to changes
-// that were not saved. Files of the established program (CML) are imported and exported: saving never writes over them.
-// Nothing here blocks: questions are asked by boxes that leave the window alive.
+// The file of the case that is being edited: new, open, save, recent files, the question about unsaved changes. Files
+// of the established program (CML) are imported and exported; saving never overwrites them. No dialog blocks the
+// window.
 #pragma once
-
-#include "ui/case/case_edits.h"
-
-#include <QObject>
-#include <QString>
-#include <QStringList>
-#include <QWidget>
 
 #include <filesystem>
 #include <functional>
 
+#include <QWidget>
+
+#include "ui/case/case_edits.h"
+
 namespace touchdown {
+
+struct CaseDocument;
 
 class CaseFiles : public QObject {
     Q_OBJECT
@@ -24,10 +23,10 @@ public:
     /// Both must outlive this.
     CaseFiles(CaseEdits& edits, QWidget& window);
 
-    /// A case that was read elsewhere; `file` is empty for a sample case or a new one, and where an imported one was
-    /// read.
+    /// A case that was read elsewhere. `file` is empty for a sample case and a new one; an imported case has the path
+    /// of its import.
     void take(const CaseDocument& document, const QString& file);
-    /// Opens a case file or a sample case at once; problems are shown.
+    /// Opens a case file or a sample case at once; shows problems.
     bool openNow(const QString& fileOrSample);
     /// As openNow, after asking about changes.
     void open(const QString& fileOrSample);
@@ -40,7 +39,7 @@ public:
     void save();
     void saveAs();
 
-    /// Asks about unsaved changes, if there are any; continues unless the user cancels.
+    /// Asks about unsaved changes, if there are any; calls `next` unless the user cancels.
     void whenSettled(const std::function<void()>& next);
 
     bool modified() const;
@@ -62,7 +61,7 @@ signals:
     void resultsFileChosen(const QString& file);
     /// After `opened`; the warnings list the entries that are not modelled.
     void imported(const QString& path, const QStringList& warnings);
-    /// After `opened`, of a case file that says something that is not modelled or has no effect.
+    /// After `opened`, of a case file with entries that are not modelled or have no effect.
     void warned(const QStringList& warnings);
     void exported(const QString& path, const QStringList& warnings);
 
@@ -76,7 +75,7 @@ private:
     QWidget& window_;
     QString file_;
     QString sample_;
-    QString imported_;             // what to call an imported case
+    QString imported_;             // name of an imported case
     std::string text_;             // as opened or saved
     std::filesystem::path folder_; // of the files that it names
     Case saved_;                   // the values in it

@@ -2,16 +2,15 @@
 #include "ui/case/case_panel.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
-#include <QEvent>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QScrollBar>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "ui/case/case_edits.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -20,33 +19,28 @@ namespace {
 
 QString groupTitle(const std::string& name)
 {
-    static const std::array<std::pair<const char*, const char*>, 16> titles{
-        {{"", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Model")},
-         {"springs", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Air bearing springs")},
-         {"pad", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Contact pad")},
-         {"approach", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Approach and retraction")},
-         {"elastic", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Elastic contact")},
-         {"adhesion", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Intermolecular adhesion")},
-         {"asperity", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Asperities")},
-         {"meniscus", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Menisci")},
-         {"disk.surface", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Disk surface")},
-         {"ono_yamane", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Contact and adhesion")},
-         {"initial", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Start")},
-         {"run", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Run and numerics")},
-         {"spectrum", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Spectrum")},
-         {"abs", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Air bearing surface")},
-         {"film", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Film and grid")},
-         {"steady", QT_TRANSLATE_NOOP("touchdown::CasePanel", "Static attitude")}}};
-    for (const auto& [key, title] : titles)
-        if (name == key) return CasePanel::tr(title);
-    // A group that is new to this list is shown by its name.
-    QString text = QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+    static const QHash<QString, QString> titles{{"", CasePanel::tr("Model")},
+                                                {"springs", CasePanel::tr("Air bearing springs")},
+                                                {"pad", CasePanel::tr("Contact pad")},
+                                                {"approach", CasePanel::tr("Approach and retraction")},
+                                                {"elastic", CasePanel::tr("Elastic contact")},
+                                                {"adhesion", CasePanel::tr("Intermolecular adhesion")},
+                                                {"asperity", CasePanel::tr("Asperities")},
+                                                {"meniscus", CasePanel::tr("Menisci")},
+                                                {"disk.surface", CasePanel::tr("Disk surface")},
+                                                {"ono_yamane", CasePanel::tr("Contact and adhesion")},
+                                                {"initial", CasePanel::tr("Start")},
+                                                {"run", CasePanel::tr("Run and numerics")},
+                                                {"spectrum", CasePanel::tr("Spectrum")},
+                                                {"abs", CasePanel::tr("Air bearing surface")},
+                                                {"film", CasePanel::tr("Film and grid")},
+                                                {"steady", CasePanel::tr("Static attitude")}};
+    const QString key = QString::fromStdString(name);
+    // A group that is missing in this list is shown by its key.
+    QString text = titles.value(key, QString(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
     text[0] = text[0].toUpper();
     return text;
 }
-
-/// The description of the case has its own pane; it is no parameter.
-bool isParameter(const Field& field) { return field.group() != "about"; }
 
 } // namespace
 
@@ -97,15 +91,14 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     layout->addWidget(legend_);
 
     connect(&edits_, &CaseEdits::edited, this, &CasePanel::refresh);
-    colour();
+    setTextColour(legend_, meaningColours(palette()).warning);
     refresh();
 }
 
 CasePanel::~CasePanel()
 {
     // An editor that loses the focus while it is destroyed would end its edit without a receiver.
-    for (const Group& group : groups_)
-        for (FieldEditor* editor : group.editors) editor->disconnect(this);
+    for (FieldEditor* editor : editors_) editor->disconnect(this);
 }
 
 void CasePanel::buildPresets()
@@ -134,25 +127,22 @@ void CasePanel::buildGroups(QWidget* page)
     layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(0);
     for (const Field& field : fields()) {
-        if (!isParameter(field)) continue;
         const std::string name = field.group();
+        if (name == "about") continue; // the description of the case has its own pane
         auto group = std::ranges::find(groups_, name, &Group::name);
-        if (group == groups_.end()) {
-            addGroup(name, page);
-            group = groups_.end() - 1;
-        }
+        if (group == groups_.end()) group = addGroup(name, page);
         auto* editor = new FieldEditor(field, group->body);
         connect(editor, &FieldEditor::entered, this,
                 [this, &field](const QString& text) { edits_.enter(field, text); });
         connect(editor, &FieldEditor::resetRequested, this, [this, &field] { edits_.reset(field); });
         group->body->layout()->addWidget(editor);
-        group->editors.push_back(editor);
+        editors_.push_back(editor);
     }
     layout->addStretch(1);
     alignUnits();
 }
 
-void CasePanel::addGroup(const std::string& name, QWidget* page)
+std::vector<CasePanel::Group>::iterator CasePanel::addGroup(const std::string& name, QWidget* page)
 {
     Group group;
     group.name = name;
@@ -180,16 +170,14 @@ void CasePanel::addGroup(const std::string& name, QWidget* page)
         clicked->open = !clicked->open;
         refreshVisibility();
     });
-    groups_.push_back(std::move(group));
+    return groups_.insert(groups_.end(), std::move(group));
 }
 
 void CasePanel::alignUnits()
 {
     int width = 0;
-    for (const Group& group : groups_)
-        for (const FieldEditor* editor : group.editors) width = std::max(width, editor->unitWidth());
-    for (const Group& group : groups_)
-        for (FieldEditor* editor : group.editors) editor->setUnitWidth(width);
+    for (const FieldEditor* editor : editors_) width = std::max(width, editor->unitWidth());
+    for (FieldEditor* editor : editors_) editor->setUnitWidth(width);
 }
 
 void CasePanel::setPreset(const QString& sampleName)
@@ -200,31 +188,26 @@ void CasePanel::setPreset(const QString& sampleName)
 
 FieldEditor* CasePanel::editor(std::string_view key) const
 {
-    for (const Group& group : groups_)
-        for (FieldEditor* editor : group.editors)
-            if (editor->field().key == key) return editor;
-    return nullptr;
+    const auto found = std::ranges::find(editors_, key, [](const FieldEditor* each) { return each->field().key; });
+    return found == editors_.end() ? nullptr : *found;
 }
 
 void CasePanel::showFirstProblem()
 {
-    for (Group& group : groups_) {
-        for (FieldEditor* editor : group.editors) {
-            if (editor->reason().isEmpty() || !editor->field().used(edits_.value())) continue;
-            search_->clear();
-            group.open = true;
-            refreshVisibility();
-            scroll_->ensureWidgetVisible(editor);
-            editor->setFocus();
-            return;
-        }
-    }
+    const auto bad = std::ranges::find_if(editors_, [this](const FieldEditor* editor) {
+        return !editor->reason().isEmpty() && editor->field().used(edits_.value());
+    });
+    if (bad == editors_.end()) return;
+    search_->clear();
+    std::ranges::find(groups_, (*bad)->field().group(), &Group::name)->open = true;
+    refreshVisibility();
+    scroll_->ensureWidgetVisible(*bad);
+    (*bad)->setFocus();
 }
 
 void CasePanel::refresh()
 {
-    for (const Group& group : groups_)
-        for (FieldEditor* editor : group.editors) editor->show(edits_);
+    for (FieldEditor* editor : editors_) editor->show(edits_);
     const bool changed = edits_.anyChanged();
     resetAll_->setEnabled(changed);
     preset_->setCurrentIndex(changed || presetName_.isEmpty() ? -1 : preset_->findData(presetName_));
@@ -236,7 +219,8 @@ void CasePanel::refreshVisibility()
     const QString search = search_->text();
     for (const Group& group : groups_) {
         bool any = false;
-        for (FieldEditor* editor : group.editors) {
+        for (FieldEditor* editor : editors_) {
+            if (editor->parentWidget() != group.body) continue;
             const bool wanted = editor->field().used(edits_.value()) && editor->matches(search);
             editor->setVisible(wanted);
             any = any || wanted;
@@ -253,23 +237,16 @@ void CasePanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) alignUnits();
-    if (event->type() == QEvent::PaletteChange) colour();
+    if (event->type() == QEvent::PaletteChange) setTextColour(legend_, meaningColours(palette()).warning);
 }
 
 bool CasePanel::eventFilter(QObject* watched, QEvent* event)
 {
-    // Rows scroll up and down only, so that the panel must be as wide as they need, whatever the font.
+    // Rows scroll up and down only: the panel must be wide enough for them in any font.
     if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest)
         scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
                                  scroll_->verticalScrollBar()->sizeHint().width());
     return QWidget::eventFilter(watched, event);
-}
-
-void CasePanel::colour()
-{
-    QPalette ofLegend;
-    ofLegend.setColor(QPalette::WindowText, meaningColours(palette()).warning);
-    if (legend_->palette() != ofLegend) legend_->setPalette(ofLegend);
 }
 
 } // namespace touchdown

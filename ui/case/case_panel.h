@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters of the case, generated from the one description of the fields: groups, search, the
-// sample case they started from, reset. Fields that the chosen model does not use are not shown.
+// The parameters of the case, generated from their description in core/case/fields.h: groups, search, the sample case
+// that they started from, reset. Parameters that the chosen model does not use are not shown.
 #pragma once
-
-#include "ui/case/case_edits.h"
-#include "ui/case/field_editor.h"
-
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QToolButton>
-#include <QWidget>
 
 #include <string>
 #include <vector>
+
+#include <QScrollArea>
+
+#include "ui/case/field_editor.h"
 
 namespace touchdown {
 
@@ -33,9 +26,8 @@ public:
 
     /// nullptr for an unknown key.
     FieldEditor* editor(std::string_view key) const;
-    QComboBox* preset() const { return preset_; }
     QLineEdit* search() const { return search_; }
-    /// Brings the first field that keeps the case from running into view.
+    /// Brings the first parameter that prevents a run into view.
     void showFirstProblem();
 
 signals:
@@ -51,16 +43,14 @@ private:
         QToolButton* header = nullptr;
         QWidget* body = nullptr;
         bool open = true;
-        std::vector<FieldEditor*> editors;
     };
 
     void buildPresets();
     void buildGroups(QWidget* page);
-    void addGroup(const std::string& name, QWidget* page);
+    std::vector<Group>::iterator addGroup(const std::string& name, QWidget* page);
     void refresh();
     void refreshVisibility();
     void alignUnits();
-    void colour();
 
     CaseEdits& edits_;
     QString presetName_;
@@ -70,6 +60,7 @@ private:
     QScrollArea* scroll_;
     QLabel* legend_;
     std::vector<Group> groups_;
+    std::vector<FieldEditor*> editors_; // children of the bodies of the groups
 };
 
 } // namespace touchdown

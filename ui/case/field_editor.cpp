@@ -3,13 +3,11 @@
 
 #include <algorithm>
 
-#include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QSignalBlocker>
-#include <QStyle>
 
+#include "ui/case/case_edits.h"
+#include "ui/case/field_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -22,7 +20,7 @@ constexpr int spacing = 4;         // [px]
 
 bool isStandIn(const Field& field)
 {
-    return field.source.find("assumed") != std::string::npos || field.source.find("Assumed") != std::string::npos;
+    return QString::fromStdString(field.source).contains(QLatin1String("assumed"), Qt::CaseInsensitive);
 }
 
 /// Under the heading of its group, "suspension stiffness" is a stiffness.
@@ -62,7 +60,7 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     reset_->setAutoRaise(true);
     reset_->setFocusPolicy(Qt::NoFocus);
     reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(field.label)));
-    for (QWidget* mark : {static_cast<QWidget*>(assumed_), static_cast<QWidget*>(reset_)}) {
+    for (QWidget* mark : std::initializer_list<QWidget*>{assumed_, reset_}) {
         QSizePolicy policy = mark->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
         mark->setSizePolicy(policy);
@@ -109,29 +107,22 @@ QWidget* FieldEditor::input() const
 
 void FieldEditor::buildInput()
 {
-    switch (field_.kind) {
-    case FieldKind::Choice:
+    if (field_.kind == FieldKind::Choice) {
         choice_ = new QComboBox(this);
         for (const std::string& name : field_.choices) choice_->addItem(QString::fromStdString(name));
         choice_->setFocusPolicy(Qt::StrongFocus);
         connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentText()); });
-        break;
-    case FieldKind::Boolean:
+    } else if (field_.kind == FieldKind::Boolean) {
         check_ = new QCheckBox(this);
         connect(check_, &QCheckBox::clicked, this,
                 [this](bool on) { emit entered(on ? QStringLiteral("true") : QStringLiteral("false")); });
-        break;
-    case FieldKind::Number:
-    case FieldKind::Integer:
-    case FieldKind::List:
-    case FieldKind::Text:
+    } else {
         line_ = new QLineEdit(this);
         if (!isWide(field_)) {
             line_->setAlignment(Qt::AlignRight);
             line_->setFixedWidth(inputWidth());
         }
         connect(line_, &QLineEdit::editingFinished, this, &FieldEditor::commitLine);
-        break;
     }
     input()->installEventFilter(this);
     input()->setAccessibleName(QString::fromStdString(field_.label));
@@ -143,7 +134,7 @@ int FieldEditor::inputWidth() const { return fontMetrics().averageCharWidth() * 
 void FieldEditor::setUnitWidth(int width)
 {
     unit_->setFixedWidth(width);
-    // As wide as a number and its unit, so that the column is even; a longer name takes of its label's room.
+    // As wide as a number and its unit, so that the column is even; a longer name takes room from its label.
     if (choice_) choice_->setFixedWidth(std::max(inputWidth() + spacing + width, choice_->sizeHint().width()));
 }
 
@@ -188,8 +179,7 @@ void FieldEditor::show(const CaseEdits& edits)
 
     changed_ = edits.changed(field_);
     reset_->setVisible(changed_);
-    const QString opened = valueText(edits.opened(), field_);
-    reset_->setToolTip(tr("Back to %1").arg(opened));
+    reset_->setToolTip(tr("Back to %1").arg(valueText(edits.opened(), field_)));
     // The mark of an assumed value disappears when the value is changed.
     assumed_->setVisible(isStandIn(field_) && field_.get(value) == field_.get(Case{}));
     colour();
@@ -207,21 +197,19 @@ bool FieldEditor::matches(const QString& search) const
 bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != input()) return QWidget::eventFilter(watched, event);
-    // The wheel scrolls the panel unless the user works in this field.
+    // The wheel scrolls the panel unless this input has the focus.
     if (event->type() == QEvent::Wheel && !input()->hasFocus()) {
         event->ignore();
         return true;
     }
-    if (line_ && !line_->isModified() && event->type() == QEvent::ShortcutOverride) {
-        // With nothing typed, undo and redo are those of the case, not of the line.
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->ignore();
-            return true;
-        }
+    const auto* key = static_cast<QKeyEvent*>(event);
+    // With nothing typed, undo and redo are those of the case, not of the line.
+    if (line_ && !line_->isModified() && event->type() == QEvent::ShortcutOverride &&
+        (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+        event->ignore();
+        return true;
     }
-    if (line_ && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-        line_->isModified()) {
+    if (line_ && line_->isModified() && event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
         line_->setText(shown_);
         line_->setModified(false);
         return true;
@@ -248,16 +236,11 @@ void FieldEditor::commitLine()
 void FieldEditor::colour()
 {
     const MeaningColours colours = meaningColours(palette());
-    const auto tint = [](QWidget* widget, const QColor& text) {
-        QPalette palette;
-        if (text.isValid()) palette.setColor(QPalette::WindowText, text);
-        if (widget->palette() != palette) widget->setPalette(palette);
-    };
     const bool bad = !reason_->isHidden();
-    tint(label_, bad ? colours.failure : changed_ ? colours.change : QColor());
-    tint(unit_, colours.muted);
-    tint(assumed_, colours.warning);
-    tint(reason_, colours.failure);
+    setTextColour(label_, bad ? colours.failure : changed_ ? colours.change : QColor());
+    setTextColour(unit_, colours.muted);
+    setTextColour(assumed_, colours.warning);
+    setTextColour(reason_, colours.failure);
     QFont font = label_->font();
     if (font.bold() != changed_) {
         font.setBold(changed_);

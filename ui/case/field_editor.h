@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One parameter as a row: label and symbol, editor, unit, marks for "assumed" and "changed", and the
-// reason under it when an entry cannot be taken. Built from its description alone.
+// One parameter as a row: label and symbol, editor, unit, marks for "assumed" and "changed", and the reason below when
+// an entry cannot be taken. Built from the description of the parameter alone.
 #pragma once
-
-#include "core/case/fields.h"
-#include "ui/case/case_edits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
-#include <QWidget>
 
 namespace touchdown {
+
+class CaseEdits;
+struct Field;
 
 class FieldEditor : public QWidget {
     Q_OBJECT
@@ -26,12 +25,12 @@ public:
     ~FieldEditor() override { input()->disconnect(this); }
 
     const Field& field() const { return field_; }
-    /// Shows what the case holds for this field.
+    /// Shows the value of the case.
     void show(const CaseEdits& edits);
-    /// Whether all words of `search` occur in what the row says about its field.
+    /// Whether key, label, symbol and help contain all words of `search`.
     bool matches(const QString& search) const;
 
-    /// The widget that takes the entry, for focus and tests.
+    /// The widget that takes the entry.
     QWidget* input() const;
     QString reason() const { return reason_->isHidden() ? QString() : reason_->text(); }
     int unitWidth() const { return unit_->sizeHint().width(); }

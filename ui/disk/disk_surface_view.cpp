@@ -4,29 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <exception>
 
-#include <QEvent>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
-#include "ui/disk/disk_statistics.h"
 #include "ui/maps/field_map.h"
-#include "ui/maps/field_sections.h"
 #include "ui/maps/fields_view.h"
 #include "ui/plot/plot_group.h"
-#include "ui/plot/plot_menu.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
 
+constexpr int quietTime = 250;    // without another request, before a surface is made [ms]
 constexpr int stepsPerPiece = 8;  // of the slider
 constexpr double faintest = 1e-9; // of the density that is shown, against its largest
 
@@ -35,17 +32,68 @@ bool sameSurface(const Case& a, const Case& b) { return a.diskSurface == b.diskS
 
 } // namespace
 
-DiskSurfaceView::DiskSurfaceView(QWidget* parent) : DiskSurfaceView(previewOf, parent) {}
+DiskSurfaceController::DiskSurfaceController(Maker maker, QObject* parent)
+    : CalculationController(parent), maker_(std::move(maker))
+{
+    pause_.setSingleShot(true);
+    pause_.setInterval(quietTime);
+    connect(&pause_, &QTimer::timeout, this, &DiskSurfaceController::make);
+}
 
-DiskSurfaceView::DiskSurfaceView(DiskSurfaceController::Maker maker, QWidget* parent)
+void DiskSurfaceController::request(const Case& c)
+{
+    wanted_ = c;
+    busy_ = true;
+    ++requested_;
+    pause_.start();
+}
+
+void DiskSurfaceController::cancel()
+{
+    pause_.stop();
+    busy_ = false;
+    ++requested_;
+}
+
+void DiskSurfaceController::make()
+{
+    if (active()) return; // `deliver` calls again
+    making_ = requested_;
+    begin([this, c = wanted_](const std::stop_token&) {
+        DiskSurfacePreview preview;
+        try {
+            preview = maker_(c);
+        } catch (const std::exception& problem) { // a map that is too large for the memory
+            preview = {};
+            preview.problem = std::string("The surface cannot be made: ") + problem.what();
+        }
+        mailbox_.post([&](std::optional<DiskSurfacePreview>& mail) { mail = std::move(preview); });
+    });
+}
+
+void DiskSurfaceController::deliver()
+{
+    std::optional<DiskSurfacePreview> ready = mailbox_.take();
+    if (!ready) return;
+    end();
+    if (!busy_ || pause_.isActive()) return;
+    if (making_ != requested_) {
+        make();
+        return;
+    }
+    busy_ = false;
+    made_ = std::move(*ready);
+    emit made();
+}
+
+DiskSurfaceView::DiskSurfaceView(QWidget* parent, DiskSurfaceController::Maker maker)
     : QWidget(parent),
       controller_(std::move(maker)),
       pages_(new QStackedWidget(this)),
       text_(new QLabel(this)),
       view_(new FieldsView(this)),
-      foot_(new QWidget(this)),
-      place_(new QSlider(Qt::Horizontal, foot_)),
-      placeText_(new QLabel(foot_)),
+      place_(new QSlider(Qt::Horizontal, this)),
+      placeText_(new QLabel(this)),
       spectrum_(new PlotWidget(this)),
       spectrumGroup_(new PlotGroup(this)),
       statistics_(new QTableWidget(this))
@@ -57,35 +105,23 @@ DiskSurfaceView::DiskSurfaceView(DiskSurfaceController::Maker maker, QWidget* pa
 
 void DiskSurfaceView::build()
 {
-    MapKind height;
-    height.title = tr("Height of the disk");
-    height.units = {"nm", "um"};
-    height.colours = MapKind::Colours::Signed;
-    height.aboutZero = true;
-    view_->setKinds({height});
+    view_->setKinds({{.title = tr("Height of the disk"),
+                      .units = {"nm", "um"},
+                      .colours = MapKind::Colours::Signed,
+                      .aboutZero = true}});
 
     spectrumGroup_->add(spectrum_);
-    installPlotMenu(spectrum_, spectrumGroup_);
     spectrum_->setTitle(tr("Spectrum"));
     spectrum_->setXLabel({tr("Wave number"), tr("rad/µm"), 1e6, AxisScale::Logarithmic});
     spectrum_->setYLabel({tr("Density"), QStringLiteral("nm²·µm"), 1e-24, AxisScale::Logarithmic});
 
     statistics_->setAccessibleName(tr("Statistics of the surface"));
-    statistics_->setColumnCount(3);
-    statistics_->setHorizontalHeaderLabels({tr("Quantity"), tr("Surface"), tr("Asked for")});
-    statistics_->verticalHeader()->hide();
-    statistics_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    statistics_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    statistics_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    statistics_->setShowGrid(false);
-    statistics_->setAlternatingRowColors(true);
-    statistics_->setFrameShape(QFrame::NoFrame);
-    statistics_->setWordWrap(false);
+    makePlainTable(statistics_, {tr("Quantity"), tr("Surface"), tr("Asked for")});
     statistics_->setMinimumWidth(270);
 
     place_->setAccessibleName(tr("Place along the track"));
     place_->setToolTip(tr("Move along the track (arrow keys, Home, End)"));
-    auto* footRow = new QHBoxLayout(foot_);
+    auto* footRow = new QHBoxLayout;
     footRow->setContentsMargins(10, 2, 10, 4);
     footRow->setSpacing(12);
     footRow->addWidget(place_, 1);
@@ -97,7 +133,7 @@ void DiskSurfaceView::build()
     upperLayout->setContentsMargins(0, 0, 0, 0);
     upperLayout->setSpacing(0);
     upperLayout->addWidget(view_, 1);
-    upperLayout->addWidget(foot_);
+    upperLayout->addLayout(footRow);
     auto* lower = new QSplitter(Qt::Horizontal, this);
     lower->addWidget(spectrum_);
     lower->addWidget(statistics_);
@@ -145,10 +181,9 @@ void DiskSurfaceView::request()
     wanted_ = false;
     if (case_.diskSurface.kind == DiskSurfaceKind::Flat) {
         controller_.cancel();
-        say(tr("The surface of the disk is flat."));
-        return;
+        return say(tr("The surface of the disk is flat."));
     }
-    // The surface before it stays in sight until the new one is ready.
+    // The previous surface remains visible until the new one is ready.
     if (empty())
         say(tr("Making the surface…"));
     else
@@ -165,14 +200,8 @@ void DiskSurfaceView::say(const QString& sentence)
 void DiskSurfaceView::onMade()
 {
     preview_ = controller_.take();
-    if (!preview_.problem.empty()) {
-        say(touchdown::sentence(preview_.problem));
-        return;
-    }
-    if (preview_.topography.flat()) {
-        say(tr("The surface of the disk is flat."));
-        return;
-    }
+    if (!preview_.problem.empty()) return say(touchdown::sentence(preview_.problem));
+    if (preview_.topography.flat()) return say(tr("The surface of the disk is flat."));
     const UniformGrid period = preview_.topography.period();
     const double length = pieceLength(preview_.topography);
     const double track = period.nx * period.dx;
@@ -226,11 +255,7 @@ void DiskSurfaceView::showSpectrum()
         values[2].push_back(asked.high);
     }
     const double least = psd.density.empty() ? 0.0 : faintest * *std::ranges::max_element(psd.density);
-    struct Look {
-        QString name;
-        CurveStyle style;
-    };
-    const std::array<Look, 4> looks{
+    const std::array<std::pair<QString, CurveStyle>, 4> looks{
         {{tr("Asked"), {6, 0}}, {tr("95 %"), {6, 2}}, {{}, {6, 2}}, {tr("Surface"), {0, 0}}}};
     curves_.clear();
     curves_.reserve(values.size()); // curves point to them
@@ -243,8 +268,7 @@ void DiskSurfaceView::showSpectrum()
             density.push_back(values[i][k]);
         }
         curves_.emplace_back().append(at, density);
-        spectrum_->addCurve(
-            {QStringLiteral("psd %1").arg(i), looks[i].name, looks[i].style, &curves_.back(), nullptr, true});
+        spectrum_->addCurve({QStringLiteral("psd %1").arg(i), looks[i].first, looks[i].second, &curves_.back()});
     }
     spectrumGroup_->dataChanged();
 }

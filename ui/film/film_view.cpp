@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/film_view.h"
 
-#include <QEvent>
+#include <algorithm>
+#include <utility>
+
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "ui/maps/field_map.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr double nearAmbient = 1e3; // a logarithmic scale shows a smaller difference from ambient as zero [Pa]
+
+/// The middle of the cell with the smallest gap: the point of minimum spacing itself lies on the border of a rail.
+std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)
+{
+    if (result.gap.empty()) return std::nullopt;
+    const auto cell = static_cast<int>(std::ranges::min_element(result.gap) - result.gap.begin());
+    return SurfacePoint{result.grid.centreX(cell % result.grid.nx()), result.grid.centreY(cell / result.grid.nx())};
+}
+
+} // namespace
 
 FilmView::FilmView(QAction* solve, QWidget* parent)
     : QWidget(parent),
@@ -21,18 +38,24 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       note_(new QLabel(tr("The parameters have changed since this was solved."), this)),
       pages_(new QStackedWidget(this)),
       surface_(new SurfaceView(this)),
-      maps_(new MapsView(this)),
-      empty_(buildEmptyPage(solve))
+      maps_(new FieldsView(this))
 {
     for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
+    using Colours = MapKind::Colours;
+    using Logarithm = MapKind::Logarithm;
+    maps_->setKinds(
+        {{tr("Pressure above ambient"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
+         {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
+         {tr("Recess"), {"nm", "um"}, Colours::Recess}}); // on the pads it is zero: no logarithm
     tabs_->setAccessibleName(tr("Views of the film"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     gridShown_->setToolTip(tr("Show the cells of the solver"));
     note_->setContentsMargins(10, 0, 0, 0);
-    for (QWidget* page : {static_cast<QWidget*>(surface_), static_cast<QWidget*>(maps_), empty_})
-        pages_->addWidget(page);
+    pages_->addWidget(surface_);
+    pages_->addWidget(maps_);
+    pages_->addWidget(buildEmptyPage(solve));
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 8, 4);
@@ -85,7 +108,12 @@ void FilmView::setResult(const Case& solved, const SteadyResult& result)
     stale_ = false;
     minimumAt_ = solved_ ? std::optional(result.minimumAt) : std::nullopt;
     minimumSpacing_ = result.minimumSpacing;
-    maps_->setResult(result, solved.slider, solved.disk.skew, ambientPressure(solved));
+    maps_->map()->setSlider(solved.slider.length, solved.slider.width);
+    maps_->map()->setSkew(solved.disk.skew);
+    maps_->proposeSectionPoint(nearestTheDisk(result));
+    std::vector<double> pressure = result.pressure;
+    for (double& value : pressure) value -= airOf(solved.air).pressure;
+    maps_->setFields(result.grid, {std::move(pressure), result.gap, result.recess});
     surface_->setGrid(result.grid);
     showPage();
 }
@@ -95,7 +123,8 @@ void FilmView::clearResult()
     solved_ = false;
     stale_ = false;
     minimumAt_.reset();
-    maps_->clear();
+    maps_->proposeSectionPoint(std::nullopt);
+    maps_->setFields({}, {});
     surface_->setGrid({});
     showPage();
 }
@@ -123,22 +152,13 @@ void FilmView::fit()
 void FilmView::showPage()
 {
     const bool surface = page() == Page::Surface;
-    switch (page()) {
-    case Page::Surface: break;
-    case Page::Pressure: maps_->setQuantity(MapsView::Quantity::Pressure); break;
-    case Page::Gap: maps_->setQuantity(MapsView::Quantity::Gap); break;
-    case Page::Recess: maps_->setQuantity(MapsView::Quantity::Recess); break;
-    }
-    pages_->setCurrentWidget(surface   ? static_cast<QWidget*>(surface_)
-                             : solved_ ? static_cast<QWidget*>(maps_)
-                                       : empty_);
+    if (!surface) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
+    pages_->setCurrentIndex(surface ? 0 : solved_ ? 1 : 2);
     maps_->controls()->setVisible(!surface && solved_);
     gridShown_->setEnabled(solved_);
-    QPalette ofNote;
-    ofNote.setColor(QPalette::WindowText, meaningColours(palette()).warning);
-    note_->setPalette(ofNote);
+    setTextColour(note_, meaningColours(palette()).warning);
     note_->setVisible(solved_ && stale_ && !surface);
-    // The least spacing belongs to the surface that was solved, not to another one.
+    // The minimum spacing is that of the solved surface.
     surface_->setMinimumSpacing(stale_ ? std::nullopt : minimumAt_, minimumSpacing_);
 }
 

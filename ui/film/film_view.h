@@ -16,7 +16,7 @@
 
 namespace touchdown {
 
-class MapsView;
+class FieldsView;
 class SurfaceView;
 struct Case;
 struct SteadyResult;
@@ -47,8 +47,7 @@ public:
     void fit();
 
     SurfaceView* surface() const { return surface_; }
-    MapsView* maps() const { return maps_; }
-    QCheckBox* gridShown() const { return gridShown_; }
+    FieldsView* maps() const { return maps_; }
 
 private:
     QWidget* buildEmptyPage(QAction* solve);
@@ -59,9 +58,8 @@ private:
     QLabel* note_;
     QStackedWidget* pages_;
     SurfaceView* surface_;
-    MapsView* maps_;
+    FieldsView* maps_;
     QLabel* emptyText_ = nullptr;
-    QWidget* empty_;
     bool solved_ = false;
     bool stale_ = false;
     std::optional<SurfacePoint> minimumAt_;

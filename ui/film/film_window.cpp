@@ -2,9 +2,11 @@
 #include "ui/film/film_window.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/case/fields.h"
+#include "core/simulation/static_state/steady_progress.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
 #include "ui/slider/attitude_table.h"
@@ -23,6 +25,36 @@ bool sameFilm(const Case& a, const Case& b)
 }
 
 } // namespace
+
+SteadyController::SteadyController(Solver solver, QObject* parent)
+    : CalculationController(parent), solver_(std::move(solver))
+{}
+
+int SteadyController::start(Case c)
+{
+    return begin([this, c = std::move(c)](const std::stop_token& stop) {
+        SteadyResult result;
+        try {
+            result = solver_(c, [&](const SteadyProgress& progress) {
+                mailbox_.post([&](Mail& mail) { mail.progress = progress; });
+                return !stop.stop_requested();
+            });
+        } catch (const std::exception& problem) {
+            result = {};
+            result.message = std::string("The calculation stopped with an error: ") + problem.what();
+        }
+        mailbox_.post([&](Mail& mail) { mail.result = std::move(result); });
+    });
+}
+
+void SteadyController::deliver()
+{
+    const Mail mail = mailbox_.take();
+    if (mail.progress) emit progressed(current(), progressOf(*mail.progress));
+    if (!mail.result) return;
+    end();
+    emit finished(current(), *mail.result);
+}
 
 FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent)
     : QObject(parent),

@@ -7,9 +7,7 @@
 
 #include <QPainter>
 
-#include "ui/plot/colour_bar.h"
-#include "ui/plot/plot_axis.h"
-#include "ui/plot/plot_painter.h"
+#include "ui/plot/plot_frame.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
 
@@ -17,16 +15,17 @@ namespace touchdown {
 
 namespace {
 
-constexpr double finest = 3.0; // pixels of a picture for one of the screen
+constexpr double finest = 3.0; // pixels of a picture for a pixel of the screen
 
-} // namespace
-
+/// The column or row of a grid that holds `at`; -1 outside. `lines` are the borders, ascending.
 int cellIndex(const std::vector<double>& lines, double at)
 {
     if (lines.size() < 2 || !(at >= lines.front()) || at > lines.back()) return -1;
     const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
     return static_cast<int>(above - lines.begin()) - 1;
 }
+
+} // namespace
 
 QString fieldText(double value, const FieldLook& look)
 {
@@ -36,23 +35,17 @@ QString fieldText(double value, const FieldLook& look)
     return typeset(shown, decimals) + QChar(0x00A0) + look.unit;
 }
 
-FieldMap::FieldMap(QWidget* parent) : SliderPlan(parent)
-{
-    connect(this, &SliderPlan::pointed, this, &FieldMap::readOut);
-}
-
 void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
 {
-    grid_ = grid;
     values_ = std::move(values);
-    if (!values_.empty()) {
-        const auto [least, most] = std::ranges::minmax_element(values_);
-        smallest_ = static_cast<std::size_t>(least - values_.begin());
-        largest_ = static_cast<std::size_t>(most - values_.begin());
-        oneSmallest_ = std::ranges::count(values_, *least) == 1;
-        oneLargest_ = std::ranges::count(values_, *most) == 1;
-    }
-    update();
+    // Where many cells are at the limit, as without contact, none of them is a place to mark.
+    const auto only = [this](auto extreme) -> std::optional<std::size_t> {
+        if (extreme == values_.end() || std::ranges::count(values_, *extreme) > 1) return std::nullopt;
+        return static_cast<std::size_t>(extreme - values_.begin());
+    };
+    smallest_ = only(std::ranges::min_element(values_));
+    largest_ = only(std::ranges::max_element(values_));
+    setGrid(grid);
 }
 
 void FieldMap::setLook(const FieldLook& look)
@@ -65,22 +58,16 @@ void FieldMap::setLook(const FieldLook& look)
 
 std::optional<std::size_t> FieldMap::cellAt(const SurfacePoint& point) const
 {
-    const int i = cellIndex(grid_.x, point.x);
-    const int j = cellIndex(grid_.y, point.y);
+    const int i = cellIndex(grid().x, point.x);
+    const int j = cellIndex(grid().y, point.y);
     if (values_.empty() || i < 0 || j < 0) return std::nullopt;
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.nx()) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid().nx()) + static_cast<std::size_t>(i);
 }
 
 SurfacePoint FieldMap::centre(std::size_t cell) const
 {
-    const auto nx = static_cast<std::size_t>(grid_.nx());
-    return {grid_.centreX(static_cast<int>(cell % nx)), grid_.centreY(static_cast<int>(cell / nx))};
-}
-
-void FieldMap::setGridShown(bool shown)
-{
-    gridShown_ = shown;
-    update();
+    const auto nx = static_cast<std::size_t>(grid().nx());
+    return {grid().centreX(static_cast<int>(cell % nx)), grid().centreY(static_cast<int>(cell / nx))};
 }
 
 void FieldMap::setSectionPoint(const std::optional<SurfacePoint>& point)
@@ -89,15 +76,10 @@ void FieldMap::setSectionPoint(const std::optional<SurfacePoint>& point)
     update();
 }
 
-void FieldMap::readOut(const std::optional<SurfacePoint>& point)
+QStringList FieldMap::readingAt(const SurfacePoint& point) const
 {
-    if (!point) {
-        setReading({});
-        return;
-    }
-    QString text = tr("x %1   y %2").arg(placeText(point->x), placeText(point->y));
-    if (const auto cell = cellAt(*point)) text += QStringLiteral("   ·   ") + fieldText(value(*cell), look_);
-    setReading(text);
+    const auto cell = cellAt(point);
+    return cell ? QStringList{fieldText(value(*cell), look_)} : QStringList();
 }
 
 std::vector<ScaleTick> FieldMap::keyTicks() const
@@ -116,7 +98,7 @@ void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
 {
     if (empty()) return;
     paintCells(painter);
-    if (gridShown_) paintCellGrid(painter, *this, grid_);
+    paintGrid(painter);
     if (sectionPoint_) {
         const QPointF at = toPixel(*sectionPoint_);
         const QPointF low = toPixel({area().left(), area().top()});
@@ -143,19 +125,19 @@ void FieldMap::paintCells(QPainter& painter) const
     std::vector<int> cellOfColumn(static_cast<std::size_t>(columns));
     for (int k = 0; k < columns; ++k)
         cellOfColumn[static_cast<std::size_t>(k)] =
-            cellIndex(grid_.x, toSlider({area.left() + (k + 0.5) / finer, 0.0}).x);
+            cellIndex(grid().x, toSlider({area.left() + (k + 0.5) / finer, 0.0}).x);
 
     QImage image(columns, rows, QImage::Format_ARGB32_Premultiplied);
     int drawnRow = -2; // of cells, in the line above
     for (int k = 0; k < rows; ++k) {
-        const int j = cellIndex(grid_.y, toSlider({0.0, area.top() + (k + 0.5) / finer}).y);
+        const int j = cellIndex(grid().y, toSlider({0.0, area.top() + (k + 0.5) / finer}).y);
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(k));
         if (j == drawnRow) {
             std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(k - 1)), columns, line);
             continue;
         }
         drawnRow = j;
-        const auto first = static_cast<std::size_t>(std::max(j, 0)) * static_cast<std::size_t>(grid_.nx());
+        const auto first = static_cast<std::size_t>(std::max(j, 0)) * static_cast<std::size_t>(grid().nx());
         for (int c = 0; c < columns; ++c) {
             const int i = cellOfColumn[static_cast<std::size_t>(c)];
             line[c] = i < 0 || j < 0 ? 0U : colours[first + static_cast<std::size_t>(i)];
@@ -169,12 +151,12 @@ void FieldMap::paintCells(QPainter& painter) const
 
 void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
 {
-    // Where many cells are at the limit, as without contact, none of them is a place to mark.
     std::vector<PlanMark> marks;
-    if (oneSmallest_)
-        marks.push_back({toPixel(centre(smallest_)), PlanMark::Kind::Minimum, fieldText(values_[smallest_], look_)});
-    if (oneLargest_)
-        marks.push_back({toPixel(centre(largest_)), PlanMark::Kind::Maximum, fieldText(values_[largest_], look_)});
+    const auto add = [&](std::optional<std::size_t> cell, PlanMark::Kind kind) {
+        if (cell) marks.push_back({toPixel(centre(*cell)), kind, fieldText(values_[*cell], look_)});
+    };
+    add(smallest_, PlanMark::Kind::Minimum);
+    add(largest_, PlanMark::Kind::Maximum);
     if (marks.empty()) return;
     painter.setFont(plotNumberFont(font()));
     TakenRoom taken;

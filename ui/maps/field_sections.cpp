@@ -5,66 +5,52 @@
 
 #include <QHBoxLayout>
 
-#include "core/formats/units.h"
-#include "ui/plot/plot_menu.h"
-#include "ui/style/quantity_format.h"
-
 namespace touchdown {
 
-FieldSections::FieldSections(QWidget* parent) : QWidget(parent), alongX_(makeSection()), alongY_(makeSection())
+FieldSections::FieldSections(QWidget* parent) : QWidget(parent)
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(alongX_.plot, 1);
-    layout->addWidget(alongY_.plot, 1);
-    alongX_.plot->setTitle(tr("Along x"));
-    alongY_.plot->setTitle(tr("Along y"));
-    connect(alongX_.plot, &PlotWidget::cursorMoved, this, [this](int which, bool valid, double x) {
+    for (Section& section : sections_) {
+        section.plot = new PlotWidget(this);
+        section.group = new PlotGroup(this);
+        section.group->add(section.plot);
+        section.plot->setCursorPinned(true);
+        layout->addWidget(section.plot, 1);
+    }
+    alongX()->setTitle(tr("Along x"));
+    alongY()->setTitle(tr("Along y"));
+    connect(alongX(), &PlotWidget::cursorMoved, this, [this](int which, bool valid, double x) {
         if (which == 0 && valid) emit xChosen(x);
     });
-    connect(alongY_.plot, &PlotWidget::cursorMoved, this, [this](int which, bool valid, double y) {
+    connect(alongY(), &PlotWidget::cursorMoved, this, [this](int which, bool valid, double y) {
         if (which == 0 && valid) emit yChosen(y);
     });
-}
-
-FieldSections::~FieldSections() = default;
-
-FieldSections::Section FieldSections::makeSection()
-{
-    Section section;
-    section.plot = new PlotWidget(this);
-    section.group = new PlotGroup(this);
-    section.group->add(section.plot);
-    section.plot->setCursorPinned(true);
-    installPlotMenu(section.plot, section.group);
-    return section;
 }
 
 void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>& point)
 {
     const auto cell = point ? map.cellAt(*point) : std::nullopt;
     if (!cell) {
-        for (const Section* section : {&alongX_, &alongY_}) section->plot->clearCurves();
+        for (const Section& section : sections_) section.plot->clearCurves();
         return;
     }
     const auto nx = static_cast<std::size_t>(map.grid().nx());
     const std::size_t row = *cell / nx;
     const std::size_t column = *cell % nx;
-    std::vector<double> alongX, alongY;
-    for (std::size_t i = 0; i < nx; ++i) alongX.push_back(map.value(row * nx + i));
-    for (std::size_t j = 0; j + 1 < map.grid().y.size(); ++j) alongY.push_back(map.value(j * nx + column));
-    alongX_.plot->setTitle(tr("Along x at y = %1").arg(map.placeText(point->y)));
-    alongY_.plot->setTitle(tr("Along y at x = %1").arg(map.placeText(point->x)));
-    const auto labelled = [&map](PlotWidget* plot, const QString& name) {
-        plot->setXLabel({name, unitText(map.lengthUnit()), unitFactor(map.lengthUnit()), AxisScale::Linear});
-    };
-    labelled(alongX_.plot, QStringLiteral("x"));
-    labelled(alongY_.plot, QStringLiteral("y"));
-    fill(alongX_, map.grid().x, alongX, map.look());
-    fill(alongY_, map.grid().y, alongY, map.look());
-    alongX_.plot->setPlotCursor(0, point->x);
-    alongY_.plot->setPlotCursor(0, point->y);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < nx; ++i) values.push_back(map.value(row * nx + i));
+    fill(sections_[0], map.grid().x, values, map.look());
+    values.clear();
+    for (std::size_t j = 0; j + 1 < map.grid().y.size(); ++j) values.push_back(map.value(j * nx + column));
+    fill(sections_[1], map.grid().y, values, map.look());
+    alongX()->setTitle(tr("Along x at y = %1").arg(map.placeText(point->y)));
+    alongY()->setTitle(tr("Along y at x = %1").arg(map.placeText(point->x)));
+    alongX()->setXLabel(map.axisLabel(QStringLiteral("x")));
+    alongY()->setXLabel(map.axisLabel(QStringLiteral("y")));
+    alongX()->setPlotCursor(0, point->x);
+    alongY()->setPlotCursor(0, point->y);
 }
 
 void FieldSections::fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
@@ -90,14 +76,14 @@ void FieldSections::setRange(const std::optional<PlotRange>& range)
 {
     if (range == range_) return;
     range_ = range;
-    for (const Section* section : {&alongX_, &alongY_}) section->plot->setView({section->plot->view().x, range_});
+    for (const Section& section : sections_) section.plot->setView({section.plot->view().x, range_});
 }
 
 void FieldSections::fit()
 {
-    for (const Section* section : {&alongX_, &alongY_}) {
-        section->group->fit();
-        if (range_) section->plot->setView({section->plot->view().x, range_});
+    for (const Section& section : sections_) {
+        section.group->fit();
+        if (range_) section.plot->setView({section.plot->view().x, range_});
     }
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field along x and along y through a point, cell by cell: each cell is a step, as it is solved for.
+// A field along x and along y through a point. Each cell is a step, as the solver has it.
 #pragma once
 
+#include <array>
 #include <memory>
-
-#include <QWidget>
 
 #include "ui/maps/field_map.h"
 #include "ui/plot/plot_group.h"
@@ -17,17 +16,16 @@ class FieldSections : public QWidget {
 
 public:
     explicit FieldSections(QWidget* parent = nullptr);
-    ~FieldSections() override;
 
     /// The sections of `map` through a point; nothing empties the plots.
     void show(const FieldMap& map, const std::optional<SurfacePoint>& point);
     /// Both axes follow the data again.
     void fit();
-    /// The same values up the sections whatever they show; nothing: they follow what they show.
+    /// A fixed range of values; nothing: the range follows the data.
     void setRange(const std::optional<PlotRange>& range);
 
-    PlotWidget* alongX() const { return alongX_.plot; }
-    PlotWidget* alongY() const { return alongY_.plot; }
+    PlotWidget* alongX() const { return sections_[0].plot; }
+    PlotWidget* alongY() const { return sections_[1].plot; }
 
 signals:
     /// A cursor in a section was moved to another x, or another y.
@@ -40,11 +38,10 @@ private:
         PlotGroup* group = nullptr;
         std::unique_ptr<MinMaxPyramid> steps;
     };
-    Section makeSection();
-    void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
-              const FieldLook& look);
+    static void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
+                     const FieldLook& look);
 
-    Section alongX_, alongY_;
+    std::array<Section, 2> sections_; // along x, along y
     std::optional<PlotRange> range_;
 };
 

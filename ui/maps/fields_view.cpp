@@ -27,7 +27,20 @@ FieldsView::FieldsView(QWidget* parent)
       map_(new FieldMap(this)),
       sections_(new FieldSections(this))
 {
-    buildControls();
+    auto* row = new QHBoxLayout(controls_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(logarithmic_);
+    row->addWidget(unit_);
+    unit_->setAccessibleName(tr("Unit"));
+    unit_->setToolTip(tr("Unit of the map and its sections"));
+    logarithmic_->setToolTip(tr("Logarithmic scale: shows small values beside large ones"));
+    connect(unit_, &QComboBox::currentIndexChanged, this, &FieldsView::showField);
+    connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
+        logarithms_[static_cast<std::size_t>(field_)] = on;
+        showField();
+    });
+
     auto* split = new QSplitter(Qt::Vertical, this);
     split->addWidget(map_);
     split->addWidget(sections_);
@@ -53,23 +66,6 @@ FieldsView::FieldsView(QWidget* parent)
     });
     connect(sections_, &FieldSections::yChosen, this, [this](double y) {
         if (sectionPoint_) setSectionPoint({sectionPoint_->x, y}, true);
-    });
-}
-
-void FieldsView::buildControls()
-{
-    auto* layout = new QHBoxLayout(controls_);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addWidget(logarithmic_);
-    layout->addWidget(unit_);
-    unit_->setAccessibleName(tr("Unit"));
-    unit_->setToolTip(tr("Unit of the map and its sections"));
-    logarithmic_->setToolTip(tr("Logarithmic scale: shows small values beside large ones"));
-    connect(unit_, &QComboBox::currentIndexChanged, this, &FieldsView::showField);
-    connect(logarithmic_, &QCheckBox::toggled, this, [this](bool on) {
-        logarithms_[static_cast<std::size_t>(field_)] = on;
-        showField();
     });
 }
 
@@ -107,18 +103,15 @@ void FieldsView::showKind()
 {
     if (kinds_.empty()) return;
     const auto chosen = static_cast<std::size_t>(field_);
+    const MapKind& kind = kinds_[chosen];
     {
-        const QSignalBlocker quiet(unit_);
+        const QSignalBlocker quietUnit(unit_), quietLogarithmic(logarithmic_);
         unit_->clear();
-        for (const std::string& unit : kinds_[chosen].units)
-            unit_->addItem(unitText(unit), QString::fromStdString(unit));
-        unit_->setVisible(unit_->count() > 1); // one unit stands on the bar already
-    }
-    {
-        const QSignalBlocker quiet(logarithmic_);
+        for (const std::string& unit : kind.units) unit_->addItem(unitText(unit), QString::fromStdString(unit));
         logarithmic_->setChecked(logarithms_[chosen]);
     }
-    logarithmic_->setVisible(kinds_[chosen].logarithm != MapKind::Logarithm::None);
+    unit_->setVisible(unit_->count() > 1); // a single unit is shown at the bar
+    logarithmic_->setVisible(kind.logarithm != MapKind::Logarithm::None);
     showField();
 }
 
@@ -127,11 +120,9 @@ void FieldsView::showField()
     if (kinds_.empty()) return;
     const auto chosen = static_cast<std::size_t>(field_);
     std::vector<double> values = chosen < fields_.size() ? fields_[chosen] : std::vector<double>();
-    PlotRange range;
     const bool fixed = chosen < ranges_.size();
-    if (fixed) {
-        range = ranges_[chosen];
-    } else if (!values.empty()) {
+    PlotRange range = fixed ? ranges_[chosen] : PlotRange();
+    if (!fixed && !values.empty()) {
         const auto [low, high] = std::ranges::minmax(values);
         range = {low, high};
     }
@@ -206,23 +197,18 @@ void FieldsView::moveSection(int cellsX, int cellsY)
 void FieldsView::keyPressEvent(QKeyEvent* event)
 {
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    switch (event->key()) {
-    case Qt::Key_Escape: pinned_ = false; return;
-    case Qt::Key_Left:
-        if (shift) return moveSection(-1, 0);
-        break;
-    case Qt::Key_Right:
-        if (shift) return moveSection(1, 0);
-        break;
-    case Qt::Key_Up:
-        if (shift) return moveSection(0, 1);
-        break;
-    case Qt::Key_Down:
-        if (shift) return moveSection(0, -1);
-        break;
-    default: break;
-    }
-    QWidget::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape)
+        pinned_ = false;
+    else if (shift && event->key() == Qt::Key_Left)
+        moveSection(-1, 0);
+    else if (shift && event->key() == Qt::Key_Right)
+        moveSection(1, 0);
+    else if (shift && event->key() == Qt::Key_Up)
+        moveSection(0, 1);
+    else if (shift && event->key() == Qt::Key_Down)
+        moveSection(0, -1);
+    else
+        QWidget::keyPressEvent(event);
 }
 
 void FieldsView::changeEvent(QEvent* event)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields on one grid: a map of one of them, and its sections along x and y through a point. The owner of
-// the fields sets how each is shown.
+// Fields on one grid: a map of one of them, and its sections along x and y through a point.
 //
 // The sections follow the pointer until a click pins them; Escape lets them follow again, Shift + arrows move them by a
 // cell.
@@ -57,6 +56,8 @@ public:
     void setField(int kind);
     int field() const { return field_; }
     void setSectionPoint(const SurfacePoint& point, bool pinned);
+    /// Sections through this point, or none, at the next fields; a pinned point inside the area remains.
+    void proposeSectionPoint(const std::optional<SurfacePoint>& point);
     std::optional<SurfacePoint> sectionPoint() const { return sectionPoint_; }
     bool pinned() const { return pinned_; }
     void fit();
@@ -71,12 +72,8 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    /// Through this point, or none, until the user says otherwise.
-    void proposeSectionPoint(const std::optional<SurfacePoint>& point);
-    const std::vector<std::vector<double>>& fields() const { return fields_; }
 
 private:
-    void buildControls();
     void showKind();
     void showField();
     void moveSection(int cellsX, int cellsY);

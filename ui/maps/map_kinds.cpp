@@ -19,38 +19,33 @@ bool isAir(const Quantity& quantity) { return quantity.name == "air_pressure"; }
 MapKind kindOf(const Quantity& quantity, bool film)
 {
     using Colours = MapKind::Colours;
-    MapKind kind;
-    kind.title = isAir(quantity) ? tr("Air pressure above ambient") : QString::fromStdString(quantity.longName);
-    kind.units = {quantity.displayUnit};
-    const auto offer = [&kind](const char* unit) {
-        if (std::ranges::find(kind.units, unit) == kind.units.end()) kind.units.push_back(unit);
+    using Logarithm = MapKind::Logarithm;
+    if (isAir(quantity)) // suction is negative
+        return {tr("Air pressure above ambient"),
+                {"kPa", "atm", "MPa"},
+                Colours::Signed,
+                Logarithm::Offered,
+                nearAmbient,
+                true};
+    const QString title = QString::fromStdString(quantity.longName);
+    std::vector<std::string> units{quantity.displayUnit};
+    const auto offer = [&units](const char* unit) {
+        if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
     };
-    if (quantity.unit == "Pa") {
-        if (isAir(quantity)) {
-            kind.units.clear();
-            offer("kPa");
-            offer("atm");
-        }
+    if (quantity.unit == "Pa") { // attraction is negative
         offer("MPa");
-        if (!isAir(quantity)) offer("GPa");
-        kind.colours = Colours::Signed; // attraction is negative, and so is suction
-        // Pressure of contact is zero where there is none, so that only what has two signs can have a logarithm.
-        if (quantity.name != "contact_pressure") kind.logarithm = MapKind::Logarithm::Offered;
-        kind.near = isAir(quantity) ? nearAmbient : weakPressure;
-        kind.aboutZero = isAir(quantity);
-    } else if (quantity.name == "gap") {
-        kind.colours = Colours::BrightLow;
-        // Recesses are a thousand times as far from the disk as the pads.
-        kind.logarithm = film ? MapKind::Logarithm::AtFirst : MapKind::Logarithm::Offered;
-    } else {
-        kind.colours = Colours::Signed;
-        kind.aboutZero = true;
+        offer("GPa");
+        // The contact pressure is zero where there is no contact, and zero has no logarithm.
+        const bool contact = quantity.name == "contact_pressure";
+        return {title, units, Colours::Signed, contact ? Logarithm::None : Logarithm::Offered, weakPressure};
     }
     if (quantity.unit == "m") {
         offer("nm");
         offer("um");
     }
-    return kind;
+    if (quantity.name == "gap") // a recess is a thousand times as far from the disk as a pad
+        return {title, units, Colours::BrightLow, film ? Logarithm::AtFirst : Logarithm::Offered};
+    return {title, units, Colours::Signed, Logarithm::None, 0.0, true};
 }
 
 QString shortName(const Quantity& quantity, bool besideAFilm)

@@ -7,9 +7,12 @@
 #include <span>
 #include <utility>
 
+#include <QFontMetricsF>
+#include <QImage>
 #include <QLocale>
 
-#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_frame.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -19,6 +22,10 @@ namespace {
 constexpr std::array<QRgb, 10> viridis{0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e,
                                        0x1f9e89, 0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725};
 constexpr std::array<QRgb, 8> mako{0x3a2c59, 0x40498e, 0x366a9f, 0x348aa6, 0x38aaac, 0x54c9ad, 0xa0dfb9, 0xdef5e5};
+
+constexpr double barWidth = 16.0; // [px]
+constexpr double indent = 8.0;    // of the bar from the left of its column [px]
+constexpr int barSteps = 256;     // of colour along the bar
 
 QColor between(std::span<const QRgb> anchors, double position)
 {
@@ -182,6 +189,58 @@ std::vector<ScaleTick> ColourScale::ticks(double factor, int most) const
         break;
     }
     return list;
+}
+
+double colourBarWidth(const QFont& font, const std::vector<ScaleTick>& ticks)
+{
+    const QFontMetricsF metrics(plotNumberFont(font));
+    double widest = metrics.horizontalAdvance(QStringLiteral("00000"));
+    for (const ScaleTick& tick : ticks) widest = std::max(widest, metrics.horizontalAdvance(tick.text));
+    return std::ceil(indent + barWidth + PlotFrame::tickLength + 4.0 + widest);
+}
+
+int colourBarRoom(const QFont& font, double height)
+{
+    return static_cast<int>(height / (2.5 * QFontMetricsF(plotNumberFont(font)).height()));
+}
+
+void paintColourBar(QPainter& painter, const QRectF& column, const QFont& font, const PlotTheme& theme,
+                    const ColourScale& scale, const std::vector<ScaleTick>& ticks, const QString& title, bool downwards)
+{
+    const QFont numberFont = plotNumberFont(font);
+    const double height = QFontMetricsF(numberFont).height();
+    const double top = column.top() + (title.isEmpty() ? 0.0 : height + 6.0);
+    const QRectF bar(column.left() + indent, top + 0.5, barWidth, column.bottom() - top - 1.0);
+
+    QImage colours(1, barSteps, QImage::Format_RGB32);
+    for (int i = 0; i < barSteps; ++i) {
+        const double position = (i + 0.5) / barSteps;
+        colours.setPixel(0, i, scale.colourAt(downwards ? position : 1.0 - position));
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(bar, colours);
+    painter.setPen(QPen(theme.axis, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(bar);
+
+    painter.setFont(numberFont);
+    painter.setPen(theme.mutedText);
+    if (!title.isEmpty())
+        painter.drawText(QRectF(column.left() + 2.0, column.top(), column.width(), height),
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, title);
+    for (const ScaleTick& tick : ticks) {
+        const double y =
+            downwards ? bar.top() + tick.position * bar.height() : bar.bottom() - tick.position * bar.height();
+        painter.setPen(QPen(theme.axis, 1.0));
+        painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + PlotFrame::tickLength, y));
+        painter.setPen(theme.mutedText);
+        // The numbers at the ends stay beside the bar.
+        const double text = std::clamp(y, bar.top() + height / 2.0 - 2.0, bar.bottom() - height / 2.0 + 2.0);
+        painter.drawText(QRectF(bar.right() + PlotFrame::tickLength + 4.0, text - height / 2.0, 200.0, height),
+                         Qt::AlignLeft | Qt::AlignVCenter, tick.text);
+    }
+    painter.restore();
 }
 
 } // namespace touchdown

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colours for the values of a field: a map from 0..1 to colours, and a monotone scale from values to 0..1.
+// Colours for values: a map from 0..1 to colours, a monotone scale from values to 0..1, and its key, a bar with
+// numbers.
 //
-// Sequential maps are viridis (van der Walt & Smith 2015) and the upper part of mako (Waskom 2020), which rise evenly
-// in lightness and which the colour-blind read as others do. The diverging map is blue and orange of equal lightness on
-// either side of a neutral centre, made in Oklab (Ottosson 2020); its centre is the paper's colour, so that it has a
-// light and a dark form.
+// Sequential maps are viridis (van der Walt & Smith 2015) and the upper part of mako (Waskom 2020): their lightness
+// rises evenly, and the colour-blind read them as others do. The diverging map has blue and orange of equal lightness
+// on either side of a neutral centre, made in Oklab (Ottosson 2020). Its centre is the colour of the paper, so that it
+// has a light and a dark form.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include <QColor>
+#include <QPainter>
 #include <QString>
+
+#include "ui/plot/plot_theme.h"
 
 namespace touchdown {
 
@@ -74,5 +77,17 @@ private:
     double near_ = 1.0;         // of AboutZeroLogarithmic
     std::array<QRgb, 512> colours_{};
 };
+
+/// The column that a bar with these numbers needs beside it [px].
+double colourBarWidth(const QFont& font, const std::vector<ScaleTick>& ticks);
+
+/// How many numbers find room along a bar of this height.
+int colourBarRoom(const QFont& font, double height);
+
+/// Upright, with its numbers at the right and `title` ("kPa") above it; the lowest value is at the foot unless
+/// `downwards`.
+void paintColourBar(QPainter& painter, const QRectF& column, const QFont& font, const PlotTheme& theme,
+                    const ColourScale& scale, const std::vector<ScaleTick>& ticks, const QString& title,
+                    bool downwards = false);
 
 } // namespace touchdown

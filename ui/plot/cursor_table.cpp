@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/cursor_table.h"
 
-#include "ui/style/quantity_format.h"
-
 #include <cmath>
 
 #include <QClipboard>
@@ -12,11 +10,14 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
 namespace touchdown {
 
 namespace {
 
-enum Column { nameColumn, firstColumn, secondColumn, differenceColumn, unitColumn, columnCount };
+enum TableColumn { nameColumn, firstColumn, secondColumn, differenceColumn, unitColumn, columnCount };
 
 QIcon lineSample(const CurveStyle& style, const PlotTheme& theme)
 {
@@ -41,25 +42,17 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     times_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     times_->setAccessibleName(tr("Times of the cursors"));
     table_->setAccessibleName(tr("Values at the cursors"));
-    table_->setHorizontalHeaderLabels({tr("Quantity"), tr("At 1"), tr("At 2"), tr("2 \u2212 1"), tr("Unit")});
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
+    makePlainTable(table_, {tr("Quantity"), tr("At 1"), tr("At 2"), tr("2 \u2212 1"), tr("Unit")});
     table_->horizontalHeader()->setHighlightSections(false);
     for (int column = 0; column < columnCount; ++column) {
         const bool text = column == nameColumn || column == unitColumn;
         table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) |
                                                                Qt::AlignVCenter);
     }
-    table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    table_->setWordWrap(false);
     table_->setTextElideMode(Qt::ElideLeft); // "…Air springs, run 2" says more than "Energy: …"
-    table_->setShowGrid(false);
-    table_->setAlternatingRowColors(true);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setIconSize({22, 12});
-    table_->setFrameShape(QFrame::NoFrame);
     table_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
@@ -114,17 +107,17 @@ void CursorTable::fill()
     table_->setColumnHidden(differenceColumn, !second);
 
     QStringList parts;
-    const PlotAxis* x = readings.empty() ? nullptr : &readings.front().plot->xAxis();
     const auto t1 = group_->cursor(0);
     const auto t2 = group_->cursor(1);
-    const auto time = [&](const QString& symbol, double value) {
-        parts += QStringLiteral("%1\u00a0=\u00a0%2\u00a0%3").arg(symbol, x->number(value), x->label.unit);
+    const auto add = [&](const QString& symbol, double value) {
+        const PlotAxis& x = readings.front().plot->xAxis();
+        parts += QStringLiteral("%1\u00a0=\u00a0%2\u00a0%3").arg(symbol, x.number(value), x.label.unit);
     };
-    if (x != nullptr && t1) time(QStringLiteral("t\u2081"), *t1);
-    if (x != nullptr && t2) time(QStringLiteral("t\u2082"), *t2);
-    if (x != nullptr && t1 && t2) {
-        time(QStringLiteral("\u0394t"), *t2 - *t1);
-        if (*t1 != *t2)
+    if (!readings.empty()) {
+        if (t1) add(QStringLiteral("t\u2081"), *t1);
+        if (t2) add(QStringLiteral("t\u2082"), *t2);
+        if (t1 && t2) add(QStringLiteral("\u0394t"), *t2 - *t1);
+        if (t1 && t2 && *t1 != *t2)
             parts += QStringLiteral("1/\u2060\u0394t\u00a0=\u00a0") + frequencyText(1.0 / std::abs(*t2 - *t1));
     }
     times_->setText(parts.isEmpty() ? tr("Move over a plot; click sets cursor 1, Shift + click cursor 2.")

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of all curves at the two cursors, their differences, and 1/dt in Hz. Follows its group by itself; Ctrl+C
-// copies.
+// The values of all curves at the two cursors, their differences, and 1/dt in Hz. Ctrl+C copies all of it.
 #pragma once
-
-#include "ui/plot/plot_group.h"
 
 #include <QLabel>
 #include <QTableWidget>
 #include <QTimer>
-#include <QWidget>
+
+#include "ui/plot/plot_group.h"
 
 namespace touchdown {
 
@@ -20,13 +18,9 @@ public:
     /// `group` must outlive the table or be destroyed together with it.
     explicit CursorTable(PlotGroup* group, QWidget* parent = nullptr);
 
-    /// Fills the table again at the next turn of the event loop, as after curves came or went; the cursors need no
-    /// call.
+    /// Fills the table again soon: after curves came or went. The table follows the cursors by itself.
     void scheduleUpdate();
-    /// As text with tabulators, for a spreadsheet.
-    QString asText() const;
     QTableWidget* table() const { return table_; }
-    QString timeText() const { return times_->text(); }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -34,9 +28,10 @@ protected:
 
 private:
     void fill();
+    QString asText() const; // with tabulators, for a spreadsheet
 
     PlotGroup* group_;
-    QLabel* times_;
+    QLabel* times_; // of the cursors, their difference and its inverse
     QTableWidget* table_;
     QTimer timer_;
 };

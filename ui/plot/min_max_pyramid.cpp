@@ -53,13 +53,6 @@ std::size_t MinMaxPyramid::append(std::span<const double> times, std::span<const
     return taken;
 }
 
-void MinMaxPyramid::clear()
-{
-    times_.clear();
-    values_.clear();
-    levels_.clear();
-}
-
 void MinMaxPyramid::extendLevels()
 {
     std::size_t below = times_.size();

@@ -43,7 +43,6 @@ public:
     /// Takes samples in the order of time, evenly spaced or not. A sample that is not finite or lies before the last
     /// one taken is refused: it leaves a gap that the line bridges. Returns how many were taken.
     std::size_t append(std::span<const double> times, std::span<const double> values);
-    void clear();
 
     std::size_t size() const { return times_.size(); } // samples held, <= capacity
     bool empty() const { return times_.empty(); }

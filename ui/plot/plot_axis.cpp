@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QLocale>
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -31,15 +31,6 @@ QString withPrefix(const QString& unit, int exponent)
 double magnitude(const PlotRange& range) { return std::max(std::abs(range.low), std::abs(range.high)); }
 
 } // namespace
-
-QString typeset(double value, int decimals)
-{
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double unit = std::pow(10.0, -decimals);
-    if (std::abs(value) < 0.5 * unit) value = 0.0; // no "−0.0"
-    return locale.toString(value, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212));
-}
 
 QString powerOfTen(int exponent)
 {

@@ -67,8 +67,6 @@ private:
     PlotRange range_;
 };
 
-/// -0.5 as "−0.5" with a true minus sign, in the notation of the user's locale.
-QString typeset(double value, int decimals);
 /// 10 to the power as "10⁻³".
 QString powerOfTen(int exponent);
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_canvas.h"
 
-#include "ui/plot/plot_painter.h"
-#include "ui/plot/plot_path.h"
-
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QResizeEvent>
 #include <QValueAxis>
+
+#include "ui/plot/plot_painter.h"
+#include "ui/plot/plot_path.h"
 
 namespace touchdown {
 
@@ -48,8 +48,6 @@ PlotCanvas::PlotCanvas(PlotWidget* plot)
     scene_->addItem(chart_);
 }
 
-PlotCanvas::~PlotCanvas() = default;
-
 void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
 {
     while (series_.size() < paths.size()) {
@@ -70,12 +68,9 @@ void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
             if (series_[i]->count() > 0) series_[i]->clear();
             continue;
         }
-        // A line folded many times would be broken into thousands of invisible dashes.
-        const bool dashed = pathLength(paths[i], size) < longestDashed * size.width();
-        QPen pen = curvePen(plot_.curves()[i].style, plot_.theme(), dashed);
+        QPen pen = pathPen(plot_.curves()[i], paths[i], size, plot_.theme());
         // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.
         pen.setJoinStyle(Qt::BevelJoin);
-        if (plot_.curves()[i].xData) pen = penThereAndBack(paths[i], size, pen);
         if (series_[i]->pen() != pen) series_[i]->setPen(pen);
         series_[i]->replace(QList<QPointF>(paths[i].begin(), paths[i].end()));
     }

@@ -7,8 +7,6 @@
 // of QValueAxis move the plot area.
 #pragma once
 
-#include "ui/plot/plot_theme.h"
-
 #include <optional>
 #include <vector>
 
@@ -27,7 +25,6 @@ class PlotCanvas : public QGraphicsView {
 
 public:
     explicit PlotCanvas(PlotWidget* plot);
-    ~PlotCanvas() override;
 
     /// One line for each path, in the same order; an empty path hides its line.
     void setPaths(const std::vector<std::vector<QPointF>>& paths);

@@ -2,18 +2,16 @@
 #include "ui/plot/plot_export.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 
-#include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QHash>
 #include <QImage>
 #include <QPageSize>
-#include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
@@ -40,46 +38,31 @@ QImage rastered(const Picture& picture, double scale)
     return image;
 }
 
-QByteArray asPng(const Picture& picture)
-{
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    rastered(picture, finer).save(&buffer, "PNG");
-    return buffer.data();
-}
+void writePng(const Picture& picture, QIODevice& device) { rastered(picture, finer).save(&device, "PNG"); }
 
-QByteArray asSvg(const Picture& picture)
+void writeSvg(const Picture& picture, QIODevice& device)
 {
-    QBuffer buffer;
     QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
+    generator.setOutputDevice(&device);
     generator.setSize(picture.size.toSize());
     generator.setViewBox(QRectF(QPointF(), picture.size));
     generator.setResolution(screenResolution);
     generator.setTitle(picture.title);
     QPainter painter(&generator);
     picture.paint(painter);
-    painter.end();
-    return buffer.data();
 }
 
-QByteArray asPdf(const Picture& picture)
+void writePdf(const Picture& picture, QIODevice& device)
 {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    {
-        QPdfWriter writer(&buffer);
-        writer.setResolution(paperResolution);
-        writer.setPageSize(
-            QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
-        writer.setPageMargins({});
-        writer.setTitle(picture.title);
-        writer.setCreator(QStringLiteral("Touchdown"));
-        QPainter painter(&writer);
-        painter.scale(1.0 * paperResolution / screenResolution, 1.0 * paperResolution / screenResolution);
-        picture.paint(painter);
-    }
-    return buffer.data();
+    QPdfWriter writer(&device);
+    writer.setResolution(paperResolution);
+    writer.setPageSize(QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins({});
+    writer.setTitle(picture.title);
+    writer.setCreator(QStringLiteral("Touchdown"));
+    QPainter painter(&writer);
+    painter.scale(1.0 * paperResolution / screenResolution, 1.0 * paperResolution / screenResolution);
+    picture.paint(painter);
 }
 
 /// An empty string, or why `path` could not be written. Writes all or nothing.
@@ -108,15 +91,12 @@ Picture pictureOf(QWidget& shown, const PlotTheme& theme)
             }};
 }
 
-QString quoted(QString text)
-{
-    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) return text;
-    return u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
-}
-
+/// Quoted where it would break the row.
 QString columnTitle(const QString& name, const QString& unit)
 {
-    return quoted(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit));
+    QString text = unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit);
+    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n')) return text;
+    return u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
 }
 
 /// The samples of one curve that are still to be written.
@@ -137,18 +117,13 @@ QByteArray number(std::optional<double> value, double factor)
 
 QString savePicture(const Picture& picture, const QString& path)
 {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    QByteArray bytes;
-    if (suffix == QLatin1String("png"))
-        bytes = asPng(picture);
-    else if (suffix == QLatin1String("svg"))
-        bytes = asSvg(picture);
-    else if (suffix == QLatin1String("pdf"))
-        bytes = asPdf(picture);
-    else
+    using Write = void (*)(const Picture&, QIODevice&);
+    static const QHash<QString, Write> formats{{"png", writePng}, {"svg", writeSvg}, {"pdf", writePdf}};
+    const Write write = formats.value(QFileInfo(path).suffix().toLower());
+    if (write == nullptr)
         return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
             .arg(QDir::toNativeSeparators(path));
-    return writeFile(path, [&](QIODevice& device) { device.write(bytes); });
+    return writeFile(path, [&](QIODevice& device) { write(picture, device); });
 }
 
 QString savePicture(QWidget& shown, const QString& path)

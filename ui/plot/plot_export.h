@@ -1,20 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures and numbers of plots. Each function that saves returns an empty string or a sentence that states the
-// problem.
+// Pictures of widgets and pages, numbers of plots. Each function that saves returns an empty string or a sentence that
+// states the problem.
 //
 // The ending of the file name chooses the format: .png (twice the pixels of the screen), .svg and .pdf (vectors and
 // text). Files are written in the light theme, for paper; the clipboard gets the theme of the screen.
 #pragma once
 
-#include "ui/plot/picture.h"
+#include <functional>
 
 #include <QIODevice>
+#include <QPainter>
 #include <QString>
+
+#include "ui/plot/plot_theme.h"
 
 namespace touchdown {
 
 class PlotWidget;
+
+/// Anything that paints itself.
+struct Picture {
+    QSizeF size; // [px]
+    QString title;
+    std::function<void(QPainter&)> paint;
+};
+
+/// A widget that belongs to the picture of its page.
+class PagePart {
+public:
+    virtual ~PagePart() = default;
+    virtual QString title() const = 0;
+    /// The whole widget into `target`, in the colours of `theme`. The proportions of the screen stay.
+    virtual void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) = 0;
+};
 
 [[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
 /// A PagePart, or a page with every visible PagePart inside it at its place.

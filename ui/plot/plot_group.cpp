@@ -3,6 +3,11 @@
 
 #include <algorithm>
 
+#include <QMenu>
+
+#include "ui/plot/plot_export.h"
+#include "ui/style/save_dialog.h"
+
 namespace touchdown {
 
 namespace {
@@ -15,13 +20,62 @@ bool isOneOfMany(PlotWidget::Gesture gesture)
     return gesture != PlotWidget::Gesture::Box && gesture != PlotWidget::Gesture::Fit;
 }
 
+void addCheckable(QMenu* menu, const QString& text, bool checked, PlotWidget* plot,
+                  const std::function<void(bool)>& toggled, const QKeySequence& shortcut = {})
+{
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(checked);
+    action->setShortcut(shortcut);
+    QObject::connect(action, &QAction::toggled, plot, toggled);
+}
+
+/// Failures to save are shown in a message box that does not block the window.
+void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
+{
+    const auto tr = [](const char* text) { return PlotGroup::tr(text); };
+    auto* menu = new QMenu(plot);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), group, &PlotGroup::fit);
+    menu->addAction(tr("&Back"), QKeySequence(Qt::ALT | Qt::Key_Left), group, &PlotGroup::goBack)
+        ->setEnabled(group->canGoBack());
+    menu->addAction(tr("F&orward"), QKeySequence(Qt::ALT | Qt::Key_Right), group, &PlotGroup::goForward)
+        ->setEnabled(group->canGoForward());
+    menu->addSeparator();
+
+    addCheckable(menu, tr("&Height follows the data"), !plot->view().y, plot, [plot](bool follows) {
+        plot->setView({plot->view().x, follows ? std::nullopt : std::optional(plot->yAxis().range())});
+    });
+    addCheckable(
+        menu, tr("&Logarithmic height"), plot->yAxis().logarithmic(), plot,
+        [plot](bool on) { plot->setYScale(on ? AxisScale::Logarithmic : AxisScale::Linear); }, Qt::Key_L);
+    if (plot->curves().size() > 1) {
+        QMenu* curves = menu->addMenu(tr("C&urves"));
+        for (const PlotCurve& curve : plot->curves())
+            addCheckable(curves, curve.name.isEmpty() ? plot->title() : curve.name, curve.visible, plot,
+                         [plot, id = curve.id](bool visible) { plot->setCurveVisible(id, visible); });
+    }
+    menu->addSeparator();
+
+    menu->addAction(tr("&Copy picture"), plot, [plot] { copyPicture(*plot); });
+    menu->addAction(tr("&Save picture\u2026"), plot, [plot, tr] {
+        askAndSave(plot, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
+                   [plot](const QString& path) { return savePicture(*plot, path); });
+    });
+    menu->addAction(tr("Save visible &data\u2026"), plot, [plot, tr] {
+        askAndSave(plot, tr("Save visible data"), {tr("Comma-separated values (*.csv)")}, QStringLiteral("csv"),
+                   [plot](const QString& path) { return saveCsv(*plot, path); });
+    });
+    menu->popup(at);
+}
+
 } // namespace
 
 PlotGroup::PlotGroup(QObject* parent) : QObject(parent), history_{state()} {}
 
 void PlotGroup::add(PlotWidget* plot)
 {
-    if (std::find(plots_.begin(), plots_.end(), plot) != plots_.end()) return;
+    if (std::ranges::find(plots_, plot) != plots_.end()) return;
     plots_.push_back(plot);
     connect(plot, &QObject::destroyed, this, [this, plot] { std::erase(plots_, plot); });
     connect(plot, &PlotWidget::viewChanged, this,
@@ -33,6 +87,7 @@ void PlotGroup::add(PlotWidget* plot)
     connect(plot, &PlotWidget::cursorPinnedChanged, this, [this](bool pinned) {
         for (PlotWidget* other : plots_) other->setCursorPinned(pinned);
     });
+    connect(plot, &PlotWidget::menuRequested, this, [this, plot](const QPoint& at) { openMenu(plot, this, at); });
     for (const int which : {0, 1}) plot->setPlotCursor(which, cursor(which));
     if (follow_ == Follow::Frozen)
         showX(xRange_);
@@ -56,7 +111,7 @@ void PlotGroup::dataChanged()
 void PlotGroup::followData()
 {
     if (follow_ == Follow::Frozen) return;
-    std::optional<PlotRange> range = follow_ == Follow::WholeRun ? span_ : std::nullopt;
+    std::optional<PlotRange> range;
     for (const PlotWidget* plot : plots_) {
         const auto data = plot->isPhasePortrait() ? std::nullopt : plot->dataRangeX();
         if (!data) continue;
@@ -70,16 +125,11 @@ void PlotGroup::followData()
         }
         return;
     }
-    if (follow_ == Follow::LastWindow) {
-        range->low = std::max(range->low, range->high - window_);
-        range->high = range->low + window_;
-    }
     showX(*range);
 }
 
 void PlotGroup::showX(const PlotRange& range)
 {
-    const bool changed = range != xRange_;
     xRange_ = range;
     for (PlotWidget* plot : plots_) {
         if (plot->isPhasePortrait())
@@ -87,7 +137,6 @@ void PlotGroup::showX(const PlotRange& range)
         else if (const PlotView view{range, plot->view().y}; view != plot->view())
             plot->setView(view);
     }
-    if (changed) emit xRangeChanged(range);
 }
 
 void PlotGroup::changeFollow(Follow follow)
@@ -101,26 +150,6 @@ void PlotGroup::setFollow(Follow follow)
 {
     changeFollow(follow);
     followData();
-    record(std::nullopt, nullptr);
-}
-
-void PlotGroup::setWindow(double seconds)
-{
-    if (!(seconds > 0.0)) return;
-    window_ = seconds;
-    followData();
-}
-
-void PlotGroup::setSpan(std::optional<PlotRange> span)
-{
-    span_ = span;
-    followData();
-}
-
-void PlotGroup::setXRange(const PlotRange& range)
-{
-    changeFollow(Follow::Frozen);
-    showX(range);
     record(std::nullopt, nullptr);
 }
 
@@ -177,8 +206,7 @@ void PlotGroup::record(std::optional<PlotWidget::Gesture> gesture, const PlotWid
 void PlotGroup::show(const State& state)
 {
     for (PlotWidget* plot : plots_) {
-        const auto same =
-            std::find_if(state.views.begin(), state.views.end(), [&](const auto& v) { return v.first == plot; });
+        const auto same = std::ranges::find(state.views, plot, &decltype(State::views)::value_type::first);
         if (same == state.views.end()) continue; // came later
         plot->setView({plot->isPhasePortrait() ? same->second.x : plot->view().x, same->second.y});
     }

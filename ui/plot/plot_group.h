@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plots that belong together: one time axis, one zoom history, one pair of cursors; they follow the run or are frozen.
+// Plots that belong together: one time axis, one zoom history, one pair of cursors, and the menu of the right mouse
+// button. The time axis follows the run or is frozen.
 //
-// The group owns no plot. A plot leaves by itself when it is destroyed. Zooming x by hand freezes; fitting follows
-// the whole run again. A phase portrait shares cursors and history, and shows the part of the history that the time
-// axis shows, but not the time axis itself.
+// The group does not own its plots. A plot leaves the group when it is destroyed. Zooming x by hand freezes the axis;
+// fitting follows the whole run again. A phase portrait shares cursors and history and shows the samples within the
+// range of the time axis, but has an x axis of its own.
 #pragma once
 
 #include "ui/plot/plot_widget.h"
@@ -30,7 +31,7 @@ class PlotGroup : public QObject {
     Q_OBJECT
 
 public:
-    enum class Follow { WholeRun, LastWindow, Frozen };
+    enum class Follow { WholeRun, Frozen };
     Q_ENUM(Follow)
 
     explicit PlotGroup(QObject* parent = nullptr);
@@ -44,14 +45,6 @@ public:
 
     void setFollow(Follow follow);
     Follow follow() const { return follow_; }
-    void setWindow(double seconds); // of LastWindow [s]
-    double window() const { return window_; }
-
-    /// Smallest range of WholeRun: 0 to the duration, known before the run begins.
-    void setSpan(std::optional<PlotRange> span);
-
-    void setXRange(const PlotRange& range); // freezes; a step of the history
-    PlotRange xRange() const { return xRange_; }
     void fit(); // all x and y follow the data; a step of the history
 
     bool canGoBack() const { return position_ > 0; }
@@ -67,7 +60,6 @@ public:
 
 signals:
     void followChanged(touchdown::PlotGroup::Follow follow);
-    void xRangeChanged(const touchdown::PlotRange& range);
     void historyChanged();
     /// Cursor 0 or 1 moved, came or went; ask cursor() and readings().
     void cursorMoved(int which);
@@ -91,8 +83,6 @@ private:
 
     std::vector<PlotWidget*> plots_;
     Follow follow_ = Follow::WholeRun;
-    double window_ = 1e-4; // [s]
-    std::optional<PlotRange> span_;
     PlotRange xRange_;
     std::array<std::optional<double>, 2> cursors_;
     std::vector<State> history_;

@@ -34,11 +34,7 @@ bool PlotNavigation::eventFilter(QObject* /*watched*/, QEvent* event)
     case QEvent::MouseButtonDblClick: return doubleClick(*static_cast<QMouseEvent*>(event));
     case QEvent::KeyPress: return key(*static_cast<QKeyEvent*>(event));
     case QEvent::Leave: leave(); return false;
-    case QEvent::ToolTip: {
-        const auto& help = *static_cast<QHelpEvent*>(event);
-        showToolTip(help.pos(), help.globalPos());
-        return true;
-    }
+    case QEvent::ToolTip: showToolTip(*static_cast<QHelpEvent*>(event)); return true;
     default: return false;
     }
 }
@@ -246,8 +242,9 @@ void PlotNavigation::leave()
     plot_.userCursor(0, std::nullopt);
 }
 
-void PlotNavigation::showToolTip(const QPoint& at, const QPoint& globalAt) const
+void PlotNavigation::showToolTip(const QHelpEvent& event) const
 {
+    const QPoint at = event.pos();
     QStringList lines;
     for (const EventMark& mark : plot_.eventMarks()) {
         const bool near = std::abs(plot_.toPixel(mark.time, 0.0).x() - at.x()) <= 5.0;
@@ -261,7 +258,7 @@ void PlotNavigation::showToolTip(const QPoint& at, const QPoint& globalAt) const
     if (lines.isEmpty())
         QToolTip::hideText();
     else
-        QToolTip::showText(globalAt, lines.join(u'\n'), &plot_);
+        QToolTip::showText(event.globalPos(), lines.join(u'\n'), &plot_);
 }
 
 } // namespace touchdown

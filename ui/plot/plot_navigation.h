@@ -5,8 +5,7 @@
 
 #include "ui/plot/plot_widget.h"
 
-#include <QObject>
-
+class QHelpEvent;
 class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
@@ -32,7 +31,7 @@ private:
     bool doubleClick(const QMouseEvent& event);
     bool key(const QKeyEvent& event);
     void leave();
-    void showToolTip(const QPoint& at, const QPoint& globalAt) const;
+    void showToolTip(const QHelpEvent& event) const;
 
     QPointF inArea(const QPointF& pixel) const; // 0 to 1, y upwards
     std::optional<int> cursorNear(const QPointF& pixel) const;

@@ -1,81 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_painter.h"
 
-#include "ui/plot/plot_path.h"
-
 #include <algorithm>
-#include <cmath>
 
-#include <QFontInfo>
 #include <QFontMetricsF>
+
+#include "ui/plot/plot_path.h"
 
 namespace touchdown {
 
-namespace {
-
-constexpr double gap = 6.0;        // between things that belong together [px]
-constexpr double tickLength = 4.0; // [px]
-
-double aligned(double pixel)
-{
-    return std::floor(pixel) + 0.5; // a thin line fills one row of pixels
-}
-
-QFont heavier(QFont font)
-{
-    font.setWeight(QFont::DemiBold);
-    return font;
-}
-
-} // namespace
-
-QFont plotTextFont(const QFont& font)
-{
-    QFont inPixels = font;
-    inPixels.setPixelSize(std::max(1, QFontInfo(font).pixelSize()));
-    return inPixels;
-}
-
-QFont plotNumberFont(const QFont& font)
-{
-    QFont small = plotTextFont(font);
-    small.setPixelSize(std::max(1, static_cast<int>(std::lround(0.9 * small.pixelSize()))));
-    return small;
-}
-
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
-    : plot_(plot),
-      theme_(theme),
-      textFont_(plotTextFont(plot.font())),
-      numberFont_(plotNumberFont(plot.font())),
-      area_(plot.plotArea())
+    : plot_(plot), theme_(theme), area_(plot.plotArea()), frame_(area_, plot.font(), plot.xAxis(), plot.yAxis(), 9)
 {}
-
-QRectF PlotPainter::plotArea(const QSizeF& size, const QFont& font, bool xNumbers)
-{
-    const QFontMetricsF text(plotTextFont(font));
-    const QFontMetricsF numbers(plotNumberFont(font));
-    const double left =
-        gap + text.height() + gap + numbers.horizontalAdvance(QStringLiteral("\u2212000.000")) + tickLength;
-    const double top = std::ceil(text.height() + 2.0 * gap);
-    const double below = tickLength + numbers.height() + text.height() + gap + 4.0;
-    const double right = numbers.horizontalAdvance(QStringLiteral("00.0")) / 2.0 + gap;
-    const double bottom = xNumbers ? below : gap;
-    return {std::ceil(left), top, std::max(20.0, std::floor(size.width() - left - right)),
-            std::max(20.0, std::floor(size.height() - top - bottom))};
-}
-
-std::vector<AxisTick> PlotPainter::xTicks() const
-{
-    const double width = QFontMetricsF(numberFont_).horizontalAdvance(QStringLiteral("00000.000"));
-    return plot_.xAxis().ticks(std::min(12, static_cast<int>(area_.width() / width)));
-}
-
-std::vector<AxisTick> PlotPainter::yTicks() const
-{
-    return plot_.yAxis().ticks(
-        std::min(9, static_cast<int>(area_.height() / (2.0 * QFontMetricsF(numberFont_).height()))));
-}
 
 void PlotPainter::paintBehind(QPainter& painter) const
 {
@@ -83,13 +19,13 @@ void PlotPainter::paintBehind(QPainter& painter) const
     QColor minor = theme_.grid;
     minor.setAlphaF(0.45F);
     const auto gridPen = [&](const AxisTick& tick) { return QPen(tick.major ? theme_.grid : minor, 1.0); };
-    for (const AxisTick& tick : xTicks()) {
-        const double x = aligned(across(plot_.xAxis().position(tick.value)));
+    for (const AxisTick& tick : frame_.xTicks) {
+        const double x = alignedPixel(frame_.across(plot_.xAxis().position(tick.value)));
         painter.setPen(gridPen(tick));
         painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
     }
-    for (const AxisTick& tick : yTicks()) {
-        const double y = aligned(up(plot_.yAxis().position(tick.value)));
+    for (const AxisTick& tick : frame_.yTicks) {
+        const double y = alignedPixel(frame_.up(plot_.yAxis().position(tick.value)));
         painter.setPen(gridPen(tick));
         painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     }
@@ -100,12 +36,12 @@ void PlotPainter::paintAbove(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(theme_.axis, 1.0));
-    const double left = aligned(area_.left());
-    const double bottom = aligned(area_.bottom());
+    const double left = alignedPixel(area_.left());
+    const double bottom = alignedPixel(area_.bottom());
     painter.drawLine(QPointF(left, area_.top()), QPointF(left, bottom));
     painter.drawLine(QPointF(left, bottom), QPointF(area_.right(), bottom));
-    paintNumbers(painter);
-    paintAxisTitles(painter);
+    frame_.paintNumbers(painter, theme_, plot_.width(), plot_.xNumbersVisible());
+    frame_.paintAxisTitles(painter, theme_, plot_.xNumbersVisible());
     paintHeader(painter);
     paintReferenceLabels(painter);
     paintEventMarks(painter);
@@ -113,66 +49,12 @@ void PlotPainter::paintAbove(QPainter& painter) const
     paintPointMarks(painter);
 }
 
-void PlotPainter::paintNumbers(QPainter& painter) const
-{
-    painter.setFont(numberFont_);
-    const QFontMetricsF metrics(numberFont_);
-    const double height = metrics.height();
-    for (const AxisTick& tick : yTicks()) {
-        if (!tick.major) continue;
-        const double y = aligned(up(plot_.yAxis().position(tick.value)));
-        painter.setPen(QPen(theme_.axis, 1.0));
-        painter.drawLine(QPointF(area_.left() - tickLength, y), QPointF(area_.left(), y));
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(0.0, y - height / 2.0, area_.left() - tickLength - 3.0, height),
-                         Qt::AlignRight | Qt::AlignVCenter, tick.text);
-    }
-    double free = 0.0; // no number begins left of this
-    for (const AxisTick& tick : xTicks()) {
-        if (!tick.major) continue;
-        const double x = aligned(across(plot_.xAxis().position(tick.value)));
-        painter.setPen(QPen(theme_.axis, 1.0));
-        painter.drawLine(QPointF(x, area_.bottom()), QPointF(x, area_.bottom() + tickLength));
-        const double half = metrics.horizontalAdvance(tick.text) / 2.0 + 1.0;
-        const double left = std::min(x - half, plot_.width() - 2.0 * half - 2.0); // the last one may not leave the plot
-        if (!plot_.xNumbersVisible() || left < free) continue;
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter,
-                         tick.text);
-        free = left + 2.0 * half + gap;
-    }
-}
-
-void PlotPainter::paintAxisTitles(QPainter& painter) const
-{
-    const QFontMetricsF metrics(textFont_);
-    painter.setFont(textFont_);
-    painter.setPen(theme_.text);
-    if (plot_.xNumbersVisible()) {
-        const double y = area_.bottom() + tickLength + QFontMetricsF(numberFont_).height() + 2.0;
-        const QString text = metrics.elidedText(plot_.xAxis().text(), Qt::ElideRight, area_.width());
-        painter.drawText(QRectF(area_.left(), y, area_.width(), metrics.height() + 2.0), Qt::AlignCenter, text);
-    }
-    painter.save();
-    painter.translate(gap, area_.center().y());
-    painter.rotate(-90.0);
-    const double length = area_.height() + metrics.height(); // may reach a little over the ends
-    const QString text = metrics.elidedText(plot_.yAxis().text(), Qt::ElideRight, length);
-    painter.drawText(QRectF(-length / 2.0, 0.0, length, metrics.height()), Qt::AlignCenter, text);
-    painter.restore();
-}
-
 void PlotPainter::paintHeader(QPainter& painter) const
 {
-    const QFont titleFont = heavier(textFont_);
-    const QFontMetricsF metrics(textFont_);
+    constexpr double gap = PlotFrame::gap;
+    const QFontMetricsF metrics(frame_.textFont);
     const QRectF row(area_.left(), gap, area_.width(), metrics.height());
-    painter.setFont(titleFont);
-    painter.setPen(theme_.text);
-    const QFontMetricsF titleMetrics(titleFont);
-    const QString title = titleMetrics.elidedText(plot_.title(), Qt::ElideRight, row.width());
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, title);
-    double room = row.width() - titleMetrics.horizontalAdvance(title) - 3.0 * gap;
+    const double room = row.width() - frame_.paintTitle(painter, theme_, plot_.title(), row.width()) - 3.0 * gap;
 
     std::vector<const PlotCurve*> named;
     for (const PlotCurve& curve : plot_.curves()) {
@@ -195,7 +77,7 @@ void PlotPainter::paintHeader(QPainter& painter) const
         if (used + width + (shown + 1 < named.size() ? moreWidth : 0.0) > room) break;
         used += width;
     }
-    painter.setFont(textFont_);
+    painter.setFont(frame_.textFont);
     double x = row.right() - used - (shown < named.size() ? moreWidth : -2.0 * gap);
     for (std::size_t i = 0; i < shown; ++i) {
         painter.setPen(curvePen(named[i]->style, theme_));
@@ -217,12 +99,9 @@ void PlotPainter::paintCurves(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     const auto paths = plot_.curvePaths();
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        const bool dashed = pathLength(paths[i], area_.size()) < longestDashed * area_.width();
-        QPen pen = curvePen(plot_.curves()[i].style, theme_, dashed);
-        if (plot_.curves()[i].xData) pen = penThereAndBack(paths[i], area_.size(), pen);
-        painter.setPen(pen);
+        painter.setPen(pathPen(plot_.curves()[i], paths[i], area_.size(), theme_));
         for (QPolygonF piece : insideArea(paths[i])) {
-            for (QPointF& point : piece) point = {across(point.x()), up(point.y())};
+            for (QPointF& point : piece) point = {frame_.across(point.x()), frame_.up(point.y())};
             painter.drawPolyline(piece);
         }
     }
@@ -231,19 +110,19 @@ void PlotPainter::paintCurves(QPainter& painter) const
 void PlotPainter::paintCursors(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(numberFont_);
+    painter.setFont(frame_.numberFont);
     for (int which = 0; which < 2; ++which) {
         const auto at = plot_.plotCursor(which);
         if (!at) continue;
         if (!plot_.isPhasePortrait()) {
             if (!plot_.xAxis().range().contains(*at)) continue;
-            const double x = aligned(across(plot_.xAxis().position(*at)));
+            const double x = alignedPixel(frame_.across(plot_.xAxis().position(*at)));
             QPen pen(theme_.cursor, 1.0);
             if (which == 1) pen.setDashPattern({3.0, 3.0});
             painter.setPen(pen);
             painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
             // 1 left and 2 right of the line, so that close cursors hide neither each other's number nor the title.
-            const double side = QFontMetricsF(numberFont_).height();
+            const double side = QFontMetricsF(frame_.numberFont).height();
             const QRectF tag(which == 0 ? x - side - 2.0 : x + 2.0, area_.top() + 8.0, side, side);
             painter.setPen(Qt::NoPen);
             painter.setBrush(theme_.cursor);
@@ -256,7 +135,7 @@ void PlotPainter::paintCursors(QPainter& painter) const
             const auto y = curve.data->valueAt(*at);
             const auto x = curve.xData != nullptr ? curve.xData->valueAt(*at) : at;
             if (!x || !y) continue;
-            const QPointF centre(across(plot_.xAxis().position(*x)), up(plot_.yAxis().position(*y)));
+            const QPointF centre(frame_.across(plot_.xAxis().position(*x)), frame_.up(plot_.yAxis().position(*y)));
             if (!area_.contains(centre)) continue;
             painter.setPen(QPen(theme_.background, 1.5));
             painter.setBrush(theme_.colour(curve.style));
@@ -274,6 +153,113 @@ void PlotPainter::paintSelection(QPainter& painter, const QRectF& box) const
     painter.setBrush(fill);
     painter.drawRect(box.intersected(area_));
     painter.setBrush(Qt::NoBrush);
+}
+
+void PlotPainter::paintReferenceLines(QPainter& painter) const
+{
+    QPen pen(theme_.referenceLine, 1.0);
+    pen.setDashPattern({4.0, 4.0});
+    painter.setPen(pen);
+    for (const ReferenceLine& line : plot_.referenceLines()) {
+        if (!plot_.yAxis().range().contains(line.value)) continue;
+        const double y = alignedPixel(frame_.up(plot_.yAxis().position(line.value)));
+        painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
+    }
+}
+
+void PlotPainter::paintReferenceLabels(QPainter& painter) const
+{
+    painter.setFont(frame_.numberFont);
+    const QFontMetricsF metrics(frame_.numberFont);
+    std::vector<QRectF> taken;
+    for (const ReferenceLine& line : plot_.referenceLines()) {
+        if (line.label.isEmpty() || !plot_.yAxis().range().contains(line.value)) continue;
+        const double y = frame_.up(plot_.yAxis().position(line.value));
+        QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
+        box.moveBottomRight({area_.right() - 4.0, y - 1.0});
+        if (box.top() < area_.top()) box.moveTop(y + 2.0);
+        for (const QRectF& other : taken)
+            if (box.intersects(other)) box.moveRight(other.left() - PlotFrame::gap);
+        taken.push_back(box);
+        paintLabel(painter, box, line.label, theme_.mutedText);
+    }
+}
+
+void PlotPainter::paintEventMarks(QPainter& painter) const
+{
+    painter.setPen(QPen(theme_.referenceLine, 1.0));
+    double last = -1e9;
+    for (const EventMark& mark : plot_.eventMarks()) {
+        if (plot_.isPhasePortrait() || !plot_.xAxis().range().contains(mark.time)) continue;
+        const double x = alignedPixel(frame_.across(plot_.xAxis().position(mark.time)));
+        if (x == last) continue; // thousands of bounces fall onto one column
+        last = x;
+        painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.top() + 6.0));
+    }
+}
+
+void PlotPainter::paintArrows(QPainter& painter) const
+{
+    painter.setPen(Qt::NoPen);
+    for (std::size_t i = 0; i < std::min(plot_.curves().size(), plot_.phasePaths().size()); ++i) {
+        if (!plot_.curves()[i].arrows) continue;
+        painter.setBrush(theme_.colour(plot_.curves()[i].style));
+        for (const PathArrow& arrow : pathArrows(plot_.phasePaths()[i], area_.size())) {
+            const QPointF along(arrow.along.x(), -arrow.along.y());
+            const QPointF side(-along.y(), along.x());
+            const QPointF tip = QPointF(frame_.across(arrow.tip.x()), frame_.up(arrow.tip.y())) + 4.5 * along;
+            painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.0 * side, tip - 9.0 * along - 4.0 * side}));
+        }
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void PlotPainter::paintPointMarks(QPainter& painter) const
+{
+    struct Placed {
+        const PointMark* mark;
+        QPointF tip;
+    };
+    std::vector<Placed> placed;
+    std::vector<QRectF> taken;
+    painter.setPen(Qt::NoPen);
+    for (const PointMark& mark : plot_.pointMarks()) {
+        const QPointF at(frame_.across(plot_.xAxis().position(mark.x)), frame_.up(plot_.yAxis().position(mark.y)));
+        if (!area_.contains(at)) continue;
+        const QPointF tip = at - QPointF(0.0, 3.0);
+        painter.setBrush(theme_.colour(mark.style));
+        painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
+        placed.push_back({&mark, tip});
+        taken.emplace_back(tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setFont(frame_.numberFont);
+    const QFontMetricsF metrics(frame_.numberFont);
+    for (const auto& [mark, tip] : placed) {
+        const QSizeF size(metrics.horizontalAdvance(mark->label) + 4.0, metrics.height());
+        // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
+        const double beside = std::max(tip.y() - size.height(), area_.top());
+        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
+                                   {tip.x() + 6.0, beside},
+                                   {tip.x() - 6.0 - size.width(), beside}};
+        for (const QPointF& corner : corners) {
+            const QRectF box(corner, size);
+            const auto meets = [&](const QRectF& other) { return other.intersects(box); };
+            if (!area_.contains(box) || std::ranges::any_of(taken, meets)) continue;
+            taken.push_back(box);
+            paintLabel(painter, box, mark->label, theme_.text);
+            break; // without room anywhere the marker stands alone
+        }
+    }
+}
+
+void PlotPainter::paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const
+{
+    QColor paper = theme_.plotArea;
+    paper.setAlphaF(0.75F);
+    painter.fillRect(box, paper);
+    painter.setPen(colour);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace touchdown

@@ -10,6 +10,7 @@ namespace touchdown {
 namespace {
 
 constexpr PlotRange nearArea{-0.5, 1.5};
+constexpr double longestDashed = 8.0; // a longer line is drawn solid [widths of the plot area]
 
 /// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of
 /// the band.
@@ -38,7 +39,7 @@ std::vector<QPointF> cutToBand(const std::vector<QPointF>& path, const PlotRange
 std::vector<QPointF> cutNearArea(const std::vector<QPointF>& path)
 {
     const auto outside = [](const QPointF& p) { return !nearArea.contains(p.x()) || !nearArea.contains(p.y()); };
-    if (std::none_of(path.begin(), path.end(), outside)) return path;
+    if (std::ranges::none_of(path, outside)) return path;
     const auto inX = cutToBand(
         path, nearArea, [](QPointF p) { return p.x(); }, [](QPointF p, double x) { return QPointF(x, p.y()); });
     return cutToBand(
@@ -76,11 +77,7 @@ void shortenFolds(std::vector<QPointF>& path, double pixel)
         QPointF& second = path[i + 1];
         if (second.x() - first.x() > 0.5 * pixel) continue;
         const double from = path[i - 1].y();
-        if (std::abs(second.y() - from) < std::abs(first.y() - from)) {
-            const double y = first.y();
-            first.setY(second.y());
-            second.setY(y);
-        }
+        if (std::abs(second.y() - from) < std::abs(first.y() - from)) std::swap(first.ry(), second.ry());
         ++i;
     }
 }
@@ -182,6 +179,13 @@ QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPe
     const double offset = 0.5 * dashes.front() - std::fmod(walked, scale * period);
     pen.setDashOffset(offset < 0.0 ? offset + scale * period : offset);
     return pen;
+}
+
+QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme)
+{
+    const bool dashed = pathLength(path, pixels) < longestDashed * pixels.width();
+    const QPen pen = curvePen(curve.style, theme, dashed);
+    return curve.xData != nullptr ? penThereAndBack(path, pixels, pen) : pen;
 }
 
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)

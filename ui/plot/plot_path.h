@@ -4,10 +4,10 @@
 #pragma once
 
 #include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_curve.h"
 
 #include <vector>
 
-#include <QPen>
 #include <QPolygonF>
 
 namespace touchdown {
@@ -34,8 +34,10 @@ std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF
 /// dashes cover each other instead of filling each other's gaps.
 QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen);
 
-/// A longer line is drawn solid [widths of the plot area].
-constexpr double longestDashed = 8.0;
+/// The pen that draws `path`, the line of `curve`: solid where the line is folded many times, as it would be broken
+/// into thousands of invisible dashes.
+QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme);
+
 /// The length of a line [px].
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);
 

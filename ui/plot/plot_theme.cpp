@@ -13,20 +13,10 @@ QColor mixed(const QColor& a, const QColor& b, double part)
     return {blend(a.red(), b.red()), blend(a.green(), b.green()), blend(a.blue(), b.blue())};
 }
 
-const QList<QColor>& curvesOnLight()
-{
-    static const QList<QColor> colours{"#0068b0", "#c95300", "#008a63", "#b3528a", "#a87400", "#3d93c9", "#3a3f45"};
-    return colours;
-}
-
-const QList<QColor>& curvesOnDark()
-{
-    static const QList<QColor> colours{"#4ea6e6", "#f0813f", "#2ec297", "#e08fbe", "#e9b03a", "#9ad4f7", "#e4e7ea"};
-    return colours;
-}
-
 PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highlight)
 {
+    static const QList<QColor> onLight{"#0068b0", "#c95300", "#008a63", "#b3528a", "#a87400", "#3d93c9", "#3a3f45"};
+    static const QList<QColor> onDark{"#4ea6e6", "#f0813f", "#2ec297", "#e08fbe", "#e9b03a", "#9ad4f7", "#e4e7ea"};
     const bool dark = paper.lightness() < 128;
     PlotTheme theme;
     theme.background = paper;
@@ -38,7 +28,7 @@ PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highli
     theme.referenceLine = mixed(paper, ink, 0.58);
     theme.cursor = mixed(paper, ink, 0.72);
     theme.selection = highlight;
-    theme.curves = dark ? curvesOnDark() : curvesOnLight();
+    theme.curves = dark ? onDark : onLight;
     return theme;
 }
 

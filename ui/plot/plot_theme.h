@@ -2,9 +2,8 @@
 //
 // Colours and dashes of plots, light and dark.
 //
-// The curve colours are those of Okabe and Ito (2008), which the colour-blind can tell apart, darkened or lightened
-// so that each stands out of its background by at least 3:1 (WCAG 2.1, 1.4.11). Runs are distinguished by their
-// dash too.
+// The curve colours are those of Okabe and Ito (2008), which the colour-blind can tell apart, darkened or lightened to
+// a contrast of at least 3:1 against the background (WCAG 2.1, 1.4.11). Runs differ in their dash, too.
 #pragma once
 
 #include <QColor>

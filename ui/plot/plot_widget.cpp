@@ -39,8 +39,6 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), theme_(plotTheme(pale
     canvas_->setPlotArea(plotArea());
 }
 
-PlotWidget::~PlotWidget() = default;
-
 void PlotWidget::setTitle(const QString& title)
 {
     title_ = title;
@@ -51,7 +49,7 @@ void PlotWidget::setTitle(const QString& title)
 void PlotWidget::setXLabel(const AxisLabel& label)
 {
     x_.label = label;
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::setYLabel(const AxisLabel& label)
@@ -59,14 +57,7 @@ void PlotWidget::setYLabel(const AxisLabel& label)
     y_.label = label;
     y_.setRange(y_.range()); // a logarithm needs another one at once: the cursors are drawn before the next refresh
     tightY_ = true;
-    scheduleRefresh();
-}
-
-void PlotWidget::setXScale(AxisScale scale)
-{
-    if (x_.label.scale == scale) return;
-    x_.label.scale = scale;
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::setYScale(AxisScale scale)
@@ -75,45 +66,43 @@ void PlotWidget::setYScale(AxisScale scale)
     y_.label.scale = scale;
     y_.setRange(y_.range());
     tightY_ = true;
-    emit yScaleChanged();
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::setXNumbersVisible(bool visible)
 {
     xNumbersVisible_ = visible;
     canvas_->setPlotArea(plotArea());
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::addCurve(const PlotCurve& curve)
 {
-    const auto same =
-        std::find_if(curves_.begin(), curves_.end(), [&](const PlotCurve& c) { return c.id == curve.id; });
+    const auto same = std::ranges::find(curves_, curve.id, &PlotCurve::id);
     if (same != curves_.end())
         *same = curve;
     else
         curves_.push_back(curve);
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::removeCurve(const QString& id)
 {
     std::erase_if(curves_, [&](const PlotCurve& curve) { return curve.id == id; });
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::clearCurves()
 {
     curves_.clear();
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::setCurveVisible(const QString& id, bool visible)
 {
     for (PlotCurve& curve : curves_)
         if (curve.id == id) curve.visible = visible;
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::setReferenceLines(std::vector<ReferenceLine> lines)
@@ -134,9 +123,7 @@ void PlotWidget::setPointMarks(std::vector<PointMark> marks)
     canvas_->repaintAll();
 }
 
-void PlotWidget::dataChanged() { scheduleRefresh(); }
-
-void PlotWidget::scheduleRefresh()
+void PlotWidget::dataChanged()
 {
     stale_ = true;
     if (!isVisible() || refreshTimer_.isActive()) return;
@@ -156,7 +143,6 @@ void PlotWidget::refreshNow()
     phasePaths_.clear();
     if (isPhasePortrait()) phasePaths_ = std::move(paths);
     canvas_->repaintAll();
-    ++refreshes_;
     refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
 }
 
@@ -226,7 +212,7 @@ std::optional<PlotRange> PlotWidget::dataRangeY() const
 
 bool PlotWidget::isPhasePortrait() const
 {
-    return std::any_of(curves_.begin(), curves_.end(), [](const PlotCurve& curve) { return curve.xData != nullptr; });
+    return std::ranges::any_of(curves_, [](const PlotCurve& curve) { return curve.xData != nullptr; });
 }
 
 std::vector<std::vector<QPointF>> PlotWidget::curvePaths() const
@@ -250,14 +236,20 @@ void PlotWidget::setView(const PlotView& view)
     if (view_.y && !view.y) tightY_ = true;
     view_ = view;
     refreshRanges(); // the next gesture begins from here; the curves follow
-    scheduleRefresh();
+    dataChanged();
+}
+
+void PlotWidget::setMostX(std::optional<double> most)
+{
+    mostX_ = most;
+    dataChanged();
 }
 
 void PlotWidget::setTimeWindow(std::optional<PlotRange> window)
 {
     if (timeWindow_ == window) return;
     timeWindow_ = window;
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::userView(const PlotView& view, Gesture gesture)
@@ -298,7 +290,12 @@ void PlotWidget::userPin(bool pinned)
 
 void PlotWidget::showSelection(std::optional<QRectF> box) { canvas_->setSelection(box); }
 
-QRectF PlotWidget::plotArea() const { return PlotPainter::plotArea(size(), font(), xNumbersVisible_); }
+QRectF PlotWidget::plotArea() const
+{
+    const double lastNumber = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(QStringLiteral("00.0"));
+    return PlotFrame::areaWithin(size(), font(), QStringLiteral("\u2212000.000"), lastNumber / 2.0 + PlotFrame::gap,
+                                 xNumbersVisible_);
+}
 
 QPointF PlotWidget::toPixel(double x, double y) const
 {
@@ -326,7 +323,7 @@ void PlotWidget::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         theme_ = plotTheme(palette());
         canvas_->setPlotArea(plotArea());
-        scheduleRefresh();
+        dataChanged();
     }
 }
 
@@ -335,7 +332,7 @@ void PlotWidget::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     canvas_->setGeometry(rect());
     canvas_->setPlotArea(plotArea());
-    scheduleRefresh();
+    dataChanged();
 }
 
 void PlotWidget::showEvent(QShowEvent* event)

@@ -18,12 +18,11 @@
 // A plot does not keep the zoom history: the PlotGroup does (a lone plot gets a group of its own).
 #pragma once
 
-#include "ui/plot/picture.h"
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_curve.h"
+#include "ui/plot/plot_export.h"
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include <QTimer>
@@ -42,14 +41,12 @@ public:
     Q_ENUM(Gesture)
 
     explicit PlotWidget(QWidget* parent = nullptr);
-    ~PlotWidget() override;
 
     void setTitle(const QString& title);
     QString title() const override { return title_; }
     void setXLabel(const AxisLabel& label); // as made: "Time", "s"
     void setYLabel(const AxisLabel& label);
     void setYScale(AxisScale scale);
-    void setXScale(AxisScale scale);
     const PlotAxis& xAxis() const { return x_; }
     const PlotAxis& yAxis() const { return y_; }
     /// Only the lowest of stacked plots needs numbers and title below.
@@ -70,11 +67,10 @@ public:
     const std::vector<EventMark>& eventMarks() const { return eventMarks_; }
     const std::vector<PointMark>& pointMarks() const { return pointMarks_; }
 
-    /// The data behind the curves grew: refresh soon.
+    /// The data behind the curves or what is shown of them changed: refresh soon.
     void dataChanged();
     /// At once, as before a picture is taken.
     void refreshNow();
-    long long refreshes() const { return refreshes_; }
 
     /// Shows this; emits nothing.
     void setView(const PlotView& view);
@@ -86,11 +82,7 @@ public:
     bool isPhasePortrait() const;
     /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there
     /// are data below.
-    void setMostX(std::optional<double> most)
-    {
-        mostX_ = most;
-        dataChanged();
-    }
+    void setMostX(std::optional<double> most);
 
     /// Cursor 0 or 1 ("1" and "2" on the screen); an empty value removes it. Emits nothing.
     void setPlotCursor(int which, std::optional<double> x);
@@ -126,7 +118,6 @@ signals:
     void cursorPinnedChanged(bool pinned);
     /// Right click at this place of the screen.
     void menuRequested(const QPoint& at);
-    void yScaleChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -136,9 +127,7 @@ protected:
 private:
     friend class PlotNavigation;
 
-    void scheduleRefresh();
     void refreshRanges();
-    void updateCurves();
     void userView(const PlotView& view, Gesture gesture);
     void userCursor(int which, std::optional<double> x);
     void userPin(bool pinned);
@@ -164,8 +153,7 @@ private:
     PlotCanvas* canvas_ = nullptr; // owned by Qt as a child
     QTimer refreshTimer_;
     bool stale_ = true;
-    bool tightY_ = true; // the next automatic y range takes no account of the present one
-    long long refreshes_ = 0;
+    bool tightY_ = true;          // the next automatic y range takes no account of the present one
     double refreshSeconds_ = 0.0; // the last refresh took
 };
 

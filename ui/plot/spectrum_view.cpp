@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/spectrum_view.h"
 
-#include "core/formats/units.h"
-#include "ui/style/quantity_format.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QVBoxLayout>
+
+#include "core/formats/units.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -20,7 +19,7 @@ constexpr double kilohertz = 1e3; // [Hz]
 QString squared(const QString& unit)
 {
     if (unit.isEmpty()) return QStringLiteral("1");
-    const bool simple = std::all_of(unit.begin(), unit.end(), [](QChar c) { return c.isLetter(); });
+    const bool simple = std::ranges::all_of(unit, [](QChar c) { return c.isLetter(); });
     return (simple ? unit : u'(' + unit + u')') + QChar(0x00b2);
 }
 
@@ -55,14 +54,8 @@ SpectrumView::SpectrumView(QWidget* parent)
     overlap_->setKeyboardTracking(false);
     scaling_->addItem(tr("Density"), static_cast<int>(SpectrumScaling::Density));
     scaling_->addItem(tr("Amplitude"), static_cast<int>(SpectrumScaling::Amplitude));
-    quantity_->setToolTip(tr("Quantity whose spectrum is shown"));
     logFrequency_->setToolTip(tr("Logarithmic frequency axis"));
     logFrequency_->setAccessibleName(tr("Logarithmic frequency axis"));
-    window_->setToolTip(tr("Window that each segment is multiplied with"));
-    segment_->setToolTip(tr("Samples in each segment: more give a finer resolution, fewer a smoother average"));
-    overlap_->setToolTip(tr("Overlap of neighbouring segments"));
-    scaling_->setToolTip(tr("Density: its integral over frequency is the mean square. "
-                            "Amplitude: a sine of amplitude A shows A\u00b2/2 at its frequency."));
     plot_->setYScale(AxisScale::Logarithmic);
     setOptions({});
 
@@ -70,15 +63,19 @@ SpectrumView::SpectrumView(QWidget* parent)
     row->setSpacing(6);
     row->setContentsMargins(6, 4, 6, 4);
     // The boxes have no labels: these would make the window too wide for a small screen.
-    const auto addField = [&](const QString& name, QWidget* field, int stretch) {
-        field->setAccessibleName(name);
-        row->addWidget(field, stretch);
+    const auto add = [&](QWidget* box, int stretch, const QString& name, const QString& toolTip) {
+        box->setAccessibleName(name);
+        box->setToolTip(toolTip);
+        row->addWidget(box, stretch);
     };
-    addField(tr("Quantity"), quantity_, 3);
-    addField(tr("Window"), window_, 1);
-    addField(tr("Segment"), segment_, 1);
-    addField(tr("Overlap"), overlap_, 1);
-    addField(tr("Scaling"), scaling_, 1);
+    add(quantity_, 3, tr("Quantity"), tr("Quantity whose spectrum is shown"));
+    add(window_, 1, tr("Window"), tr("Window that each segment is multiplied with"));
+    add(segment_, 1, tr("Segment"),
+        tr("Samples in each segment: more give a finer resolution, fewer a smoother average"));
+    add(overlap_, 1, tr("Overlap"), tr("Overlap of neighbouring segments"));
+    add(scaling_, 1, tr("Scaling"),
+        tr("Density: its integral over frequency is the mean square. "
+           "Amplitude: a sine of amplitude A shows A\u00b2/2 at its frequency."));
     row->addSpacing(6);
     row->addWidget(logFrequency_);
     auto* layout = new QVBoxLayout(this);
@@ -98,12 +95,12 @@ SpectrumView::SpectrumView(QWidget* parent)
     }
     connect(overlap_, &QSpinBox::valueChanged, this, &SpectrumView::request);
     connect(logFrequency_, &QCheckBox::toggled, this, [this](bool on) {
-        plot_->setXScale(on ? AxisScale::Logarithmic : AxisScale::Linear);
+        AxisLabel label = plot_->xAxis().label;
+        label.scale = on ? AxisScale::Logarithmic : AxisScale::Linear;
+        plot_->setXLabel(label);
         group_->fit();
     });
 }
-
-SpectrumView::~SpectrumView() = default;
 
 void SpectrumView::setQuantities(const std::vector<Quantity>& quantities)
 {
@@ -195,7 +192,7 @@ void SpectrumView::setSpectrum(const QString& id, const QString& name, const Cur
     for (const Peak& peak : peaks) {
         const auto height = samples->valueAt(peak.frequency);
         if (!height) continue;
-        // The marker stands on the line's top, which lies at a bin beside the interpolated frequency.
+        // The mark is at the top of the line, at a bin beside the interpolated frequency.
         const double resolution = spectrum.frequency.size() > 1 ? spectrum.frequency[1] - spectrum.frequency[0] : 0.0;
         const auto top = samples->extremes(peak.frequency - resolution, peak.frequency + resolution);
         const int decimals = peak.frequency >= 100.0 * kilohertz ? 1 : peak.frequency >= 10.0 * kilohertz ? 2 : 3;

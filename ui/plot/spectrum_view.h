@@ -6,16 +6,15 @@
 // Power that is zero, negative or not finite is left out.
 #pragma once
 
-#include "core/numerics/spectrum.h"
-#include "core/simulation/recording/quantity.h"
-#include "ui/plot/plot_group.h"
-
 #include <map>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QSpinBox>
-#include <QWidget>
+
+#include "core/numerics/spectrum.h"
+#include "core/simulation/recording/quantity.h"
+#include "ui/plot/plot_group.h"
 
 namespace touchdown {
 
@@ -24,7 +23,6 @@ class SpectrumView : public QWidget {
 
 public:
     explicit SpectrumView(QWidget* parent = nullptr);
-    ~SpectrumView() override;
 
     /// Fills the selector; the chosen quantity stays chosen when it is still there. Emits nothing.
     void setQuantities(const std::vector<Quantity>& quantities);

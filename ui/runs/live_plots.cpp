@@ -8,7 +8,6 @@
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
-#include "ui/plot/plot_menu.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -146,7 +145,6 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
         }
         plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
         group_->add(plot);
-        installPlotMenu(plot, group_);
         layout_->addWidget(plot, spec.against ? 3 : 1);
         auto* wanted = new QAction(tr(spec.title), this);
         wanted->setCheckable(true);

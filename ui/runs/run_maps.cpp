@@ -9,8 +9,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/film_setup.h"
 #include "ui/maps/field_map.h"
-#include "ui/maps/maps_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -259,7 +259,7 @@ void RunMaps::showSnapshot()
     }
     const auto index =
         static_cast<std::size_t>(std::clamp(time_->value(), 0, static_cast<int>(history->snapshots.size()) - 1));
-    const double ambient = ambientPressure(shown->value);
+    const double ambient = airOf(shown->value.air).pressure;
     std::vector<std::vector<double>> values(fields_.size());
     std::vector<PlotRange> ranges(fields_.size());
     for (std::size_t i = 0; i < fields_.size(); ++i) {

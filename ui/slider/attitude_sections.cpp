@@ -19,35 +19,26 @@ constexpr double gramForce = 9.80665e-3; // [N]
 
 QString tr(const char* text) { return QCoreApplication::translate("touchdown::AttitudeTable", text); }
 
-QString fixed(double value, int decimals, const QLocale& locale)
-{
-    QLocale ungrouped = locale;
-    ungrouped.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
-    QString text = ungrouped.toString(value, 'f', std::clamp(decimals, 0, 12));
-    if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QChar(0x2212)); // a true minus sign
-    return text;
-}
-
 /// Decimals that show `digits` significant digits of a number.
 int decimalsOf(double value, int digits)
 {
-    return value == 0.0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+    if (value == 0.0) return 0;
+    return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)), 0, 12);
 }
 
 /// Four significant digits; large and tiny numbers with three and a power of ten.
 QString plain(double value, const QLocale& locale)
 {
     const double size = std::abs(value);
-    if (size != 0.0 && (size < 1e-3 || size >= 1e6))
-        return locale.toString(value, 'e', 2).replace(QLatin1Char('-'), QChar(0x2212));
-    return fixed(value, decimalsOf(value, 4), locale);
+    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return trueMinus(locale.toString(value, 'e', 2));
+    return typeset(value, decimalsOf(value, 4), locale);
 }
 
 /// In mm, as the heads of the columns say.
 QString place(const SurfacePoint& at, const QLocale& locale)
 {
     const QString separator = locale.decimalPoint() == QLatin1String(",") ? QStringLiteral("; ") : QStringLiteral(", ");
-    return fixed(at.x / 1e-3, 3, locale) + separator + fixed(at.y / 1e-3, 3, locale);
+    return typeset(at.x / 1e-3, 3, locale) + separator + typeset(at.y / 1e-3, 3, locale);
 }
 
 AttitudeSection attitude(const SteadyResult& r, const QLocale& locale)
@@ -81,7 +72,7 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
     return {tr("Air bearing"),
             {QString(), tr("At x, y [mm]")},
             {{tr("Net force"), milli(f.net, r.discretisationError.load),
-              fixed(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
+              typeset(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
              {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
@@ -157,14 +148,14 @@ QString withError(double value, double error, std::string_view displayUnit, cons
     const double shown = value / factor;
     const QString unit = QChar(0x00A0) + unitText(displayUnit);
     if (!(error > 0.0) || !std::isfinite(error)) {
-        const int decimals = std::abs(shown) < 1.0 ? 3 : std::max(0, decimalsOf(shown, 4));
-        return fixed(std::abs(shown) < 5e-4 ? 0.0 : shown, decimals, locale) + unit;
+        const int decimals = std::abs(shown) < 1.0 ? 3 : decimalsOf(shown, 4);
+        return typeset(shown, decimals, locale) + unit;
     }
     // One digit of the error, two of one that begins with 1; the next power of ten when rounding gets there.
     const double size = error / factor;
     const double lead = size / std::pow(10.0, std::floor(std::log10(size)));
-    const int decimals = std::max(0, decimalsOf(size, lead < 1.95 ? 2 : 1));
-    return fixed(shown, decimals, locale) + QStringLiteral("\u00A0±\u00A0") + fixed(size, decimals, locale) + unit;
+    const int decimals = decimalsOf(size, lead < 1.95 ? 2 : 1);
+    return typeset(shown, decimals, locale) + QStringLiteral("\u00A0±\u00A0") + typeset(size, decimals, locale) + unit;
 }
 
 std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result, const QLocale& locale)

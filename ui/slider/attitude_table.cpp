@@ -13,9 +13,9 @@ namespace touchdown {
 
 namespace {
 
-QString cell(const QString& text, const QString& attributes, const QString& style)
+QString cell(const QString& text, const QString& style)
 {
-    return QStringLiteral("<td %1 style='padding:1px 0 1px 10px; %2'>%3</td>").arg(attributes, style, text);
+    return QStringLiteral("<td align='right' style='padding:1px 0 1px 10px; %1'>%2</td>").arg(style, text);
 }
 
 /// An error is read after its value: in a quieter colour.
@@ -38,16 +38,14 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
             .arg(colours.change.name(), section.title.toHtmlEscaped());
     if (!section.columns.isEmpty()) {
         html += QStringLiteral("<tr><td></td>");
-        for (const QString& column : section.columns)
-            html += cell(column.toHtmlEscaped(), QStringLiteral("align='right'"), muted);
+        for (const QString& column : section.columns) html += cell(column.toHtmlEscaped(), muted);
         html += QStringLiteral("</tr>");
     }
     for (const QStringList& row : section.rows) {
         html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>")
                     .arg(row.front().toHtmlEscaped());
         for (qsizetype i = 1; i < row.size(); ++i)
-            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("align='right'"),
-                         QStringLiteral("white-space:nowrap"));
+            html += cell(valueHtml(row[i], colours.muted), QStringLiteral("white-space:nowrap"));
         html += QStringLiteral("</tr>");
     }
     return html + QStringLiteral("</table>");

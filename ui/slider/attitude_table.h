@@ -3,7 +3,6 @@
 // The static state as tables that can be read, selected and copied.
 #pragma once
 
-#include <QLabel>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QWidget>
@@ -24,8 +23,6 @@ public:
     void setStale(bool stale);
 
     const std::vector<AttitudeSection>& sections() const { return sections_; }
-    /// The shown text without tables, for screen readers.
-    QString toPlainText() const { return text_->toPlainText(); }
 
 public slots:
     /// All of it, tab-separated, on the clipboard.

@@ -6,6 +6,8 @@
 
 #include <QFontMetricsF>
 
+#include "ui/slider/slider_plan.h"
+
 namespace touchdown {
 
 namespace {
@@ -15,15 +17,12 @@ constexpr double reach = 6.0; // of a mark from its point [px]
 void paintSymbol(QPainter& painter, const PlanMark& mark)
 {
     const QPointF& at = mark.at;
-    switch (mark.kind) {
-    case PlanMark::Kind::Interest: painter.drawEllipse(at, reach - 1.0, reach - 1.0); break;
-    case PlanMark::Kind::Minimum:
-        painter.drawPolygon(QPolygonF({at, at + QPointF(-reach, -1.6 * reach), at + QPointF(reach, -1.6 * reach)}));
-        break;
-    case PlanMark::Kind::Maximum:
-        painter.drawPolygon(QPolygonF({at, at + QPointF(-reach, 1.6 * reach), at + QPointF(reach, 1.6 * reach)}));
-        break;
+    if (mark.kind == PlanMark::Kind::Interest) {
+        painter.drawEllipse(at, reach - 1.0, reach - 1.0);
+        return;
     }
+    const double height = mark.kind == PlanMark::Kind::Minimum ? -1.6 * reach : 1.6 * reach;
+    painter.drawPolygon(QPolygonF({at, at + QPointF(-reach, height), at + QPointF(reach, height)}));
 }
 
 /// From the point to the middle of the symbol, downwards [px].

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Marks, labels and grid lines that stand out of any colour beneath them.
+// Marks, labels and grid lines that are seen on any colour.
 #pragma once
 
 #include <vector>
 
 #include <QPainter>
 
-#include "core/numerics/cell_grid.h"
-#include "ui/slider/slider_plan.h"
+#include "ui/plot/plot_theme.h"
 
 namespace touchdown {
+
+class SliderPlan;
+struct CellGrid;
 
 /// Rectangles with text; later text avoids them.
 using TakenRoom = std::vector<QRectF>;
 
-/// A small box of paper about `centre` with the text in it; false, and nothing, where other text stands.
+/// Draws the text in a small box about `centre`; draws nothing and returns false where there is other text.
 bool paintPlanLabel(QPainter& painter, const QPointF& centre, const QString& text, const PlotTheme& theme,
                     TakenRoom& taken);
 
@@ -27,8 +29,7 @@ struct PlanMark {
     QString text;
 };
 
-/// The text stands beside its mark where there is room, towards the middle of the clip first; without room the mark
-/// stands alone.
+/// Each text is drawn beside its mark, if there is room, preferably towards the middle of the clip.
 void paintPlanMarks(QPainter& painter, const std::vector<PlanMark>& marks, const PlotTheme& theme, TakenRoom& taken);
 
 /// The borders of the cells.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The slider seen from the disk's side in true proportions, for what is drawn on it: x to the right from the leading to
-// the trailing edge, y upwards from the inner to the outer edge, scales in mm, the edges named, the air flow as an
-// arrow, a key at the right. Or a piece of another surface, in mm or µm, of which nothing is named.
+// A map of the slider in true proportions, seen from the side of the disk: x to the right from the leading to the
+// trailing edge, y upwards from the inner to the outer edge, scales in mm, names of the edges, an arrow for the air
+// flow, a key at the right. Or a piece of another surface, in mm or µm, without these names. Derived classes draw the
+// content.
 //
 // Mouse: wheel zooms about the pointer, drag moves, double click fits, click chooses a point.
 // Keys: arrows move, + and - zoom, Home fits.
@@ -14,12 +15,15 @@
 #include <QRectF>
 #include <QWidget>
 
+#include "core/numerics/cell_grid.h"
 #include "core/physics/slider/air_bearing_surface.h"
-#include "ui/plot/picture.h"
 #include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_export.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
+
+struct PlotFrame;
 
 class SliderPlan : public QWidget, public PagePart {
     Q_OBJECT
@@ -28,8 +32,6 @@ public:
     explicit SliderPlan(QWidget* parent = nullptr);
 
     void setSlider(double length, double width); // [m]
-    double sliderLength() const { return area_.width(); }
-    double sliderWidth() const { return area_.height(); }
     /// A pad or a piece of the disk instead of the slider; its top is the smallest y [m].
     void setPiece(const QRectF& area);
     /// The slider, or that piece [m].
@@ -38,12 +40,17 @@ public:
     std::string_view lengthUnit() const;
     /// A place on an axis as it is read: "0.1234 mm".
     QString placeText(double at) const;
+    /// Of an axis along x or y.
+    AxisLabel axisLabel(const QString& name) const;
     /// [rad]; positive: air flows from the outer leading to the inner trailing edge.
     void setSkew(double skew);
+    /// The cells of the solver; drawn while they are `shown`.
+    void setGrid(const CellGrid& grid);
+    const CellGrid& grid() const { return grid_; }
+    void setGridShown(bool shown);
     void setTitle(const QString& title);
     QString title() const override { return title_; }
-    /// Stands at the right of the title.
-    void setReading(const QString& text);
+    /// Place and content under the pointer, shown at the right of the title.
     QString reading() const { return reading_; }
 
     /// Shows the whole slider, also after the size changes.
@@ -74,6 +81,10 @@ signals:
 protected:
     /// Content of the plan; the painter is in pixels of this widget and cut to the plan area.
     virtual void paintContent(QPainter& painter, const PlotTheme& theme) = 0;
+    /// The borders of the cells, if they are shown.
+    void paintGrid(QPainter& painter) const;
+    /// The content at this point, in parts.
+    virtual QStringList readingAt(const SurfacePoint& /*point*/) const { return {}; }
     /// Key of the content, in a column of keyWidth().
     virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
     virtual double keyWidth() const = 0; // [px]
@@ -90,22 +101,20 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    static constexpr double gap = 6.0;          // between things that belong together [px]
-    static constexpr double tickLength = 4.0;   // [px]
-    static constexpr double arrowLength = 38.0; // [px]
-
     void setArea(const QRectF& area, bool slider);
-    PlotAxis axis(const QString& name, double low, double high) const;
+    void setReading(const QString& text);
     void applyFit();
     void paint(QPainter& painter, const PlotTheme& theme);
     void paintSurroundings(QPainter& painter, const PlotTheme& theme) const;
     void paintAirFlow(QPainter& painter, const PlotTheme& theme) const;
     void paintScales(QPainter& painter, const PlotTheme& theme) const;
-    void paintHeader(QPainter& painter, const PlotTheme& theme) const;
+    void paintHeader(QPainter& painter, const PlotTheme& theme, const PlotFrame& frame) const;
 
     QRectF area_{0.0, 0.0, 1.25e-3, 1.0e-3}; // [m]
-    bool slider_ = true;                     // edges and air are named
-    double skew_ = 0.0;                      // [rad]
+    CellGrid grid_;
+    bool gridShown_ = false;
+    bool slider_ = true; // edges and air are named
+    double skew_ = 0.0;  // [rad]
     QString title_;
     QString reading_;
     SurfacePoint centre_; // of the view [m]

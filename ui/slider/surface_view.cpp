@@ -2,12 +2,9 @@
 #include "ui/slider/surface_view.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include <QPainter>
-
-#include "ui/plot/colour_bar.h"
-#include "ui/plot/plot_painter.h"
+#include "ui/plot/plot_frame.h"
 #include "ui/slider/rail_drawing.h"
 #include "ui/style/quantity_format.h"
 
@@ -16,6 +13,7 @@ namespace touchdown {
 namespace {
 
 constexpr int pictureDelay = 15; // of a view that is being dragged [ms]
+constexpr int coarse = 4;        // pixels of the screen across one of the first picture
 
 bool drawable(const AirBearingSurface& surface)
 {
@@ -26,7 +24,54 @@ bool drawable(const AirBearingSurface& surface)
     });
 }
 
+/// A null image when stopped.
+QImage draw(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels,
+            const std::stop_token& stop)
+{
+    QImage image(pixels, QImage::Format_RGB32);
+    for (int row = 0; row < pixels.height(); ++row) {
+        if (stop.stop_requested()) return {};
+        const double y = part.bottom() - (row + 0.5) / pixels.height() * part.height();
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
+        for (int column = 0; column < pixels.width(); ++column)
+            line[column] = scale.colour(recess.at(part.left() + (column + 0.5) / pixels.width() * part.width(), y));
+    }
+    return image;
+}
+
 } // namespace
+
+void RecessPicture::request(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels)
+{
+    stopAndWait(); // within a row of pixels
+    if (part.isEmpty() || pixels.isEmpty()) return;
+    begin([this, recess, scale, part, pixels](const std::stop_token& stop) {
+        for (const int step : {coarse, 1}) {
+            const QSize size((pixels.width() + step - 1) / step, (pixels.height() + step - 1) / step);
+            const QImage image = draw(recess, scale, part, size, stop);
+            mailbox_.post([&](Mail& mail) {
+                if (!image.isNull()) mail = {image, part};
+                mail.finished = step == 1;
+            });
+        }
+    });
+}
+
+void RecessPicture::clear()
+{
+    stopAndWait();
+    drawn_ = {};
+    emit drawn();
+}
+
+void RecessPicture::deliver()
+{
+    const Mail mail = mailbox_.take();
+    if (mail.finished) end();
+    if (mail.image.isNull()) return;
+    drawn_ = mail;
+    emit drawn();
+}
 
 SurfaceView::SurfaceView(QWidget* parent) : SliderPlan(parent)
 {
@@ -37,12 +82,15 @@ SurfaceView::SurfaceView(QWidget* parent) : SliderPlan(parent)
     connect(this, &SliderPlan::viewChanged, this, [this] {
         if (!pictureTimer_.isActive()) pictureTimer_.start(pictureDelay);
     });
-    connect(this, &SliderPlan::pointed, this, &SurfaceView::readOut);
+    connect(this, &SliderPlan::pointed, this, [this](const std::optional<SurfacePoint>& point) {
+        const std::optional<std::size_t> rail = point ? railAt(surface_, *point) : std::nullopt;
+        if (rail != std::exchange(pointedRail_, rail)) update();
+    });
 }
 
 void SurfaceView::setSurface(const AirBearingSurface& surface, double length, double width)
 {
-    if (recess_ && surface == surface_ && length == sliderLength() && width == sliderWidth()) return;
+    if (recess_ && surface == surface_ && length == area().width() && width == area().height()) return;
     surface_ = surface;
     recess_.reset();
     drawnRecess_.reset();
@@ -61,18 +109,6 @@ void SurfaceView::setSurface(const AirBearingSurface& surface, double length, do
     setSlider(length, width);
     if (isFitted()) fit();
     pictureTimer_.start(0);
-    update();
-}
-
-void SurfaceView::setGrid(const CellGrid& grid)
-{
-    grid_ = grid;
-    update();
-}
-
-void SurfaceView::setGridShown(bool shown)
-{
-    gridShown_ = shown;
     update();
 }
 
@@ -95,21 +131,12 @@ void SurfaceView::requestPicture()
     if (drawnRecess_) picture_.request(*drawnRecess_, scale_, view(), wantedPixels());
 }
 
-void SurfaceView::readOut(const std::optional<SurfacePoint>& point)
+QStringList SurfaceView::readingAt(const SurfacePoint& point) const
 {
-    const std::optional<std::size_t> rail = point ? railAt(surface_, *point) : std::nullopt;
-    if (rail != pointedRail_) {
-        pointedRail_ = rail;
-        update();
-    }
-    if (!point) {
-        setReading({});
-        return;
-    }
-    QStringList parts{tr("x %1   y %2").arg(readout(point->x, "mm", 4), readout(point->y, "mm", 4))};
-    if (recess_) parts << tr("recess %1").arg(lengthText(recess_->at(point->x, point->y), 4));
-    parts << (rail ? tr("rail %1").arg(*rail + 1) : tr("base"));
-    setReading(parts.join(QStringLiteral("   ·   ")));
+    QStringList parts;
+    if (recess_) parts << tr("recess %1").arg(lengthText(recess_->at(point.x, point.y), 4));
+    const std::optional<std::size_t> rail = railAt(surface_, point);
+    return parts << (rail ? tr("rail %1").arg(*rail + 1) : tr("base"));
 }
 
 std::vector<ScaleTick> SurfaceView::levelTicks() const
@@ -129,7 +156,7 @@ void SurfaceView::paintKey(QPainter& painter, const QRectF& column, const PlotTh
 void SurfaceView::paintContent(QPainter& painter, const PlotTheme& theme)
 {
     paintRecess(painter);
-    if (gridShown_) paintCellGrid(painter, *this, grid_);
+    paintGrid(painter);
     paintRails(painter);
     TakenRoom taken;
     paintMarks(painter, theme, taken);
@@ -138,7 +165,7 @@ void SurfaceView::paintContent(QPainter& painter, const PlotTheme& theme)
 
 void SurfaceView::paintRecess(QPainter& painter) const
 {
-    const QRectF slider(toPixel({0.0, sliderWidth()}), toPixel({sliderLength(), 0.0}));
+    const QRectF slider(toPixel({0.0, area().bottom()}), toPixel({area().right(), 0.0}));
     painter.save();
     painter.setClipRect(slider, Qt::IntersectClip);
     if (!picture_.image().isNull()) {

@@ -1,23 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The air bearing surface as it is designed: recess in colours that step through its levels, walls as they slope, rails
-// outlined and numbered, points of interest, and on request the solver's grid and the point of minimum spacing.
+// The air bearing surface as it is designed: recess in colours that step through its levels, slopes of the walls, rails
+// outlined and numbered, points of interest, the point of minimum spacing.
 //
 // The colours leave out crown, camber and twist, which would hide the steps of the design; the readout has them.
 #pragma once
 
 #include <optional>
 
+#include <QImage>
 #include <QTimer>
 
-#include "core/numerics/cell_grid.h"
 #include "core/physics/slider/recess.h"
+#include "ui/calculation/calculation_controller.h"
 #include "ui/plot/colour_scale.h"
 #include "ui/slider/plan_marks.h"
-#include "ui/slider/recess_picture.h"
 #include "ui/slider/slider_plan.h"
 
 namespace touchdown {
+
+/// The recess of a part of a slider as a picture, made beside the window: coarse at first, then pixel by pixel. A new
+/// request ends the one before.
+class RecessPicture : public CalculationController {
+    Q_OBJECT
+
+public:
+    explicit RecessPicture(QObject* parent = nullptr) : CalculationController(parent) {}
+    ~RecessPicture() override { giveUp(); }
+
+    /// `part` in m, its top the smallest y.
+    void request(const Recess& recess, const ColourScale& scale, const QRectF& part, const QSize& pixels);
+    /// Stops the calculation and discards the picture.
+    void clear();
+
+    /// The latest picture, the largest y uppermost, and the part that it shows; null before the first.
+    const QImage& image() const { return drawn_.image; }
+    const QRectF& part() const { return drawn_.part; }
+
+signals:
+    /// There is a picture, a finer one, or one of another part.
+    void drawn();
+
+protected:
+    void deliver() override;
+
+private:
+    struct Mail {
+        QImage image; // null: nothing new
+        QRectF part;
+        bool finished = false;
+    };
+
+    Mail drawn_;
+    Mailbox<Mail> mailbox_{*this};
+};
 
 class SurfaceView : public SliderPlan {
     Q_OBJECT
@@ -28,13 +64,7 @@ public:
     /// A surface that cannot be drawn (a rail with two corners, a wall that does not exist) leaves the slider empty.
     void setSurface(const AirBearingSurface& surface, double length, double width);
     const AirBearingSurface& surface() const { return surface_; }
-
-    void setGrid(const CellGrid& grid);
-    const CellGrid& grid() const { return grid_; }
-    void setGridShown(bool shown);
-    bool gridShown() const { return gridShown_; }
-
-    /// Where the slider is nearest to the disk, and how near [m]; nothing when that is not known.
+    /// The point of minimum spacing and the spacing there [m]; nothing when it is not known.
     void setMinimumSpacing(const std::optional<SurfacePoint>& at, double spacing = 0.0);
     std::optional<SurfacePoint> minimumSpacingAt() const { return minimumAt_; }
 
@@ -46,11 +76,11 @@ protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
     void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
     double keyWidth() const override;
+    QStringList readingAt(const SurfacePoint& point) const override;
 
 private:
     void requestPicture();
     QSize wantedPixels() const;
-    void readOut(const std::optional<SurfacePoint>& point);
     std::vector<ScaleTick> levelTicks() const;
     void paintRecess(QPainter& painter) const;
     void paintRails(QPainter& painter) const;
@@ -65,8 +95,6 @@ private:
     QTimer pictureTimer_;
     std::vector<SurfacePoint> numberPoints_;
     std::optional<std::size_t> pointedRail_;
-    CellGrid grid_;
-    bool gridShown_ = false;
     std::optional<SurfacePoint> minimumAt_;
     double minimumSpacing_ = 0.0; // [m]
 };

@@ -11,7 +11,7 @@
 #include <QWidget>
 
 #include "core/studies/study/study.h"
-#include "ui/plot/picture.h"
+#include "ui/plot/plot_export.h"
 #include "ui/studies/study_panel.h"
 
 namespace touchdown {

@@ -63,27 +63,16 @@ void MessageStrip::changeEvent(QEvent* event)
 void MessageStrip::colour()
 {
     const MeaningColours colours = meaningColours(palette());
-    QColor tone = colours.change;
-    QString mark = QStringLiteral("ℹ");
+    const auto mark = [this](const QString& sign, const QColor& tone) {
+        mark_->setText(sign);
+        setTextColour(mark_, tone);
+    };
     switch (kind_) {
-    case Kind::Information: break;
-    case Kind::Success:
-        tone = colours.success;
-        mark = QStringLiteral("✓");
-        break;
-    case Kind::Warning:
-        tone = colours.warning;
-        mark = QStringLiteral("⚠");
-        break;
-    case Kind::Failure:
-        tone = colours.failure;
-        mark = QStringLiteral("✕");
-        break;
+    case Kind::Information: mark(QStringLiteral("ℹ"), colours.change); break;
+    case Kind::Success: mark(QStringLiteral("✓"), colours.success); break;
+    case Kind::Warning: mark(QStringLiteral("⚠"), colours.warning); break;
+    case Kind::Failure: mark(QStringLiteral("✕"), colours.failure); break;
     }
-    mark_->setText(mark);
-    QPalette markPalette;
-    markPalette.setColor(QPalette::WindowText, tone);
-    mark_->setPalette(markPalette);
     update();
 }
 

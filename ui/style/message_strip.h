@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One message at the foot of the window: what a run came to, what went wrong, what to mind.
+// One message at the foot of the window: the outcome of a run, a failure, a warning.
 #pragma once
 
 #include <QFrame>

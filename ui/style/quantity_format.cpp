@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QRegularExpression>
 
 #include "core/formats/units.h"
@@ -14,11 +15,6 @@
 namespace touchdown {
 
 namespace {
-
-QString withDecimalPointOf(const QLocale& locale, QString number)
-{
-    return number.replace(QLatin1Char('.'), locale.decimalPoint());
-}
 
 QString withPrefix(double value, const QString& unit, const QLocale& locale)
 {
@@ -36,29 +32,6 @@ QString withPrefix(double value, const QString& unit, const QLocale& locale)
     return {};
 }
 
-bool separatesByComma(const QLocale& locale) { return locale.decimalPoint() != QLatin1String(","); }
-
-/// A number as it may be typed, as the core reads it.
-QString numberEntry(QString text, const Field& field, const QLocale& locale)
-{
-    text.replace(QChar(0x2212), QLatin1Char('-')); // minus sign
-    text.replace(QChar(0x00A0), QLatin1Char(' '));
-    text.replace(QChar(0x00B5), QLatin1Char('u')); // micro sign
-    text.replace(QChar(0x03BC), QLatin1Char('u')); // Greek mu
-    text.replace(QStringLiteral("²"), QLatin1String("^2"));
-    text.replace(QStringLiteral("³"), QLatin1String("^3"));
-    text.replace(QStringLiteral("·"), QLatin1String(" "));
-    if (locale.decimalPoint() != QLatin1String(".") && text.count(locale.decimalPoint()) == 1 &&
-        !text.contains(QLatin1Char('.')))
-        text.replace(locale.decimalPoint(), QLatin1String("."));
-
-    // In a form, a bare number means the unit that stands beside it; in a case file it means SI.
-    static const QRegularExpression bareNumber(QStringLiteral("^[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?$"));
-    if (!field.displayUnit.empty() && bareNumber.match(text).hasMatch())
-        text += QLatin1Char(' ') + QString::fromStdString(field.displayUnit);
-    return text;
-}
-
 } // namespace
 
 QString unitText(std::string_view unit)
@@ -74,32 +47,28 @@ QString unitText(std::string_view unit)
 
 QString symbolText(std::string_view symbol)
 {
-    static const std::array<std::pair<const char*, const char*>, 13> greek{{{"alpha", "α"},
-                                                                            {"lambda", "λ"},
-                                                                            {"xi", "ξ"},
-                                                                            {"theta", "θ"},
-                                                                            {"mu", "μ"},
-                                                                            {"beta", "β"},
-                                                                            {"gamma", "γ"},
-                                                                            {"phi", "φ"},
-                                                                            {"omega", "ω"},
-                                                                            {"nu", "ν"},
-                                                                            {"eta", "η"},
-                                                                            {"sigma", "σ"},
-                                                                            {"dgamma", "Δγ"}}};
+    static const QHash<QString, QString> greek{
+        {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"dgamma", "Δγ"}, {"eta", "η"}, {"theta", "θ"}, {"lambda", "λ"},
+        {"mu", "μ"},    {"nu", "ν"},   {"xi", "ξ"},    {"sigma", "σ"},   {"phi", "φ"}, {"omega", "ω"}};
     const QString text = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const auto letters = [](const QString& name) {
-        // "theta(0)": the letter, then what it is at.
+        // "theta(0)": the letter, then its argument.
         const qsizetype bracket = name.indexOf(QLatin1Char('('));
         const QString letter = bracket < 0 ? name : name.left(bracket);
-        for (const auto& [spelled, drawn] : greek)
-            if (letter == QLatin1String(spelled))
-                return QString::fromUtf8(drawn) + name.mid(letter.size()).toHtmlEscaped();
-        return name.toHtmlEscaped();
+        return greek.value(letter, letter.toHtmlEscaped()) + name.mid(letter.size()).toHtmlEscaped();
     };
     const qsizetype bar = text.indexOf(QLatin1Char('_'));
     if (bar < 0) return QStringLiteral("<i>%1</i>").arg(letters(text));
     return QStringLiteral("<i>%1</i><sub>%2</sub>").arg(letters(text.left(bar)), letters(text.mid(bar + 1)));
+}
+
+QString trueMinus(QString number) { return number.replace(QLatin1Char('-'), QChar(0x2212)); }
+
+QString typeset(double value, int decimals, QLocale locale)
+{
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0; // no "−0.0"
+    return trueMinus(locale.toString(value, 'f', decimals));
 }
 
 QString sentence(std::string_view reason)
@@ -110,44 +79,6 @@ QString sentence(std::string_view reason)
     if (text.size() > 1 && text[1] != QLatin1Char('_')) text[0] = text[0].toUpper();
     if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
     return text;
-}
-
-QString editorText(const Case& c, const Field& field, const QLocale& locale)
-{
-    const FieldValue value = field.get(c);
-    const auto number = [&](double each) {
-        return withDecimalPointOf(locale, QString::fromStdString(formatNumber(each, field.displayUnit)));
-    };
-    if (field.kind == FieldKind::Number) return number(std::get<double>(value));
-    if (field.kind == FieldKind::List) {
-        QStringList elements;
-        for (const double each : std::get<std::vector<double>>(value)) elements << number(each);
-        return elements.join(separatesByComma(locale) ? QStringLiteral(", ") : QStringLiteral("; "));
-    }
-    return QString::fromStdString(toText(c, field));
-}
-
-std::string entryText(const QString& typed, const Field& field, const QLocale& locale)
-{
-    const QString text = typed.trimmed();
-    if (field.kind == FieldKind::Number) return numberEntry(text, field, locale).toStdString();
-    if (field.kind != FieldKind::List) return text.toStdString();
-    // Where the comma is the decimal point, one with a blank behind it still parts two numbers.
-    static const QRegularExpression commas(QStringLiteral("[,;]"));
-    static const QRegularExpression semicolons(QStringLiteral(";|,\\s"));
-    QStringList elements;
-    if (!text.isEmpty())
-        for (const QString& element : text.split(separatesByComma(locale) ? commas : semicolons))
-            elements << numberEntry(element.trimmed(), field, locale);
-    return elements.join(QStringLiteral(", ")).toStdString();
-}
-
-QString valueText(const Case& c, const Field& field, const QLocale& locale)
-{
-    const QString text = editorText(c, field, locale);
-    const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
-    if (!numbers || field.displayUnit.empty() || text.isEmpty()) return text;
-    return text + QChar(0x00A0) + unitText(field.displayUnit);
 }
 
 QString readout(double value, std::string_view displayUnit, int decimals, const QLocale& locale)
@@ -169,7 +100,7 @@ QString roundedText(double value, std::string_view displayUnit, int digits, cons
     if (displayUnit == "ms") return timeText(value, locale);
     if (displayUnit == "nm") return lengthText(value, digits, locale);
     const double shown = displayUnit.empty() ? value : value / unitFactor(displayUnit);
-    const QString number = locale.toString(shown, 'g', digits).replace(QLatin1Char('-'), QChar(0x2212));
+    const QString number = trueMinus(locale.toString(shown, 'g', digits));
     return displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(displayUnit);
 }
 
@@ -197,8 +128,7 @@ QString lengthText(double metres, int digits, const QLocale& locale)
         if (number.endsWith(locale.decimalPoint())) number.chop(locale.decimalPoint().size());
     }
     if (number == QLatin1String("-0")) number = QStringLiteral("0");
-    if (number.startsWith(QLatin1Char('-'))) number.replace(0, 1, QChar(0x2212)); // a true minus sign
-    return number + QChar(0x00A0) + (micrometres ? QStringLiteral("µm") : QStringLiteral("nm"));
+    return trueMinus(number) + QChar(0x00A0) + (micrometres ? QStringLiteral("µm") : QStringLiteral("nm"));
 }
 
 QString forceText(double newtons, const QLocale& locale) { return withPrefix(newtons, QStringLiteral("N"), locale); }

@@ -5,13 +5,11 @@
 // point of the user's locale, and rounding for read-outs.
 #pragma once
 
-#include "core/case/fields.h"
 #include "core/simulation/recording/quantity.h"
 
 #include <QLocale>
 #include <QString>
 
-#include <string>
 #include <string_view>
 
 namespace touchdown {
@@ -21,15 +19,13 @@ QString unitText(std::string_view unit);
 /// A symbol as rich text: "k_f0" -> k with a subscript, "xi_f" with the Greek letter.
 QString symbolText(std::string_view symbol);
 
+/// -0.5 as "−0.5" with a true minus sign, ungrouped, in the notation of the locale.
+QString typeset(double value, int decimals, QLocale locale = QLocale());
+/// The number with a true minus sign instead of a hyphen.
+QString trueMinus(QString number);
+
 /// A reason as the core writes it ("must be greater than 0 kg") as a complete sentence.
 QString sentence(std::string_view reason);
-
-/// Text for the field's editor: a number in the display unit without the unit, or the text.
-QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
-/// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
-std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
-/// The value with its unit, for a sentence: "7 nm".
-QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());
 
 /// A read-out in the display unit: "7.000 nm" for 7e-9 with three decimals.
 QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());

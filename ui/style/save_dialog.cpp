@@ -8,14 +8,8 @@
 
 namespace touchdown {
 
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::SaveDialog", text); }
-
-} // namespace
-
-void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suggestion,
-                const std::function<QString(const QString&)>& save)
+QFileDialog* openSaveDialog(QWidget* parent, const QString& title, const QStringList& filters,
+                            const QString& suggestion)
 {
     auto* dialog = new QFileDialog(parent, title);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -27,6 +21,14 @@ void askAndSave(QWidget* parent, const QString& title, const QStringList& filter
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
         dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).section(u')', 0, 0));
     });
+    dialog->open();
+    return dialog;
+}
+
+void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suggestion,
+                const std::function<QString(const QString&)>& save)
+{
+    const QFileDialog* dialog = openSaveDialog(parent, title, filters, suggestion);
     QObject::connect(dialog, &QFileDialog::fileSelected, parent, [parent, title, save](const QString& path) {
         const QString problem = save(path);
         if (problem.isEmpty()) return;
@@ -34,11 +36,11 @@ void askAndSave(QWidget* parent, const QString& title, const QStringList& filter
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
-    dialog->open();
 }
 
 QStringList pictureFilters()
 {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("touchdown::SaveDialog", text); };
     return {tr("Portable document (*.pdf)"), tr("Scalable vector graphics (*.svg)"), tr("PNG picture (*.png)")};
 }
 

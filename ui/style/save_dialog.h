@@ -8,10 +8,16 @@
 #include <QStringList>
 #include <QWidget>
 
+class QFileDialog;
+
 namespace touchdown {
 
-/// Asks for a file, calls `save`, and shows the sentence that it returns, if any. The filters name one ending each,
-/// which a name without one gets; `suggestion` is the name of a file with an ending, or an ending alone.
+/// Opens a dialog that asks for a file to write. Each filter names the ending that a name without one gets;
+/// `suggestion` is a file with its ending, or an ending alone.
+QFileDialog* openSaveDialog(QWidget* parent, const QString& title, const QStringList& filters,
+                            const QString& suggestion);
+
+/// The same; then calls `save` and shows the sentence that it returns, if any.
 void askAndSave(QWidget* parent, const QString& title, const QStringList& filters, const QString& suggestion,
                 const std::function<QString(const QString&)>& save);
 

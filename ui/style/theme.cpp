@@ -2,14 +2,18 @@
 #include "ui/style/theme.h"
 
 #include <QApplication>
+#include <QFile>
 #include <QFont>
+#include <QHeaderView>
+#include <QPainter>
 #include <QStyleFactory>
+#include <QSvgRenderer>
 
 namespace touchdown {
 
 namespace {
 
-/// The palette of the platform.
+/// The look of the platform, as it was before the first applyTheme().
 struct SystemLook {
     bool dark = isDark(QGuiApplication::palette());
     int pointSize = QApplication::font().pointSize() > 0 ? QApplication::font().pointSize() : 10;
@@ -19,6 +23,12 @@ const SystemLook& systemLook()
 {
     static const SystemLook look;
     return look;
+}
+
+const QStringList& themeNames() // in the order of Theme
+{
+    static const QStringList names{"system", "light", "dark"};
+    return names;
 }
 
 struct Tones {
@@ -48,36 +58,30 @@ QPalette paletteOf(const Tones& tones)
     return palette;
 }
 
-QPalette lightPalette()
+QByteArray svgOf(const QString& name)
 {
-    return paletteOf({"#f3f4f6", "#ffffff", "#f0f2f5", "#fbfbfc", "#1b1f24", "#7b838c", "#1f6fb5", "#ffffff", "#155d9c",
-                      "#fffdf2", "#c9ced5"});
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-QPalette darkPalette()
+QPixmap drawn(QByteArray svg, const QColor& colour, int size)
 {
-    // Fusion draws no lighter frame round a field or a check box: the panel must be clearly lighter than the base in
-    // them.
-    return paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1", "#2f7fc4", "#ffffff", "#6db3ee",
-                      "#2f353c", "#545c66"});
+    svg.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer renderer(svg);
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    renderer.render(&painter);
+    return pixmap;
 }
 
 } // namespace
 
-QString themeName(Theme theme)
-{
-    switch (theme) {
-    case Theme::Light: return QStringLiteral("light");
-    case Theme::Dark: return QStringLiteral("dark");
-    case Theme::System: break;
-    }
-    return QStringLiteral("system");
-}
+QString themeName(Theme theme) { return themeNames()[static_cast<int>(theme)]; }
 
 Theme themeFromName(const QString& name)
 {
-    if (name == QLatin1String("light")) return Theme::Light;
-    return name == QLatin1String("dark") ? Theme::Dark : Theme::System;
+    return static_cast<Theme>(std::max<qsizetype>(0, themeNames().indexOf(name)));
 }
 
 void applyTheme(Theme theme, int pointSize)
@@ -85,7 +89,12 @@ void applyTheme(Theme theme, int pointSize)
     const SystemLook& system = systemLook();
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const bool dark = theme == Theme::Dark || (theme == Theme::System && system.dark);
-    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    // Fusion draws no lighter frame around a text box or a check box: the dark window is clearly lighter than their
+    // base.
+    QApplication::setPalette(dark ? paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1",
+                                               "#2f7fc4", "#ffffff", "#6db3ee", "#2f353c", "#545c66"})
+                                  : paletteOf({"#f3f4f6", "#ffffff", "#f0f2f5", "#fbfbfc", "#1b1f24", "#7b838c",
+                                               "#1f6fb5", "#ffffff", "#155d9c", "#fffdf2", "#c9ced5"}));
     QFont font = QApplication::font();
     font.setPointSize(pointSize > 0 ? pointSize : system.pointSize);
     QApplication::setFont(font);
@@ -102,6 +111,48 @@ MeaningColours meaningColours(const QPalette& palette)
 bool isDark(const QPalette& palette)
 {
     return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+}
+
+void setTextColour(QWidget* widget, const QColor& colour)
+{
+    QPalette palette;
+    if (colour.isValid()) palette.setColor(QPalette::WindowText, colour);
+    if (widget->palette() != palette) widget->setPalette(palette);
+}
+
+void makePlainTable(QTableWidget* table, const QStringList& headers)
+{
+    table->setColumnCount(static_cast<int>(headers.size()));
+    table->setHorizontalHeaderLabels(headers);
+    table->verticalHeader()->hide();
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setShowGrid(false);
+    table->setAlternatingRowColors(true);
+    table->setFrameShape(QFrame::NoFrame);
+    table->setWordWrap(false);
+}
+
+QIcon icon(const QString& name, const QPalette& palette)
+{
+    const QByteArray svg = svgOf(name);
+    QIcon made;
+    if (svg.isEmpty()) return made;
+    for (const int size : {16, 20, 24, 32, 48, 64}) {
+        made.addPixmap(drawn(svg, palette.color(QPalette::Active, QPalette::ButtonText), size), QIcon::Normal);
+        made.addPixmap(drawn(svg, palette.color(QPalette::Disabled, QPalette::ButtonText), size), QIcon::Disabled);
+    }
+    return made;
+}
+
+QIcon programIcon()
+{
+    const QByteArray svg = svgOf(QStringLiteral("touchdown"));
+    QIcon made;
+    if (svg.isEmpty()) return made;
+    for (const int size : {16, 32, 48, 64, 128, 256}) made.addPixmap(drawn(svg, Qt::black, size));
+    return made;
 }
 
 } // namespace touchdown

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The look of the window: Qt's Fusion style with a light and a dark palette of ours, and the colours
-// that mean something (a failure, a warning, a change).
+// The look of the window: Qt's Fusion style with a light and a dark palette, the colours that mean something (a
+// failure, a warning, a change), the icons.
 #pragma once
 
 #include <QColor>
+#include <QIcon>
 #include <QPalette>
 #include <QString>
+#include <QTableWidget>
 
 namespace touchdown {
 
 enum class Theme { System, Light, Dark };
 
-/// "system", "light", "dark": as stored in the settings.
+/// "system", "light", "dark": as stored in the settings; an unknown name is the system's.
 QString themeName(Theme theme);
 Theme themeFromName(const QString& name);
 
@@ -33,5 +35,15 @@ struct MeaningColours {
 MeaningColours meaningColours(const QPalette& palette);
 
 bool isDark(const QPalette& palette);
+
+/// The text of `widget` in this colour; in that of its palette when the colour is invalid.
+void setTextColour(QWidget* widget, const QColor& colour);
+
+/// A table to read and copy from: without lines and row numbers; the first column takes the free width.
+void makePlainTable(QTableWidget* table, const QStringList& headers);
+
+/// resources/icons/<name>.svg, with its currentColor replaced by that of the text.
+QIcon icon(const QString& name, const QPalette& palette);
+QIcon programIcon();
 
 } // namespace touchdown

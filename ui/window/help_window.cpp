@@ -7,6 +7,7 @@
 #include <QSplitter>
 
 #include "core/case/fields.h"
+#include "ui/case/field_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {

@@ -28,7 +28,6 @@
 #include "ui/runs/runs_panel.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
-#include "ui/style/icons.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/window_actions.h"

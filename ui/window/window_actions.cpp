@@ -10,7 +10,6 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/runs/run_controller.h"
-#include "ui/style/icons.h"
 
 namespace touchdown {
 

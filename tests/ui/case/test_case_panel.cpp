@@ -8,8 +8,10 @@
 
 #include "core/case_files/case_file.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
+#include "ui/case/case_edits.h"
 #include "ui/case/case_panel.h"
-#include "ui/style/quantity_format.h"
+#include "ui/case/field_text.h"
 
 using namespace touchdown;
 
@@ -29,6 +31,7 @@ struct Fixture {
     }
 
     QLineEdit* line(const char* key) const { return qobject_cast<QLineEdit*>(panel.editor(key)->input()); }
+    QComboBox* preset() const { return namedWidget<QComboBox>(panel, QStringLiteral("Sample case")); }
     void type(const char* key, const QString& text)
     {
         QLineEdit* editor = line(key);
@@ -304,24 +307,24 @@ void TestCasePanel::resetsOneAndAll()
 void TestCasePanel::turnsThePresetToCustom()
 {
     Fixture f;
-    QCOMPARE(f.panel.preset()->currentData().toString(), QStringLiteral("fig10a"));
+    QCOMPARE(f.preset()->currentData().toString(), QStringLiteral("fig10a"));
     f.type(flyingHeight, QStringLiteral("4"));
-    QCOMPARE(f.panel.preset()->currentIndex(), -1);
-    QCOMPARE(f.panel.preset()->placeholderText(), QStringLiteral("Custom"));
+    QCOMPARE(f.preset()->currentIndex(), -1);
+    QCOMPARE(f.preset()->placeholderText(), QStringLiteral("Custom"));
     f.edits.undoStack().undo();
-    QCOMPARE(f.panel.preset()->currentData().toString(), QStringLiteral("fig10a"));
+    QCOMPARE(f.preset()->currentData().toString(), QStringLiteral("fig10a"));
 }
 
 void TestCasePanel::emitsTheChosenPreset()
 {
     Fixture f;
     const QSignalSpy chosen(&f.panel, &CasePanel::presetChosen);
-    f.panel.preset()->setFocus();
-    QTest::keyClick(f.panel.preset(), Qt::Key_Down);
+    f.preset()->setFocus();
+    QTest::keyClick(f.preset(), Qt::Key_Down);
     QCOMPARE(chosen.count(), 1);
     QCOMPARE(chosen[0][0].toString(), QStringLiteral("fig10b"));
     // Until it has been opened, the panel shows what it holds.
-    QCOMPARE(f.panel.preset()->currentData().toString(), QStringLiteral("fig10a"));
+    QCOMPARE(f.preset()->currentData().toString(), QStringLiteral("fig10a"));
 }
 
 void TestCasePanel::acceptsADecimalComma()

@@ -11,15 +11,18 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QToolButton>
 
+#include "core/simulation/static_state/film_setup.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/plot/plot_export.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/slider/surface_view.h"
@@ -55,6 +58,8 @@ private slots:
     void ambientPressureOfTheAir();
 
 private:
+    QString attitudeText() const { return film_->attitude()->findChild<QTextBrowser*>()->toPlainText(); }
+    QCheckBox* gridShown() const { return namedWidget<QCheckBox>(*film_->view(), QStringLiteral("Grid")); }
     void solve(bool given = false)
     {
         QSignalSpy solved(film_, &FilmWindow::solved);
@@ -114,7 +119,7 @@ void TestFilmWindow::showsTheSurfaceBeforeASolution()
     QCOMPARE(film_->view()->page(), Page::Surface);
     QVERIFY(film_->view()->surface()->isVisible());
     QCOMPARE(film_->view()->surface()->surface(), case_.surface);
-    QVERIFY(!film_->view()->gridShown()->isEnabled());
+    QVERIFY(!gridShown()->isEnabled());
     QVERIFY(film_->attitude()->sections().empty());
 }
 
@@ -137,7 +142,7 @@ void TestFilmWindow::showsTheResultEverywhere()
     const SteadyResult& result = *film_->result();
     QCOMPARE(film_->view()->surface()->minimumSpacingAt()->x, result.minimumAt.x);
     QCOMPARE(film_->view()->surface()->grid().nx(), 48);
-    QVERIFY(film_->attitude()->toPlainText().contains(QStringLiteral("Minimum spacing")));
+    QVERIFY(attitudeText().contains(QStringLiteral("Minimum spacing")));
     film_->view()->setPage(Page::Pressure);
     QVERIFY(film_->view()->maps()->isVisible());
     QCOMPARE(film_->view()->maps()->map()->value(3), result.pressure[3] - 101325.0);
@@ -159,7 +164,7 @@ void TestFilmWindow::anEditMakesTheResultStale()
     film_->edit(case_);
     QVERIFY(film_->stale());
     QVERIFY(!film_->view()->surface()->minimumSpacingAt()); // of another surface
-    QVERIFY(film_->attitude()->toPlainText().startsWith(QStringLiteral("The parameters have changed since.")));
+    QVERIFY(attitudeText().startsWith(QStringLiteral("The parameters have changed since.")));
     solve();
     QVERIFY(!film_->stale());
     QVERIFY(film_->view()->surface()->minimumSpacingAt());
@@ -214,7 +219,7 @@ void TestFilmWindow::notConvergedIsShownAllTheSame()
     status_ = SteadyStatus::NotConverged;
     solve();
     QCOMPARE(film_->result()->status, SteadyStatus::NotConverged);
-    QVERIFY(film_->attitude()->toPlainText().contains(QStringLiteral("not converged")));
+    QVERIFY(attitudeText().contains(QStringLiteral("not converged")));
     QVERIFY(!film_->view()->maps()->map()->empty());
 }
 
@@ -227,7 +232,7 @@ void TestFilmWindow::anotherCaseForgetsTheResult()
     QVERIFY(film_->attitude()->sections().empty());
     QVERIFY(film_->view()->maps()->map()->empty());
     QVERIFY(!film_->view()->surface()->minimumSpacingAt());
-    QCOMPARE(film_->view()->surface()->sliderLength(), 1.2e-3);
+    QCOMPARE(film_->view()->surface()->area().width(), 1.2e-3);
     QCOMPARE(film_->controller().state(), State::Idle);
 }
 
@@ -253,11 +258,10 @@ void TestFilmWindow::reportsProgress()
 void TestFilmWindow::tabsChooseTheField()
 {
     solve();
-    for (const auto& [page, quantity] :
-         {std::pair(Page::Pressure, MapsView::Quantity::Pressure), std::pair(Page::Gap, MapsView::Quantity::Gap),
-          std::pair(Page::Recess, MapsView::Quantity::Recess)}) {
+    for (const auto& [page, title] : {std::pair(Page::Pressure, "Pressure above ambient"), std::pair(Page::Gap, "Gap"),
+                                      std::pair(Page::Recess, "Recess")}) {
         film_->view()->setPage(page);
-        QCOMPARE(film_->view()->maps()->quantity(), quantity);
+        QCOMPARE(film_->view()->maps()->map()->title(), QLatin1String(title));
         QVERIFY(film_->view()->maps()->controls()->isVisible());
     }
     film_->view()->setPage(Page::Surface);
@@ -267,12 +271,12 @@ void TestFilmWindow::tabsChooseTheField()
 void TestFilmWindow::theGridIsOnBoth()
 {
     solve();
-    film_->view()->gridShown()->click();
-    QVERIFY(film_->view()->surface()->gridShown());
+    const QImage surface = film_->view()->surface()->grab().toImage();
+    gridShown()->click();
+    QVERIFY(surface != film_->view()->surface()->grab().toImage());
     film_->view()->setPage(Page::Recess);
     const QImage with = film_->view()->maps()->map()->grab().toImage();
-    film_->view()->gridShown()->click();
-    QVERIFY(!film_->view()->surface()->gridShown());
+    gridShown()->click();
     QVERIFY(with != film_->view()->maps()->map()->grab().toImage());
 }
 
@@ -309,12 +313,13 @@ void TestFilmWindow::exportsThePage()
 void TestFilmWindow::ambientPressureOfTheAir()
 {
     case_.air.given.pressure = 90e3;
-    QCOMPARE(ambientPressure(case_), 90e3);
+    QCOMPARE(airOf(case_.air).pressure, 90e3);
     case_.air.source = AirSource::EstablishedStandard;
-    QCOMPARE(ambientPressure(case_), 101325.0);
+    QCOMPARE(airOf(case_.air).pressure, 101325.0);
     case_.air.source = AirSource::Atmosphere;
     case_.air.altitude = 3000.0;
-    QVERIFY2(std::abs(ambientPressure(case_) - 70109.0) < 1.0, qPrintable(QString::number(ambientPressure(case_))));
+    QVERIFY2(std::abs(airOf(case_.air).pressure - 70109.0) < 1.0,
+             qPrintable(QString::number(airOf(case_.air).pressure)));
 }
 
 TOUCHDOWN_TEST(TestFilmWindow)

@@ -105,8 +105,15 @@ void TestFieldMap::bordersStandWhereTheLinesAre()
 void TestFieldMap::knowsItsExtremes()
 {
     map_->setField(grid_, {3.0, -2.0, 1.0, 9.0, 4.0, 0.0});
-    QCOMPARE(map_->smallestCell(), std::size_t(1));
-    QCOMPARE(map_->largestCell(), std::size_t(3));
+    // A triangle above the smallest value and one below the largest.
+    const QImage image = map_->grab().toImage();
+    const auto marked = [&](std::size_t cell, int below) {
+        const QPoint at = map_->toPixel(map_->centre(cell)).toPoint() + QPoint(0, below);
+        return image.pixelColor(at) == lightPlotTheme().curves[1];
+    };
+    QVERIFY(marked(1, -6));
+    QVERIFY(marked(3, 6));
+    QVERIFY(!marked(5, -6) && !marked(5, 6));
     QVERIFY(std::abs(map_->centre(3).x - 0.05e-3) < 1e-12);
     QVERIFY(std::abs(map_->centre(3).y - 0.35e-3) < 1e-12);
 }

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "ui/style/quantity_format.h"
 
 using namespace touchdown;
 

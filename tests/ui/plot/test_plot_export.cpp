@@ -80,7 +80,7 @@ private:
 void TestPlotExport::init()
 {
     QVERIFY(folder_.isValid());
-    data_.clear();
+    data_ = MinMaxPyramid();
     data_.append(std::vector{0.0, 1e-3, 2e-3, 3e-3}, std::vector{1e-9, 5e-9, 2e-9, 4e-9});
     page_ = std::make_unique<QWidget>();
     page_->resize(500, 500);

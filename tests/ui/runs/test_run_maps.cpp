@@ -7,12 +7,13 @@
 #include <QTest>
 
 #include "core/simulation/run.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
@@ -285,7 +286,7 @@ std::unique_ptr<RunRecord> filmRun()
     std::vector<FieldSnapshot> snapshots;
     for (int k = 0; k < 5; ++k) {
         const double t = k * 1e-6;
-        snapshots.push_back({t, 0, {{100e-9, 10e-9}, {ambientPressure(c), ambientPressure(c) + 1e5 * k}}});
+        snapshots.push_back({t, 0, {{100e-9, 10e-9}, {airOf(c.air).pressure, airOf(c.air).pressure + 1e5 * k}}});
         if (k % 2 == 0) snapshots.push_back({t, 1, {{1e-9, 2e-9, 3e-9}, {0.0, 1e6 * k, 2e6 * k}}});
     }
     run->append({}, {}, snapshots);

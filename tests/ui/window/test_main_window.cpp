@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QComboBox>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -11,6 +12,7 @@
 #include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -142,7 +144,8 @@ void TestMainWindow::runsEverySampleCase()
 {
     QFETCH(const QString, name);
     Fixture f(name.toLatin1().constData());
-    QCOMPARE(f.window.casePanel().preset()->currentData().toString(), name);
+    QCOMPARE(namedWidget<QComboBox>(f.window.casePanel(), QStringLiteral("Sample case"))->currentData().toString(),
+             name);
     const RunRecord& record = f.runToEnd();
     // What the window shows is what the core says.
     const Summary alone = run(openCase(name.toStdString()).value);

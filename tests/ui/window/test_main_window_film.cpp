@@ -23,7 +23,7 @@
 #include "ui/film/film_window.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
 #include "ui/plot/spectrum_view.h"

@@ -3,6 +3,7 @@
 // The workbench as a person meets it: a real window on an X server, real keys and clicks from outside the program.
 #include <set>
 
+#include <QComboBox>
 #include <QImage>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -14,6 +15,7 @@
 
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -23,7 +25,7 @@
 #include "ui/film/film_window.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
-#include "ui/maps/maps_view.h"
+#include "ui/maps/fields_view.h"
 #include "ui/plot/plot_group.h"
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/live_plots.h"
@@ -155,7 +157,7 @@ void TestXvfbWorkbench::typesAFlyingHeightAndRuns()
     QTRY_COMPARE(flyingHeight()->text(), QStringLiteral("3.2"));
     QCOMPARE(window_->edits().value().springs.flyingHeight, 3.2e-9);
     QVERIFY(window_->isWindowModified());
-    QCOMPARE(window_->casePanel().preset()->currentIndex(), -1);
+    QCOMPARE(namedWidget<QComboBox>(window_->casePanel(), QStringLiteral("Sample case"))->currentIndex(), -1);
 
     click(button(window_->actions().run));
     QTRY_COMPARE(window_->runs().count(), 1);
@@ -185,7 +187,7 @@ void TestXvfbWorkbench::refusesABadEntryUntilUndone()
 
 void TestXvfbWorkbench::opensASampleCaseByKeyboard()
 {
-    click(window_->casePanel().preset());
+    click(namedWidget<QComboBox>(window_->casePanel(), QStringLiteral("Sample case")));
     QTRY_VERIFY(QApplication::activePopupWidget());
     press("Down");
     press("Return");
@@ -259,16 +261,16 @@ void TestXvfbWorkbench::zoomsAndReadsAPlot()
     QTRY_VERIFY(window_->runs().record(0).finished());
     PlotWidget* plot = window_->runView().plots()->plot(QStringLiteral("spacing"));
     PlotGroup* group = window_->runView().plots()->group();
-    QTRY_COMPARE(group->xRange().high, 2e-3);
+    QTRY_COMPARE(plot->xAxis().range().high, 2e-3);
     const QPoint centre = plot->plotArea().center().toPoint();
     click(plot, centre);
     QTRY_VERIFY(group->cursor(0).has_value());
-    const double before = group->xRange().width();
+    const double before = plot->xAxis().range().width();
     xdotool({QStringLiteral("click"), QStringLiteral("4")}); // wheel, away from the user
-    QTRY_VERIFY(group->xRange().width() < before);
+    QTRY_VERIFY(plot->xAxis().range().width() < before);
     QVERIFY(!window_->actions().follow->isChecked());
     click(button(window_->actions().fit));
-    QTRY_COMPARE(group->xRange().width(), before);
+    QTRY_COMPARE(plot->xAxis().range().width(), before);
 }
 
 void TestXvfbWorkbench::growsForAProjector()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/maps/maps_view.h"
+#include "ui/film/film_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +7,18 @@
 
 #include <QTest>
 
-#include "core/case/case.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
+#include "ui/maps/fields_view.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
-using Quantity = MapsView::Quantity;
+using Page = FilmView::Page;
 
-class TestMapsView : public QObject {
+class TestFilmMaps : public QObject {
     Q_OBJECT
 
 private slots:
@@ -39,51 +40,55 @@ private slots:
     void controlsHaveNames();
 
 private:
-    std::unique_ptr<MapsView> view_;
+    QAction solve_;
+    std::unique_ptr<FilmView> film_;
+    FieldsView* view_ = nullptr; // the maps of the page
     Case case_;
     SteadyResult result_;
 };
 
-void TestMapsView::initTestCase()
+void TestFilmMaps::initTestCase()
 {
     QLocale::setDefault(QLocale::c());
     applyTheme(Theme::Light);
 }
 
-void TestMapsView::init()
+void TestFilmMaps::init()
 {
     case_ = sampleFilmCase();
     result_ = sampleResult(case_);
-    view_ = std::make_unique<MapsView>();
-    view_->resize(800, 700);
-    view_->setResult(result_, case_.slider, case_.disk.skew, 101325.0);
-    view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    film_ = std::make_unique<FilmView>(&solve_);
+    view_ = film_->maps();
+    film_->resize(800, 740);
+    film_->setResult(case_, result_);
+    film_->setPage(Page::Pressure);
+    film_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(film_.get()));
 }
 
-void TestMapsView::showsPressureAboveAmbient()
+void TestFilmMaps::showsPressureAboveAmbient()
 {
-    QCOMPARE(view_->quantity(), Quantity::Pressure);
+    QCOMPARE(film_->page(), Page::Pressure);
     for (const std::size_t cell : {std::size_t(0), std::size_t(777), result_.pressure.size() - 1})
         QCOMPARE(view_->map()->value(cell), result_.pressure[cell] - 101325.0);
     QCOMPARE(view_->map()->look().scale.position(0.0), 0.5);
 }
 
-void TestMapsView::showsGapAndRecess()
+void TestFilmMaps::showsGapAndRecess()
 {
-    view_->setQuantity(Quantity::Gap);
+    film_->setPage(Page::Gap);
     QCOMPARE(view_->map()->value(100), result_.gap[100]);
     // Bright is near the disk.
     const ColourScale& scale = view_->map()->look().scale;
     QVERIFY(QColor::fromRgb(scale.colour(scale.low())).lightness() >
             QColor::fromRgb(scale.colour(scale.high())).lightness());
-    view_->setQuantity(Quantity::Recess);
+    film_->setPage(Page::Recess);
     QCOMPARE(view_->map()->value(100), result_.recess[100]);
 }
 
-void TestMapsView::sectionsAreTheCellsOfARowAndAColumn()
+void TestFilmMaps::sectionsAreTheCellsOfARowAndAColumn()
 {
-    view_->setQuantity(Quantity::Gap);
+    film_->setPage(Page::Gap);
     const SurfacePoint point{result_.grid.centreX(30), result_.grid.centreY(10)};
     view_->setSectionPoint(point, true);
     const MinMaxPyramid& x = *view_->sections()->alongX()->curves().at(0).data;
@@ -96,7 +101,7 @@ void TestMapsView::sectionsAreTheCellsOfARowAndAColumn()
     QVERIFY(view_->sections()->alongX()->title().contains(QStringLiteral("y = 0.183"))); // 10.5/40 of 0.7 mm
 }
 
-void TestMapsView::sectionsAreSteps()
+void TestFilmMaps::sectionsAreSteps()
 {
     const MinMaxPyramid& x = *view_->sections()->alongX()->curves().at(0).data;
     QCOMPARE(x.size(), std::size_t(2 * 48));
@@ -107,7 +112,7 @@ void TestMapsView::sectionsAreSteps()
     for (const double border : result_.grid.x) QVERIFY(std::isfinite(*x.valueAt(border)));
 }
 
-void TestMapsView::beginsAtTheMinimumSpacing()
+void TestFilmMaps::beginsAtTheMinimumSpacing()
 {
     QVERIFY(view_->sectionPoint());
     // The sample's minimum is the smallest of its cells, at its middle.
@@ -116,7 +121,7 @@ void TestMapsView::beginsAtTheMinimumSpacing()
     QVERIFY(!view_->pinned());
 }
 
-void TestMapsView::sectionsFollowThePointerUntilPinned()
+void TestFilmMaps::sectionsFollowThePointerUntilPinned()
 {
     emit view_->map()->pointed(SurfacePoint{0.2e-3, 0.3e-3});
     QCOMPARE(view_->sectionPoint()->x, 0.2e-3);
@@ -124,12 +129,12 @@ void TestMapsView::sectionsFollowThePointerUntilPinned()
     QVERIFY(view_->pinned());
     emit view_->map()->pointed(SurfacePoint{0.1e-3, 0.1e-3});
     QCOMPARE(view_->sectionPoint()->x, 0.4e-3);
-    QTest::keyClick(view_.get(), Qt::Key_Escape);
+    QTest::keyClick(view_, Qt::Key_Escape);
     emit view_->map()->pointed(SurfacePoint{0.1e-3, 0.1e-3});
     QCOMPARE(view_->sectionPoint()->x, 0.1e-3);
 }
 
-void TestMapsView::aCursorInASectionMovesTheOther()
+void TestFilmMaps::aCursorInASectionMovesTheOther()
 {
     view_->setSectionPoint({0.4e-3, 0.2e-3}, true);
     emit view_->sections()->alongX()->cursorMoved(0, true, 0.8e-3);
@@ -140,7 +145,7 @@ void TestMapsView::aCursorInASectionMovesTheOther()
     QCOMPARE(view_->sectionPoint()->y, 0.6e-3);
 }
 
-void TestMapsView::shiftAndArrowsMoveByACell()
+void TestFilmMaps::shiftAndArrowsMoveByACell()
 {
     view_->setSectionPoint({result_.grid.centreX(10), result_.grid.centreY(20)}, true);
     view_->map()->setFocus();
@@ -153,33 +158,33 @@ void TestMapsView::shiftAndArrowsMoveByACell()
     QVERIFY(view_->map()->isFitted());                           // and the view stayed
 }
 
-void TestMapsView::logarithmOfTheGap()
+void TestFilmMaps::logarithmOfTheGap()
 {
-    view_->setQuantity(Quantity::Gap);
+    film_->setPage(Page::Gap);
     QVERIFY(view_->map()->look().scale.isLogarithmic());
     QVERIFY(view_->sections()->alongX()->yAxis().logarithmic());
     view_->logarithmic()->setChecked(false);
     QVERIFY(!view_->map()->look().scale.isLogarithmic());
     QVERIFY(!view_->sections()->alongX()->yAxis().logarithmic());
-    view_->setQuantity(Quantity::Pressure);
+    film_->setPage(Page::Pressure);
     // Of the pressure the choice is another, and the sections stay as they are.
     QVERIFY(!view_->logarithmic()->isChecked());
     view_->logarithmic()->setChecked(true);
     QVERIFY(view_->map()->look().scale.position(3e5) > 0.85); // of 9e5
     QVERIFY(!view_->sections()->alongX()->yAxis().logarithmic());
-    view_->setQuantity(Quantity::Recess);
+    film_->setPage(Page::Recess);
     QVERIFY(view_->logarithmic()->isHidden());
 }
 
-void TestMapsView::aGapOfZeroHasNoLogarithm()
+void TestFilmMaps::aGapOfZeroHasNoLogarithm()
 {
     result_.gap[5] = 0.0;
-    view_->setResult(result_, case_.slider, case_.disk.skew, 101325.0);
-    view_->setQuantity(Quantity::Gap);
+    film_->setResult(case_, result_);
+    film_->setPage(Page::Gap);
     QVERIFY(!view_->map()->look().scale.isLogarithmic());
 }
 
-void TestMapsView::unitsBelongToTheQuantity()
+void TestFilmMaps::unitsBelongToTheQuantity()
 {
     const auto units = [this] {
         QStringList list;
@@ -189,27 +194,27 @@ void TestMapsView::unitsBelongToTheQuantity()
     QCOMPARE(units(), (QStringList{"kPa", "atm", "MPa"}));
     view_->unit()->setCurrentIndex(1);
     QCOMPARE(view_->map()->look().factor, 101325.0);
-    view_->setQuantity(Quantity::Recess);
+    film_->setPage(Page::Recess);
     QCOMPARE(units(), (QStringList{"nm", QStringLiteral("µm")}));
     QCOMPARE(view_->map()->look().factor, 1e-9);
 }
 
-void TestMapsView::aNewResultKeepsWhatWasChosen()
+void TestFilmMaps::aNewResultKeepsWhatWasChosen()
 {
-    view_->setQuantity(Quantity::Gap);
+    film_->setPage(Page::Gap);
     view_->setSectionPoint({0.3e-3, 0.3e-3}, true);
     view_->map()->zoom(3.0, view_->map()->toPixel({0.3e-3, 0.3e-3}));
     const QRectF seen = view_->map()->view();
-    view_->setResult(sampleResult(case_, 60, 50), case_.slider, case_.disk.skew, 101325.0);
-    QCOMPARE(view_->quantity(), Quantity::Gap);
+    film_->setResult(case_, sampleResult(case_, 60, 50));
+    QCOMPARE(film_->page(), Page::Gap);
     QCOMPARE(view_->sectionPoint()->x, 0.3e-3);
     QCOMPARE(view_->map()->view(), seen);
     QCOMPARE(view_->sections()->alongX()->curves().at(0).data->size(), std::size_t(120));
 }
 
-void TestMapsView::clears()
+void TestFilmMaps::clears()
 {
-    view_->clear();
+    film_->clearResult();
     QVERIFY(view_->map()->empty());
     QVERIFY(view_->sections()->alongX()->curves().empty());
     QVERIFY(!view_->sectionPoint());
@@ -217,7 +222,7 @@ void TestMapsView::clears()
     QVERIFY(!view_->sectionPoint());
 }
 
-void TestMapsView::controlsHaveNames()
+void TestFilmMaps::controlsHaveNames()
 {
     for (const QWidget* widget : view_->findChildren<QWidget*>()) {
         if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy()) continue;
@@ -226,5 +231,5 @@ void TestMapsView::controlsHaveNames()
     }
 }
 
-TOUCHDOWN_TEST(TestMapsView)
-#include "test_maps_view.moc"
+TOUCHDOWN_TEST(TestFilmMaps)
+#include "test_film_maps.moc"

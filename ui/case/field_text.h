@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The values of a case as people read and type them: in display units, with the decimal point of the user's locale.
+#pragma once
+
+#include <string>
+
+#include <QLocale>
+#include <QStringList>
+
+namespace touchdown {
+
+struct Case;
+struct Field;
+
+/// Text for the editor of a parameter: a number in the display unit without the unit, or the text.
+QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+/// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
+std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
+/// The value with its unit, for a sentence: "7 nm".
+QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+
+/// "Take-off height 5 nm → 8 nm" for each parameter that differs and that one of the cases uses.
+QStringList caseDifference(const Case& before, const Case& after);
+
+} // namespace touchdown

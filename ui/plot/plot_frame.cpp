@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+
+namespace touchdown {
+
+QFont plotTextFont(const QFont& font)
+{
+    QFont inPixels = font;
+    inPixels.setPixelSize(std::max(1, QFontInfo(font).pixelSize()));
+    return inPixels;
+}
+
+QFont plotNumberFont(const QFont& font)
+{
+    QFont small = plotTextFont(font);
+    small.setPixelSize(std::max(1, static_cast<int>(std::lround(0.9 * small.pixelSize()))));
+    return small;
+}
+
+double alignedPixel(double pixel) { return std::floor(pixel) + 0.5; }
+
+QRectF PlotFrame::areaWithin(const QSizeF& size, const QFont& font, const QString& widestNumber, double right,
+                             bool xNumbers)
+{
+    const double text = QFontMetricsF(plotTextFont(font)).height();
+    const QFontMetricsF numbers(plotNumberFont(font));
+    const double left = gap + text + gap + numbers.horizontalAdvance(widestNumber) + tickLength;
+    const double top = std::ceil(text + 2.0 * gap);
+    const double bottom = xNumbers ? tickLength + numbers.height() + text + gap + 4.0 : gap;
+    return {std::ceil(left), top, std::max(20.0, std::floor(size.width() - left - right)),
+            std::max(20.0, std::floor(size.height() - top - bottom))};
+}
+
+PlotFrame::PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis,
+                     int mostUp)
+    : area(plotArea), textFont(plotTextFont(font)), numberFont(plotNumberFont(font)), x(xAxis), y(yAxis)
+{
+    const QFontMetricsF numbers(numberFont);
+    const double width = numbers.horizontalAdvance(QStringLiteral("00000.000"));
+    xTicks = x.ticks(std::min(12, static_cast<int>(area.width() / width)));
+    yTicks = y.ticks(std::min(mostUp, static_cast<int>(area.height() / (2.0 * numbers.height()))));
+}
+
+void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double width, bool xNumbers) const
+{
+    painter.setFont(numberFont);
+    const QFontMetricsF metrics(numberFont);
+    const double height = metrics.height();
+    for (const AxisTick& tick : yTicks) {
+        if (!tick.major) continue;
+        const double at = alignedPixel(up(y.position(tick.value)));
+        painter.setPen(QPen(theme.axis, 1.0));
+        painter.drawLine(QPointF(area.left() - tickLength, at), QPointF(area.left(), at));
+        painter.setPen(theme.mutedText);
+        painter.drawText(QRectF(0.0, at - height / 2.0, area.left() - tickLength - 3.0, height),
+                         Qt::AlignRight | Qt::AlignVCenter, tick.text);
+    }
+    double free = 0.0; // no number begins left of this
+    for (const AxisTick& tick : xTicks) {
+        if (!tick.major) continue;
+        const double at = alignedPixel(across(x.position(tick.value)));
+        painter.setPen(QPen(theme.axis, 1.0));
+        painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + tickLength));
+        const double half = metrics.horizontalAdvance(tick.text) / 2.0 + 1.0;
+        const double left = std::min(at - half, width - 2.0 * half - 2.0);
+        if (!xNumbers || left < free) continue;
+        painter.setPen(theme.mutedText);
+        painter.drawText(QRectF(left, area.bottom() + tickLength + 1.0, 2.0 * half, height), Qt::AlignCenter,
+                         tick.text);
+        free = left + 2.0 * half + gap;
+    }
+}
+
+void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle) const
+{
+    const QFontMetricsF metrics(textFont);
+    painter.setFont(textFont);
+    painter.setPen(theme.text);
+    if (xTitle) {
+        const double top = area.bottom() + tickLength + QFontMetricsF(numberFont).height() + 2.0;
+        painter.drawText(QRectF(area.left(), top, area.width(), metrics.height() + 2.0), Qt::AlignCenter,
+                         metrics.elidedText(x.text(), Qt::ElideRight, area.width()));
+    }
+    painter.save();
+    painter.translate(gap, area.center().y());
+    painter.rotate(-90.0);
+    const double length = area.height() + metrics.height(); // may reach a little over the ends
+    painter.drawText(QRectF(-length / 2.0, 0.0, length, metrics.height()), Qt::AlignCenter,
+                     metrics.elidedText(y.text(), Qt::ElideRight, length));
+    painter.restore();
+}
+
+double PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const
+{
+    QFont heavy = textFont;
+    heavy.setWeight(QFont::DemiBold);
+    const QFontMetricsF metrics(heavy);
+    const QString text = metrics.elidedText(title, Qt::ElideRight, width);
+    painter.setFont(heavy);
+    painter.setPen(theme.text);
+    painter.drawText(QRectF(area.left(), gap, width, QFontMetricsF(textFont).height()),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
+    return metrics.horizontalAdvance(text);
+}
+
+} // namespace touchdown

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands around the area of a plot or of a map: margins, title, ticks, numbers and titles of both axes.
+#pragma once
+
+#include <vector>
+
+#include <QFont>
+#include <QPainter>
+
+#include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_theme.h"
+
+namespace touchdown {
+
+/// In pixels, so that a picture of any resolution has the proportions of the screen.
+QFont plotTextFont(const QFont& font);
+/// Font of the numbers on the axes: slightly smaller than the text.
+QFont plotNumberFont(const QFont& font);
+
+/// A thin line at this pixel fills one row of pixels.
+double alignedPixel(double pixel);
+
+struct PlotFrame {
+    static constexpr double gap = 6.0;        // between things that belong together [px]
+    static constexpr double tickLength = 4.0; // [px]
+
+    /// The area within `size`, with room for `widestNumber` at its left and `right` pixels at its right. It depends on
+    /// size and font only, so that stacked plots agree and a live plot does not move.
+    static QRectF areaWithin(const QSizeF& size, const QFont& font, const QString& widestNumber, double right,
+                             bool xNumbers = true);
+
+    /// The axes must outlive the frame; at most `mostUp` numbers on the y axis.
+    PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis, int mostUp);
+
+    double across(double position) const { return area.left() + position * area.width(); }
+    double up(double position) const { return area.bottom() - position * area.height(); }
+
+    /// `width` of the widget: no number reaches beyond it. The ticks of x remain without `xNumbers`.
+    void paintNumbers(QPainter& painter, const PlotTheme& theme, double width, bool xNumbers = true) const;
+    void paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle = true) const;
+    /// The title above the area, cut to `width`; returns the width that it takes.
+    double paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const;
+
+    QRectF area;
+    QFont textFont;
+    QFont numberFont;
+    const PlotAxis& x;
+    const PlotAxis& y;
+    std::vector<AxisTick> xTicks;
+    std::vector<AxisTick> yTicks;
+};
+
+} // namespace touchdown
