@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/case/fields.h"
-#include "core/simulation/static_state/steady_progress.h"
+#include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
 #include "ui/slider/attitude_table.h"

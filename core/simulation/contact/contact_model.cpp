@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/physics/contact/asperity_contact.h"
-#include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/characteristic_fit.h"
+#include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/contact/elastic_pad.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/contact/ono_yamane.h"
 #include "core/numerics/interval.h"
+#include "core/physics/contact/ono_yamane.h"
 
 #include <cmath>
 
