@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largestFile = 1u << 30; // [byte]
-constexpr std::string_view separators = " \t,;\v\f";
+constexpr std::string_view columnSeparators = " \t,;\v\f";
 
 std::string endingOf(const std::string& name) { return lowerCase(fs::path(name).extension().string()); }
 
@@ -54,9 +54,9 @@ struct Table {
 void readRow(std::string_view line, int number, std::vector<double>& row)
 {
     row.clear();
-    for (std::size_t at = line.find_first_not_of(separators); at != std::string_view::npos;
-         at = line.find_first_not_of(separators, at)) {
-        const std::string_view word = line.substr(at, line.find_first_of(separators, at) - at);
+    for (std::size_t at = line.find_first_not_of(columnSeparators); at != std::string_view::npos;
+         at = line.find_first_not_of(columnSeparators, at)) {
+        const std::string_view word = line.substr(at, line.find_first_of(columnSeparators, at) - at);
         const auto value = readCmlNumber(word);
         if (!value && standsForHole(word))
             throw CmlError(number, "a map has no holes: every height must be a number, not " + inQuotes(word));
@@ -82,7 +82,7 @@ Table readTable(std::string_view text)
         const int number = reader.line();
         const std::string_view line = trimmed(reader.takeLine(), blanks);
         if (line.empty()) continue;
-        const std::string_view word = line.substr(0, line.find_first_of(separators));
+        const std::string_view word = line.substr(0, line.find_first_of(columnSeparators));
         const bool heading = table.rows() == 0 && !readCmlNumber(word) && !standsForHole(word);
         if (isComment(line) || heading) {
             table.words.emplace_back(line);

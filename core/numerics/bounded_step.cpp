@@ -10,12 +10,12 @@ namespace touchdown {
 
 namespace {
 
-using Vector = std::vector<double>;
+using Values = std::vector<double>;
 
-double product(const Vector& a, const Vector& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
+double product(const Values& a, const Values& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
 
 /// Solves A x = b by Cholesky's factors; A symmetric and positive, row by row, is overwritten.
-Vector solvePositive(std::vector<Vector>& a, Vector b)
+Values solvePositive(std::vector<Values>& a, Values b)
 {
     const std::size_t n = b.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -40,23 +40,23 @@ std::vector<double> boundedStep(const std::vector<std::vector<double>>& slopes, 
                                 double lambda, std::span<const double> low, std::span<const double> high)
 {
     const std::size_t count = slopes.size();
-    Vector step(count, 0.0);
-    Vector right(residual.begin(), residual.end()); // r + J du of the held parameters
+    Values step(count, 0.0);
+    Values right(residual.begin(), residual.end()); // r + J du of the held parameters
     std::vector<std::size_t> loose(count);
     std::iota(loose.begin(), loose.end(), std::size_t{0});
     // A parameter without effect is not changed.
     std::erase_if(loose, [&](std::size_t k) { return product(slopes[k], slopes[k]) == 0.0; });
     while (!loose.empty()) {
-        std::vector<Vector> normal;
-        Vector b;
+        std::vector<Values> normal;
+        Values b;
         for (const std::size_t i : loose) {
-            Vector row;
+            Values row;
             for (const std::size_t k : loose)
                 row.push_back(product(slopes[i], slopes[k]) * (i == k ? 1.0 + lambda : 1.0));
             normal.push_back(std::move(row));
             b.push_back(-product(slopes[i], right));
         }
-        const Vector change = solvePositive(normal, std::move(b));
+        const Values change = solvePositive(normal, std::move(b));
         std::vector<std::size_t> within;
         for (std::size_t k = 0; k < loose.size(); ++k) {
             const std::size_t i = loose[k];

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/disk/disk_surface_preview.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "core/case/disk_setup.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::DiskStatistics", text); }
 
 constexpr int perDecade = 12;             // points of the plotted spectrum
 constexpr double mostCells = 1 << 17;     // of a piece

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
@@ -11,8 +11,6 @@ namespace {
 
 constexpr double weakPressure = 1e5; // contact: a logarithmic scale about zero shows a smaller value as zero [Pa]
 constexpr double nearAmbient = 1e3;  // likewise, of air [Pa]
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::RunMaps", text); }
 
 bool isAir(const Quantity& quantity) { return quantity.name == "air_pressure"; }
 

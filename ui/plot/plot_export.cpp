@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -17,6 +16,7 @@
 #include <QSvgGenerator>
 
 #include "ui/plot/plot_widget.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
@@ -25,8 +25,6 @@ namespace {
 constexpr int screenResolution = 96; // [pixels per inch], that of a picture's size in SVG and PDF
 constexpr int paperResolution = 1200;
 constexpr double finer = 2.0; // PNG against the screen
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::PlotExport", text); }
 
 QImage rastered(const Picture& picture, double scale)
 {

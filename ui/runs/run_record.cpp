@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include <QCoreApplication>
-
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/numerics/spectrum.h"
@@ -15,12 +13,11 @@
 #include "core/results/results_reader.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::RunRecord", text); }
 
 QString incompleteProblem(const RunRecord& record)
 {

@@ -5,19 +5,16 @@
 #include <array>
 #include <cmath>
 
-#include <QCoreApplication>
-
 #include "core/case/fields.h"
 #include "core/formats/units.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
 namespace {
 
 constexpr double gramForce = 9.80665e-3; // [N]
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::AttitudeTable", text); }
 
 /// Decimals that show `digits` significant digits of a number.
 int decimalsOf(double value, int digits)

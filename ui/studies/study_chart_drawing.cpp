@@ -13,7 +13,7 @@ namespace touchdown {
 namespace {
 
 constexpr double margin = 14.0;                    // about everything [px]
-constexpr double gap = 8.0;                        // between title, legend, panels, caption
+constexpr double partGap = 8.0;                    // between title, legend, panels, caption
 constexpr double betweenX = 18.0, betweenY = 12.0; // panels
 constexpr double goodShape = 0.74;                 // height of a panel in its widths
 
@@ -58,7 +58,7 @@ double heightWith(const StudyChart& chart, const QFont& font, double width, doub
     double height = 2.0 * margin + raster.rows * panelHeight + (raster.rows - 1) * betweenY;
     for (const double part : {wrappedHeight(titleFontOf(font), chart.title, inner), legend.height(inner),
                               wrappedHeight(plotNumberFont(font), chart.caption, inner)})
-        if (part > 0.0) height += part + gap;
+        if (part > 0.0) height += part + partGap;
     return std::ceil(height);
 }
 
@@ -91,12 +91,12 @@ StudyChartDrawing::StudyChartDrawing(const StudyChart& chart, const PlotTheme& t
     double top = margin, bottom = size.height() - margin;
     const double title = wrappedHeight(titleFont_, chart.title, width);
     title_ = QRectF(margin, top, width, title);
-    if (title > 0.0) top += title + gap;
+    if (title > 0.0) top += title + partGap;
     legendBox_ = QRectF(margin, top, width, legend_.height(width));
-    if (legendBox_.height() > 0.0) top += legendBox_.height() + gap;
+    if (legendBox_.height() > 0.0) top += legendBox_.height() + partGap;
     const double caption = wrappedHeight(captionFont_, chart.caption, width);
     caption_ = QRectF(margin, bottom - caption, width, caption);
-    if (caption > 0.0) bottom -= caption + gap;
+    if (caption > 0.0) bottom -= caption + partGap;
 
     const Raster raster = rasterOf(chart.panels.size(), font, size.width());
     const double panelWidth = (width - (raster.columns - 1) * betweenX) / raster.columns;

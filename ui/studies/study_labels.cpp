@@ -10,8 +10,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double gap = 2.0;      // between marker and text [px]
-constexpr int mostCrossings = 3; // lines under a readable text
+constexpr double markerGap = 2.0; // between marker and text [px]
+constexpr int mostCrossings = 3;  // lines under a readable text
 
 bool crosses(const QLineF& line, const QRectF& box)
 {
@@ -32,7 +32,7 @@ bool crosses(const QLineF& line, const QRectF& box)
 std::array<QRectF, 8> candidates(const LabelRequest& label)
 {
     const double w = label.size.width(), h = label.size.height();
-    const double far = label.radius + gap, corner = 0.75 * label.radius + gap;
+    const double far = label.radius + markerGap, corner = 0.75 * label.radius + markerGap;
     const double x = label.at.x(), y = label.at.y();
     const auto box = [&](double left, double top) { return QRectF(QPointF(left, top), label.size); };
     return {box(x + far, y - 0.5 * h),           box(x + corner, y - corner - h), box(x - 0.5 * w, y - far - h),

@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include "ui/plot/plot_painter.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double between = 18.0; // entries [px]
-constexpr double gap = 6.0;      // sample and text [px]
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::StudyLegend", text); }
+constexpr double between = 18.0;  // entries [px]
+constexpr double sampleGap = 6.0; // sample and text [px]
 
 } // namespace
 
@@ -89,7 +87,7 @@ std::vector<QRectF> StudyLegend::places(double width) const
     std::vector<QRectF> result;
     double x = 0.0, y = 0.0;
     for (const Entry& entry : entries_) {
-        const double wanted = sampleWidth(entry) + gap + QFontMetricsF(font_).horizontalAdvance(entry.text);
+        const double wanted = sampleWidth(entry) + sampleGap + QFontMetricsF(font_).horizontalAdvance(entry.text);
         if (x > 0.0 && x + wanted > width) {
             x = 0.0;
             y += row;
@@ -141,7 +139,7 @@ void StudyLegend::paint(QPainter& painter, const QRectF& box) const
         painter.setFont(font_);
         paintSample(painter, entries_[i], QRectF(place.left(), place.top(), sample, place.height()));
         painter.setPen(theme_.text);
-        const QRectF text = place.adjusted(sample + gap, 0.0, 2.0, 0.0);
+        const QRectF text = place.adjusted(sample + sampleGap, 0.0, 2.0, 0.0);
         painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                          metrics.elidedText(entries_[i].text, Qt::ElideRight, text.width()));
     }

@@ -6,22 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 
 #include "core/studies/study/study.h"
 #include "ui/plot/plot_painter.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double gap = 6.0;        // between things that belong together [px]
-constexpr double tickLength = 4.0; // [px]
+constexpr double gap = 6.0;    // between things that belong together [px]
 constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
 constexpr double near = 9.0;   // of a pointer to a point [px]
-
-QString tr(const char* text) { return QCoreApplication::translate("touchdown::StudyPanel", text); }
 
 QString plain(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 

@@ -48,6 +48,8 @@ public:
     double radius() const { return radius_; }
 
 private:
+    static constexpr double tickLength = 4.0; // [px]
+
     QString bandText(const ChartBand& band) const;
     double across(double x) const;
     double up(double y) const;

@@ -17,7 +17,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double tickLength = 4.0;      // [px]
 constexpr double halo = 3.0;            // of paper about a label [px]
 constexpr std::size_t mostLabels = 250; // more are not readable
 

@@ -4,22 +4,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
+#include "core/physics/contact/contact_message.h"
+
 namespace touchdown {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-template <typename... Values>
-std::string sentence(const char* format, Values... values)
-{
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 constexpr double nearMinimum = 0.2;      // error below which Newton's method is tried [-]
 constexpr int mostNewtonIterations = 12; // more are needed where it is nearly singular: a cell is about to snap
@@ -188,7 +179,7 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
     int untilNewton = 0,
         pause = 1; // descents before Newton's method is tried, more after each time that it does not help
     double movedBefore = 0.0;
-    double least = infinity;
+    double least = INFINITY;
     for (;;) {
         setOffsets();
         summary.error = linearise();

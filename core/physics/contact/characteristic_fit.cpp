@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
+#include "core/physics/contact/contact_message.h"
 #include "core/physics/contact/multi_asperity.h"
 
 namespace touchdown {
@@ -136,14 +136,8 @@ Errors compare(const MultiAsperityCurve& curve, const OnoYamane& p, const Scales
     return errors;
 }
 
-std::string shown(const char* format, double value)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-std::string nanometres(double length) { return shown("%.3g nm", 1e9 * length); }
-std::string percent(double share) { return shown("%.1f %%", 100.0 * share); }
+std::string nanometres(double length) { return sentence("%.3g nm", 1e9 * length); }
+std::string percent(double share) { return sentence("%.1f %%", 100.0 * share); }
 
 /// How far d goes while |F_m| goes from a tenth to nine tenths of its largest value [m].
 double spreadOfAdhesion(const std::vector<MultiAsperityPoint>& way, double largest)

@@ -148,7 +148,7 @@ std::vector<Box> regions(const SliderScan& scan, double length, double width, in
     return done;
 }
 
-std::string micrometres(double length) { return std::to_string(std::llround(length * 1e6)) + " um"; }
+std::string wholeMicrometres(double length) { return std::to_string(std::llround(length * 1e6)) + " um"; }
 
 } // namespace
 
@@ -197,7 +197,7 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
         const int nx = box.x1 - box.x0, ny = box.y1 - box.y0;
         if (nx > mostCells || ny > mostCells) {
             result.patches.clear();
-            result.problem = "a region of " + micrometres(nx * cell) + " by " + micrometres(ny * cell) +
+            result.problem = "a region of " + wholeMicrometres(nx * cell) + " by " + wholeMicrometres(ny * cell) +
                              " can touch, which is more than " + std::to_string(mostCells) + " cells along or across";
             return result;
         }

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "core/numerics/vector_clones.h"
+#include "core/physics/contact/contact_message.h"
 
 namespace touchdown {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int fewestCells = 16; // along a side of a grid that has a coarser one
 constexpr double coarseTolerance = 1e-2;
 constexpr int mostCoarseIterations = 30;
@@ -22,7 +21,7 @@ constexpr int mostCarried = 32; // solutions whose displacement comes from the o
 
 /// What a field's gap and error take over all cells; by eight cells side by side, whatever the width of vectors.
 struct Extremes {
-    double lowest = infinity, highest = -infinity; // displacement [m]
+    double lowest = INFINITY, highest = -INFINITY; // displacement [m]
     double peak = 0.0;                             // pressure [Pa]
     double all = 0.0;                              // finite if all numbers are
 };
@@ -32,8 +31,8 @@ TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, con
 {
     constexpr std::size_t lanes = 8;
     double lowest[lanes], highest[lanes], peak[lanes] = {}, all[lanes] = {};
-    std::fill_n(lowest, lanes, infinity);
-    std::fill_n(highest, lanes, -infinity);
+    std::fill_n(lowest, lanes, INFINITY);
+    std::fill_n(highest, lanes, -INFINITY);
     const auto visit = [&](std::size_t at, std::size_t k) {
         gap[at] = s[at] + u[at] + approach;
         lowest[k] = u[at] < lowest[k] ? u[at] : lowest[k];
@@ -57,14 +56,6 @@ TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, con
 }
 
 double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
-template <typename... Values>
-std::string sentence(const char* format, Values... values)
-{
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
-}
 
 } // namespace
 
@@ -100,7 +91,7 @@ double ElasticContact::contactArea() const
     return static_cast<double>(cells) * space_.grid().cellArea();
 }
 
-double ElasticContact::largestPressure() const { return options_.hardness > 0.0 ? options_.hardness : infinity; }
+double ElasticContact::largestPressure() const { return options_.hardness > 0.0 ? options_.hardness : INFINITY; }
 
 ElasticContactSummary ElasticContact::refuse(std::string message)
 {
@@ -114,7 +105,7 @@ ElasticContactSummary ElasticContact::refuse(std::string message)
 ElasticContactSummary ElasticContact::solve(std::span<const double> separation)
 {
     assert(separation.size() == pressure_.size());
-    double least = infinity;
+    double least = INFINITY;
     double mean = 0.0;
     for (const double s : separation) {
         least = std::min(least, s);
@@ -170,7 +161,7 @@ ElasticContactSummary ElasticContact::iterate(std::span<const double> separation
         if (summary.converged || (bounded_ && ends) || !std::isfinite(summary.error)) break;
         pressureBefore_ = pressure_;
         displacementBefore_ = displacement_;
-        if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = infinity;
+        if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = INFINITY;
         if (!std::isfinite(summary.error)) break;
         if (project(total)) {
             displace();
@@ -243,7 +234,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     double approach = 0.0;
     if (load) {
         // The mean of the differences from one of them, so that a large common part costs no digits.
-        double first = 0.0, beyondFirst = 0.0, atLeast = -infinity, atMost = infinity;
+        double first = 0.0, beyondFirst = 0.0, atLeast = -INFINITY, atMost = INFINITY;
         std::size_t between = 0;
         for (std::size_t i = 0; i < cells; ++i) {
             const double needed = -(separation[i] + displacement_[i]);
@@ -282,7 +273,7 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     const double scale = std::max(extremes.highest - extremes.lowest, 0.1 * extremes.peak * space_.ownCompliance());
     summary.approach = approach;
     summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
-    if (!std::isfinite(extremes.all + scale)) summary.error = infinity;
+    if (!std::isfinite(extremes.all + scale)) summary.error = INFINITY;
     // Before anything is displaced, what is to come is of the size of the overlap.
     wrongGap_ = options_.tolerance * std::max(scale, worst);
 }

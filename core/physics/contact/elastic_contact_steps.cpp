@@ -12,10 +12,9 @@
 namespace touchdown {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double residualShare = 0.2; // to which conjugate gradients reduce the gap before the cells are chosen anew
-constexpr int mostSteps = 8;          // that they take for it
-constexpr int mostRises = 12;         // of the energy that are let pass, before it must fall
+constexpr double gapShare = 0.2; // to which conjugate gradients reduce the gap before the cells are chosen anew
+constexpr int mostSteps = 8;     // that they take for it
+constexpr int mostRises = 12;    // of the energy that are let pass, before it must fall
 
 TOUCHDOWN_VECTOR_CLONES void addTo(std::span<double> to, double factor, std::span<const double> from)
 {
@@ -90,10 +89,10 @@ bool ElasticContact::step(bool load, int mostIterations)
             cells_.forEach([&](std::size_t i) { r[i] -= shift; });
         }
         const double left = cells_.largest(r);
-        if (k == 0) goal = std::max(residualShare * left, enough);
+        if (k == 0) goal = std::max(gapShare * left, enough);
         if (k > 0 && (left <= goal || k % mostSteps == 0)) {
             if (left <= enough || !isBounded()) break;
-            goal = std::max(residualShare * left, enough);
+            goal = std::max(gapShare * left, enough);
         }
         const double rz = cells_.product(r, z);
         cells_.scaleAndAdd(k > 0 ? rz / before : 0.0, z, d);
@@ -124,7 +123,7 @@ bool ElasticContact::project(std::optional<double> total)
         double others = std::accumulate(pressure_.begin(), pressure_.end(), 0.0);
         cells_.forEach([&](std::size_t i) { others -= pressure_[i]; });
         // Newton's method for the sum of bounded p + shift, which rises with the shift, within bounds that close in.
-        double low = -infinity, high = infinity;
+        double low = -INFINITY, high = INFINITY;
         for (int k = 0; k < 200; ++k) {
             double excess = others - *total;
             double slope = 0.0;
@@ -135,7 +134,7 @@ bool ElasticContact::project(std::optional<double> total)
             });
             if (std::abs(excess) <= 1e-12 * *total) break;
             (excess > 0.0 ? high : low) = shift;
-            double next = slope > 0.0 ? shift - excess / slope : infinity;
+            double next = slope > 0.0 ? shift - excess / slope : INFINITY;
             if (!(next > low && next < high)) {
                 const double width = *total / static_cast<double>(cells_.count()) + std::abs(shift);
                 next = std::isinf(low) ? high - 2.0 * width : std::isinf(high) ? low + 2.0 * width : 0.5 * (low + high);

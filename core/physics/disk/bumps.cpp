@@ -11,7 +11,7 @@ namespace touchdown {
 namespace {
 
 /// A gaussian ends at nine standard deviations, where it is below 1e-17 of its height.
-constexpr double gaussianReach = 3.0;
+constexpr double gaussianBumpReach = 3.0;
 /// Sample points across the base for means, and the fewest across the part of a bump in a cell.
 constexpr double pointsAcrossBase = 16.0;
 constexpr int fewestPoints = 4;
@@ -28,7 +28,7 @@ double apart(double a, double b, double period) { return std::abs(std::remainder
 
 Bumps::Bumps(const DiskSurface& surface)
     : shape_(surface.bumpShape),
-      reach_(surface.bumpShape == BumpShape::Gaussian ? gaussianReach : 1.0),
+      reach_(surface.bumpShape == BumpShape::Gaussian ? gaussianBumpReach : 1.0),
       track_(surface.track),
       trackWidth_(surface.trackWidth)
 {

@@ -17,7 +17,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Beyond so many correlation lengths the autocovariance, below 2e-9 of the variance, counts as none.
 constexpr double exponentialReach = 20.0;
 constexpr double gaussianReach = 6.5; // below 5e-19

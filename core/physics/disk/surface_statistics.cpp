@@ -17,7 +17,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using RowSource = std::function<void(int, std::span<double>)>;
 

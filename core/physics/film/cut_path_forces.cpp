@@ -39,13 +39,13 @@ struct ForceLanes {
 };
 
 /// The same piece of many rows.
-struct PieceLanes {
+struct LoadLanes {
     const double *gap, *mobility, *byProduct, *byGap, *mean, *x, *y, *extent, *speed;
     double length, halfWidth; // of the slider [m]
 };
 
 template <bool layers, typename Number>
-TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const PieceLanes piece, double* open,
+TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const LoadLanes piece, double* open,
                                        std::size_t rows, double viscosity)
 {
     const double *gap = piece.gap, *G = piece.mobility, *byProduct = piece.byProduct, *byGap = piece.byGap,
@@ -134,10 +134,10 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
         std::fill_n(path.a.part[0], rows, 1.0);
         for (std::size_t n = group.depth; n-- > 0;) {
             const std::size_t in = n * rows, from = group.piece + in;
-            const PieceLanes piece{&work.gap_[in],   &work.mobility_[in], &work.mobilityBy_[in],
-                                   &work.byGap_[in], work.mean_.data(),   &x_[from],
-                                   &y_[from],        &extent_[from],      &speed_[group.row],
-                                   gaps_->length,    0.5 * gaps_->width};
+            const LoadLanes piece{&work.gap_[in],   &work.mobility_[in], &work.mobilityBy_[in],
+                                  &work.byGap_[in], work.mean_.data(),   &x_[from],
+                                  &y_[from],        &extent_[from],      &speed_[group.row],
+                                  gaps_->length,    0.5 * gaps_->width};
             if (layers)
                 addPieces<true, Sum>(path, piece, work.open_.data(), rows, viscosity);
             else

@@ -8,7 +8,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double slack = 1e-12; // [m] far above rounding, far below any feature: lists are complete on their borders
+constexpr double borderSlack =
+    1e-12; // [m] far above rounding, far below any feature: lists are complete on their borders
 
 OutlineEdge upward(const RailPoint& a, const RailPoint& b)
 {
@@ -24,7 +25,7 @@ bool OutlineEdge::meets(const SurfaceBox& box) const
     if (xMax < box.x0 || xMin > box.x1 || yMax < box.y0 || y > box.y1) return false;
     // Separated by the edge's own line: the centre lies farther from it than the box reaches.
     const double offset = dx * (box.centreY() - y) - dy * (box.centreX() - x);
-    return std::abs(offset) <= std::abs(dx) * box.halfY() + dy * box.halfX() + slack * (std::abs(dx) + dy);
+    return std::abs(offset) <= std::abs(dx) * box.halfY() + dy * box.halfX() + borderSlack * (std::abs(dx) + dy);
 }
 
 RailOutline::RailOutline(const std::vector<RailPoint>& points, int strips, double width)
@@ -40,8 +41,8 @@ RailOutline::RailOutline(const std::vector<RailPoint>& points, int strips, doubl
     const auto forEachStrip = [&](auto&& visit) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const OutlineEdge edge = upward(points[i], points[(i + 1) % points.size()]);
-            const int last = strip(edge.yMax + slack);
-            for (int s = strip(edge.y - slack); s <= last; ++s) visit(static_cast<std::size_t>(s), edge);
+            const int last = strip(edge.yMax + borderSlack);
+            for (int s = strip(edge.y - borderSlack); s <= last; ++s) visit(static_cast<std::size_t>(s), edge);
         }
     };
     forEachStrip([&](std::size_t s, const OutlineEdge&) { ++first_[s + 1]; });

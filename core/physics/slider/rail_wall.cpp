@@ -12,8 +12,8 @@ namespace {
 // Neighbouring walls overlap on their border, and a wall its own edge, so that rounding leaves no gap.
 constexpr double overlap = 1e-15; // [m]
 // Breaks on borders are kept, and a box that touches a kept break meets the wall: far above rounding, below features.
-constexpr double margin = 1e-13; // [m]
-constexpr double slack = 1e-12;  // [m]
+constexpr double margin = 1e-13;    // [m]
+constexpr double wallSlack = 1e-12; // [m]
 
 double spread(double sine, double cosine, double own, double neighbour)
 {
@@ -124,7 +124,7 @@ std::optional<double> RailWall::recessInside(double x, double y) const
 
 SurfaceBox RailWall::bounds() const
 {
-    const double reach = std::max({0.0, shape_->outer(), -shape_->inner()}) + slack;
+    const double reach = std::max({0.0, shape_->outer(), -shape_->inner()}) + wallSlack;
     const double x = x_ + length_ * ux_;
     const double y = y_ + length_ * uy_;
     return {std::min(x_, x) - reach, std::max(x_, x) + reach, std::min(y_, y) - reach, std::max(y_, y) + reach};
@@ -133,8 +133,8 @@ SurfaceBox RailWall::bounds() const
 bool RailWall::meets(const SurfaceBox& box, WallSide side) const
 {
     const Place c = place(box.centreX(), box.centreY());
-    const double halfX = box.halfX() + slack;
-    const double halfY = box.halfY() + slack;
+    const double halfX = box.halfX() + wallSlack;
+    const double halfY = box.halfY() + wallSlack;
     const double tHalf = std::abs(ux_) * halfX + std::abs(uy_) * halfY;
     const double nHalf = std::abs(nx_) * halfX + std::abs(ny_) * halfY;
     const double nMin = side == WallSide::Outside ? 0.0 : shape_->inner();
@@ -153,7 +153,7 @@ bool RailWall::meets(const SurfaceBox& box, WallSide side) const
 double RailWall::lowestOutside(const SurfaceBox& box) const
 {
     const Place c = place(box.centreX(), box.centreY());
-    const double nHalf = std::abs(nx_) * box.halfX() + std::abs(ny_) * box.halfY() + slack;
+    const double nHalf = std::abs(nx_) * box.halfX() + std::abs(ny_) * box.halfY() + wallSlack;
     return shape_->minimumFrom(std::max(0.0, c.n - nHalf));
 }
 

@@ -10,7 +10,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double slack = 1e-11; // [m] a box is smooth only this far from anything that is not
+constexpr double boxSlack = 1e-11; // [m] a box is smooth only this far from anything that is not
 
 SurfacePoint direction(const RailPoint& a, const RailPoint& b)
 {
@@ -221,8 +221,8 @@ void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& o
 bool Recess::isSmooth(double x0, double x1, double y0, double y1) const
 {
     const Prepared& p = *prepared_;
-    const SurfaceBox box{p.onSliderX(x0) - slack, p.onSliderX(x1) + slack, p.onSliderY(y0) - slack,
-                         p.onSliderY(y1) + slack};
+    const SurfaceBox box{p.onSliderX(x0) - boxSlack, p.onSliderX(x1) + boxSlack, p.onSliderY(y0) - boxSlack,
+                         p.onSliderY(y1) + boxSlack};
     const auto end = std::lower_bound(p.taperEnds.begin(), p.taperEnds.end(), box.x0);
     if (end != p.taperEnds.end() && *end <= box.x1) return false;
     const int lastRow = p.bins.row(box.y1);

@@ -8,7 +8,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double slack = 1e-11; // [m] bins overlap by this much: more than the lists' own tolerance
+constexpr double binSlack = 1e-11; // [m] bins overlap by this much: more than the lists' own tolerance
 
 /// The greatest recess of a plane in a box [m].
 double greatest(const RailTop& top, const SurfaceBox& box)
@@ -48,7 +48,8 @@ int SurfaceBins::row(double y) const { return static_cast<int>(std::min(std::max
 
 SurfaceBox SurfaceBins::box(int column, int row) const
 {
-    return {column / perX_ - slack, (column + 1) / perX_ + slack, row / perY_ - slack, (row + 1) / perY_ + slack};
+    return {column / perX_ - binSlack, (column + 1) / perX_ + binSlack, row / perY_ - binSlack,
+            (row + 1) / perY_ + binSlack};
 }
 
 std::span<const int> SurfaceBins::rails(std::size_t bin) const
@@ -66,14 +67,14 @@ void SurfaceBins::placeRail(const SurfaceParts& parts, int rail, std::vector<Pla
 {
     const RailOutline& outline = parts.outlines[static_cast<std::size_t>(rail)];
     std::fill(places.begin(), places.end(), Place::Outside);
-    const int firstRow = row(outline.bounds().y0 - slack);
-    const int lastRow = row(outline.bounds().y1 + slack);
-    const int firstColumn = column(outline.bounds().x0 - slack);
-    const int lastColumn = column(outline.bounds().x1 + slack);
+    const int firstRow = row(outline.bounds().y0 - binSlack);
+    const int lastRow = row(outline.bounds().y1 + binSlack);
+    const int firstColumn = column(outline.bounds().x0 - binSlack);
+    const int lastColumn = column(outline.bounds().x1 + binSlack);
     for (int r = firstRow; r <= lastRow; ++r) {
         for (const OutlineEdge& edge : outline.edges(r)) {
-            const int last = column(edge.xMax + slack);
-            for (int c = column(edge.xMin - slack); c <= last; ++c)
+            const int last = column(edge.xMax + binSlack);
+            for (int c = column(edge.xMin - binSlack); c <= last; ++c)
                 if (edge.meets(box(c, r))) places[index(c, r)] = Place::Crossed;
         }
         bool known = false;
@@ -108,10 +109,10 @@ void SurfaceBins::sortWall(const SurfaceParts& parts, std::uint32_t wall, const 
     const RailWall& w = parts.walls[wall];
     const SurfaceBox bounds = w.bounds();
     if (bounds.x1 < 0.0 || bounds.x0 > length_ || bounds.y1 < 0.0 || bounds.y0 > width_) return;
-    const int lastRow = row(bounds.y1 + slack);
-    const int lastColumn = column(bounds.x1 + slack);
-    for (int r = row(bounds.y0 - slack); r <= lastRow; ++r) {
-        for (int c = column(bounds.x0 - slack); c <= lastColumn; ++c) {
+    const int lastRow = row(bounds.y1 + binSlack);
+    const int lastColumn = column(bounds.x1 + binSlack);
+    for (int r = row(bounds.y0 - binSlack); r <= lastRow; ++r) {
+        for (int c = column(bounds.x0 - binSlack); c <= lastColumn; ++c) {
             const Place place = places[index(c, r)];
             const auto bin = static_cast<std::uint32_t>(index(c, r));
             const SurfaceBox b = box(c, r);

@@ -17,14 +17,14 @@ namespace {
 /// Adhesion that is neglected where it counts as out of reach, as a share of the preload [-].
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
-constexpr double farthest = 1e-6;
+constexpr double farthestAway = 1e-6;
 /// Displacement of the surface per step over the length in which it changes by its RMS height [-]: 4 pi steps a wave.
 constexpr double movedPerStep = 0.5;
 
 /// The gap at which the attraction is below a pressure [m].
 double reachOf(const AdhesionLaw& law, double pressure)
 {
-    double near = law.peakGap(), far = farthest;
+    double near = law.peakGap(), far = farthestAway;
     if (-law.pressure(near) <= pressure) return near;
     if (-law.pressure(far) > pressure) return far;
     while (far - near > 1e-3 * far) {

@@ -14,11 +14,11 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double difference = 1e-3; // of p, for dG/dp, in shares of its range
-constexpr double unmoved = 1e-9;    // of x, for which the film is not solved again [-]
-constexpr double far = 1e6;         // an end that a law's interval does not have [-]
-constexpr double shortest = 1e-9;   // unit of x [m]
-constexpr double turning = 5.0;     // by which the leading edge moves more than the trailing one [-]
+constexpr double parameterDifference = 1e-3; // of p, for dG/dp, in shares of its range
+constexpr double unmoved = 1e-9;             // of x, for which the film is not solved again [-]
+constexpr double far = 1e6;                  // an end that a law's interval does not have [-]
+constexpr double shortest = 1e-9;            // unit of x [m]
+constexpr double turning = 5.0;              // by which the leading edge moves more than the trailing one [-]
 
 } // namespace
 
@@ -149,7 +149,7 @@ bool ParametricBalance::linearise(const Vector& x, double p, ContactRegion regio
     const Matrix3 stiffness = last_->stiffness(region, goOn_) * placeSlope();
     const Vector3 perForce = Vector3(1.0, 1.0 / slider_.length, 1.0 / slider_.width) / preload_;
     at.byState = -(perForce.asDiagonal() * stiffness).topLeftCorner(n, n);
-    const double aside = inside + (inside < 0.5 ? difference : -difference);
+    const double aside = inside + (inside < 0.5 ? parameterDifference : -parameterDifference);
     const std::unique_ptr<FilmBalance> there = balanceAt(aside);
     if (!there || !there->solve(toPlace(x), goOn_)) return false;
     at.byParameter = (scaledForce(there->force(region), n) - here) / (aside - inside);

@@ -15,13 +15,13 @@ namespace {
 using Mode = SpringModel::Mode;
 using Point = Eigen::Vector2d;
 
-constexpr int cellsAlong = 160;     // of the grid on which equilibria are sought
-constexpr double nearest = 1e-4;    // spacing from the end of an interval where it begins, in model scales [-]
-constexpr double farthest = 200.0;  // and where it ends
-constexpr int mostIterations = 30;  // of Newton
-constexpr double converged = 1e-12; // last change, in model scales [-]
-constexpr double apart = 1e-6;      // of two equilibria, in model scales [-]
-constexpr double neutral = 1e-9;    // of the largest eigenvalue: below it a real part is rounding [-]
+constexpr int cellsAlong = 160;           // of the grid on which equilibria are sought
+constexpr double nearestSpacing = 1e-4;   // spacing from the end of an interval where it begins, in model scales [-]
+constexpr double farthestSpacing = 200.0; // and where it ends
+constexpr int mostNewtonIterations = 30;  // of Newton
+constexpr double converged = 1e-12;       // last change, in model scales [-]
+constexpr double apartInScales = 1e-6;    // of two equilibria, in model scales [-]
+constexpr double neutral = 1e-9;          // of the largest eigenvalue: below it a real part is rounding [-]
 
 /// Forces in a mode at q, as accelerations.
 Point forcesAt(const SpringModel& model, const Point& q, Mode mode)
@@ -65,16 +65,16 @@ std::vector<Mode> modesOf(const SpringModel& model)
 std::vector<double> axisWithin(const Interval& holds, double scale)
 {
     std::vector<double> axis;
-    const double ratio = farthest / nearest;
+    const double ratio = farthestSpacing / nearestSpacing;
     const bool unbounded = !std::isfinite(holds.lower) && !std::isfinite(holds.upper);
     for (int i = 0; i <= cellsAlong; ++i) {
         const double share = double(i) / cellsAlong;
         if (unbounded)
-            axis.push_back(scale * std::sinh((2.0 * share - 1.0) * std::asinh(farthest)));
+            axis.push_back(scale * std::sinh((2.0 * share - 1.0) * std::asinh(farthestSpacing)));
         else if (std::isfinite(holds.lower))
-            axis.push_back(holds.lower + scale * nearest * std::pow(ratio, share));
+            axis.push_back(holds.lower + scale * nearestSpacing * std::pow(ratio, share));
         else
-            axis.push_back(holds.upper - scale * nearest * std::pow(ratio, share));
+            axis.push_back(holds.upper - scale * nearestSpacing * std::pow(ratio, share));
     }
     return axis;
 }
@@ -130,7 +130,7 @@ public:
 private:
     void refine(Point q)
     {
-        for (int k = 0; k < mostIterations; ++k) {
+        for (int k = 0; k < mostNewtonIterations; ++k) {
             const Point force = forcesAt(model_, q, mode_);
             const Eigen::Matrix2d slope = model_.jacobian({q[0], q[1], 0.0, 0.0}, mode_).leftCols<2>();
             const Eigen::Matrix2d scaled = forceScale_.cwiseInverse().asDiagonal() * slope * scale_.asDiagonal();
@@ -139,7 +139,9 @@ private:
             q -= scale_.cwiseProduct(change);
             if (change.norm() > converged * std::max(1.0, q.cwiseQuotient(scale_).norm())) continue;
             if (!holdsAt(model_, q, mode_)) return;
-            const auto same = [&](const Point& other) { return (q - other).cwiseQuotient(scale_).norm() < apart; };
+            const auto same = [&](const Point& other) {
+                return (q - other).cwiseQuotient(scale_).norm() < apartInScales;
+            };
             if (std::ranges::none_of(found_, same)) found_.push_back(q);
             return;
         }

@@ -15,9 +15,10 @@ using Point = Eigen::Vector2d;
 using Vector = Eigen::VectorXd;
 
 constexpr double difference = 1e-4; // of p, for dF/dp, in shares of its range
-constexpr double onBranch = 0.01;   // distance of an equilibrium from a branch to which it belongs, in model scales [-]
-constexpr double sameForce = 1e-7;  // of forces on both sides of a switch, in model scales [-]
-constexpr double sameSlope = 1e-9;  // of their slopes [-]
+constexpr double onSpringBranch =
+    0.01;                          // distance of an equilibrium from a branch to which it belongs, in model scales [-]
+constexpr double sameForce = 1e-7; // of forces on both sides of a switch, in model scales [-]
+constexpr double sameSlope = 1e-9; // of their slopes [-]
 constexpr double realCrossing = 1e-7; // by which a real part changes across a Hopf point, of the largest eigenvalue [-]
 
 Eigen::Map<const Eigen::VectorXcd> asVector(const std::vector<std::complex<double>>& values)
@@ -157,7 +158,7 @@ private:
                 const double share =
                     most > least ? std::clamp((value - a.parameter) / (b.parameter - a.parameter), 0.0, 1.0) : 0.5;
                 const Point between = (a.q + share * (b.q - a.q)).head<2>();
-                if ((found.q - between).cwiseQuotient(scale_).norm() < onBranch) return true;
+                if ((found.q - between).cwiseQuotient(scale_).norm() < onSpringBranch) return true;
             }
         }
         return false;

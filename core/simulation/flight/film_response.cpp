@@ -11,7 +11,7 @@ namespace touchdown {
 namespace {
 
 constexpr double sameRate = 0.5; // change of a step's rate for which a response is kept [-]
-constexpr int mostIterations = 40;
+constexpr int mostSolverIterations = 40;
 
 } // namespace
 
@@ -50,7 +50,7 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
         if (ask())
             iterations += linear
                               .solve(columns_[m], responses_[m],
-                                     {.tolerance = tolerance, .maximumIterations = mostIterations, .goOn = ask})
+                                     {.tolerance = tolerance, .maximumIterations = mostSolverIterations, .goOn = ask})
                               .iterations;
         if (!goesOn) return iterations;
         std::array<double, 5> slope{}; // d(load, shear)/dq

@@ -14,7 +14,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double fewestSamples = 1000.0; // of a run, so that its last tenth and a first part of it have statistics
+constexpr double fewestPilotSamples = 1000.0; // of a run, so that its last tenth and a first part of it have statistics
 
 constexpr double mostGrowth = 0.3; // e-folds of a mode over the run, beyond which a part does not predict its end
 
@@ -26,7 +26,7 @@ bool hasNoOrder(const DiskSurface& surface)
 
 } // namespace
 
-double pilotInterval(const Case& c) { return std::min(c.run.sampleInterval, c.run.duration / fewestSamples); }
+double pilotInterval(const Case& c) { return std::min(c.run.sampleInterval, c.run.duration / fewestPilotSamples); }
 
 double threadSeconds()
 {

@@ -21,7 +21,7 @@ constexpr double slowestCreep = 0.9;        // of a mean, from block to block: s
 constexpr double ringsTo = 0.1;             // of the spread: what a fit may leave [-]
 constexpr std::array lessShares{0.9, 0.8};  // of the part, that predict the same
 constexpr std::array seenShares{0.65, 0.5}; // of the part, that predict what was seen of it
-constexpr double fewestSamples = 48.0;      // that tell anything
+constexpr double fewestTailSamples = 48.0;  // that tell anything
 
 struct Moments {
     double mean = 0.0, variance = 0.0;
@@ -170,7 +170,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     const std::span<const double> all = samples.spacing;
     const std::span<const char> touching = samples.touching;
     const std::size_t count = all.size();
-    if (static_cast<double>(count) < fewestSamples) {
+    if (static_cast<double>(count) < fewestTailSamples) {
         forgetAll(estimate);
         return estimate;
     }
@@ -191,7 +191,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
         estimate.kind = kindOf(touching.subspan(first));
         return estimate;
     }
-    if (static_cast<double>(count) * seenShares.back() < fewestSamples) {
+    if (static_cast<double>(count) * seenShares.back() < fewestTailSamples) {
         forgetAll(estimate);
         return estimate;
     }
