@@ -8,6 +8,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
 #include "app/terminal/text_table.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"

@@ -12,14 +12,13 @@
 #include "core/simulation/static_state/steady.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/fields_view.h"
+#include "ui/maps/map_kinds.h"
 #include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
-
-constexpr double nearAmbient = 1e3; // a logarithmic scale shows a smaller difference from ambient as zero [Pa]
 
 /// The middle of the cell with the smallest gap: the point of minimum spacing itself lies on the border of a rail.
 std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)

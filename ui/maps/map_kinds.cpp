@@ -10,7 +10,6 @@ namespace touchdown {
 namespace {
 
 constexpr double weakPressure = 1e5; // contact: a logarithmic scale about zero shows a smaller value as zero [Pa]
-constexpr double nearAmbient = 1e3;  // likewise, of air [Pa]
 
 bool isAir(const Quantity& quantity) { return quantity.name == "air_pressure"; }
 

@@ -12,6 +12,9 @@
 
 namespace touchdown {
 
+/// A logarithmic scale shows a smaller difference from the ambient pressure as zero [Pa].
+inline constexpr double nearAmbient = 1e3;
+
 /// One field of one set.
 struct RunField {
     std::size_t set = 0;
