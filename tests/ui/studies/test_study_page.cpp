@@ -85,8 +85,8 @@ StudyPlan planned(const std::string& kind, const std::string& text, const std::s
 
 StudyCatalogue madeUp()
 {
-    return {{{"work-precision", "Accuracy against speed", "charts errors against times"},
-             {"advise", "No more model than needed", "finds the cheapest"}},
+    return {{{"work-precision", "Accuracy against speed", "charts errors against times", nullptr, nullptr},
+             {"advise", "No more model than needed", "finds the cheapest", nullptr, nullptr}},
             {{"drop", "work-precision", "A drop", "# of the sample\n"}},
             [](const std::string& kind, const Case& c) { return "kind = \"" + kind + "\"\n# " + c.title + "\n"; },
             planned};
