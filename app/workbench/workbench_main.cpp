@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // touchdown-workbench: the window; with --export, --screenshot or --study, pictures of it.
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 
@@ -135,6 +136,7 @@ int main(int argc, char** argv)
     if (!arguments.study.isEmpty()) {
         qputenv("QT_QPA_PLATFORM", "offscreen"); // there is no window
         const QApplication application(argc, argv);
+        std::setlocale(LC_NUMERIC, "C");
         useNames();
         applyTheme(Theme::Light);
         return takeStudyPictures(arguments.study, arguments.file.isEmpty() ? defaultCase : arguments.file,
@@ -150,6 +152,7 @@ int main(int argc, char** argv)
         document = readCase(defaultCase);
 
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // QApplication took the user's, in which the core would print a decimal comma
     useNames();
     QGuiApplication::setDesktopFileName(QStringLiteral("touchdown-workbench"));
     applyTheme(themeFromName(arguments.theme));

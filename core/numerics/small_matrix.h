@@ -4,6 +4,8 @@
 // to compile, in one place. Mind that Vector3 v{} has no defined value: write Vector3::Zero().
 #pragma once
 
+#include <complex>
+
 #include <Eigen/Core>
 
 namespace touchdown {
@@ -17,7 +19,7 @@ using ComplexMatrix3 = Eigen::Matrix3cd;
 Vector3 solvePartialPivoting(const Matrix3& a, const Vector3& b);
 /// The same with complete pivoting, also for a nearly singular matrix.
 Vector3 solveFullPivoting(const Matrix3& a, const Vector3& b);
-/// Square, of at most 8 rows; without allocation.
+/// Square; without allocation. The caller sees to it that there are at most 8 rows (assert).
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
 using SmallComplexMatrix = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
 using SmallComplexVector = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, 8, 1>;

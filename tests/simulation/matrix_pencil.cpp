@@ -14,7 +14,7 @@ std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, 
             before.block<3, 1>(3 * d, k) = samples[static_cast<std::size_t>(k + d)];
             after.block<3, 1>(3 * d, k) = samples[static_cast<std::size_t>(k + d + 1)];
         }
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(before, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(before, Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd size = svd.singularValues();
     const Eigen::Index rank = (size.array() > noise * size[0]).count();
     const Eigen::MatrixXd U = svd.matrixU().leftCols(rank), V = svd.matrixV().leftCols(rank);

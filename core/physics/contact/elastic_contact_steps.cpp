@@ -3,7 +3,6 @@
 // How the pressure of an elastic contact changes from one choice of cells to the next.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/numerics/vector_clones.h"

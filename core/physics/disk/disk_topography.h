@@ -29,7 +29,8 @@
 
 namespace touchdown {
 
-/// Constant after construction: any number of threads may read it. Functions without work space do not allocate.
+/// Constant after construction: any number of threads may read it. Only the constructor and cellMeans() without work
+/// space allocate.
 class DiskTopography {
 public:
     /// Flat.

@@ -25,9 +25,9 @@ public:
     const Attitude& attitude() const { return attitude_; }
 
     /// The disk's surface under each cell: mean height above the mean plane, less the deformation by contact [m];
-    /// padded, without rings. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A smooth
-    /// face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut place have
-    /// the height of their face, or of their cell.
+    /// padded; its rings are not read. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A
+    /// smooth face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut place
+    /// have the height of their face, or of their cell.
     void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 

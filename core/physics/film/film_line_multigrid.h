@@ -75,7 +75,8 @@ private:
         std::vector<double> change;     // of the correction or of the pressure [Pa]
     };
 
-    /// Starts from the guess, or from the coarsest level where that gives a smaller residual.
+    /// Starts from a guess that is nearly right; else climbs all levels, unless that makes the residual four times
+    /// larger.
     void start(std::span<const double> guess, FilmSolution& result);
     void climb(FilmSolution& result);
     /// All levels, about the finest one's pressure.

@@ -18,7 +18,8 @@ namespace touchdown {
 
 class GasFilm;
 
-/// At given pressures (padded) [Pa] and the film's attitude and surface. All functions share one work space.
+/// At given pressures (padded) [Pa] and the attitude and surface of the film, which must last. All functions share one
+/// work space.
 class FilmLoads {
 public:
     explicit FilmLoads(const GasFilm& film);

@@ -12,8 +12,8 @@
 // change| of a step, due to the old J. kappa grows about in proportion to J's age; it is measured where a second change
 // is needed, and occasionally otherwise. So most steps need one residual.
 //
-// The linear systems: half a cycle of multigrid for smooth errors, factors along x and y for the rest, which dominate
-// in short steps; full cycles where these contract slowly.
+// The linear systems: half a cycle of multigrid for smooth errors, factors along x and y for the rest, which are good
+// where storage dominates, as in short steps; full cycles where these contract slowly.
 #pragma once
 
 #include <algorithm>

@@ -8,8 +8,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double borderSlack =
-    1e-12; // [m] far above rounding, far below any feature: lists are complete on their borders
+/// Far above rounding, far below any feature: lists are complete on their borders [m].
+constexpr double borderSlack = 1e-12;
 
 OutlineEdge upward(const RailPoint& a, const RailPoint& b)
 {

@@ -43,7 +43,8 @@ public:
         Attitude rest; // the static state; its spacing may be negative
         bool flies;    // that lies above d_s
     };
-    /// Static states at so many places of the range, may be none; grid and scales of that next to its middle.
+    /// Static states at `looks` places of the range; empty if there is none. Grid and scales are those of the one
+    /// nearest to the middle.
     std::vector<Look> look(int looks, std::vector<std::string>& problems);
 
     /// Forgets the last film and the rates of the last equilibrium.

@@ -18,10 +18,10 @@ using Point = Eigen::Vector2d;
 constexpr int cellsAlong = 160;           // of the grid on which equilibria are sought
 constexpr double nearestSpacing = 1e-4;   // spacing from the end of an interval where it begins, in model scales [-]
 constexpr double farthestSpacing = 200.0; // and where it ends
-constexpr int mostNewtonIterations = 30;  // of Newton
-constexpr double converged = 1e-12;       // last change, in model scales [-]
-constexpr double apartInScales = 1e-6;    // of two equilibria, in model scales [-]
-constexpr double neutral = 1e-9;          // of the largest eigenvalue: below it a real part is rounding [-]
+constexpr int mostNewtonIterations = 30;
+constexpr double converged = 1e-12;    // last change, in model scales [-]
+constexpr double apartInScales = 1e-6; // of two equilibria, in model scales [-]
+constexpr double neutral = 1e-9;       // of the largest eigenvalue: below it a real part is rounding [-]
 
 /// Forces in a mode at q, as accelerations.
 Point forcesAt(const SpringModel& model, const Point& q, Mode mode)

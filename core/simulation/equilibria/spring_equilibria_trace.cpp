@@ -14,11 +14,10 @@ using Mode = SpringModel::Mode;
 using Point = Eigen::Vector2d;
 using Vector = Eigen::VectorXd;
 
-constexpr double difference = 1e-4; // of p, for dF/dp, in shares of its range
-constexpr double onSpringBranch =
-    0.01;                          // distance of an equilibrium from a branch to which it belongs, in model scales [-]
-constexpr double sameForce = 1e-7; // of forces on both sides of a switch, in model scales [-]
-constexpr double sameSlope = 1e-9; // of their slopes [-]
+constexpr double difference = 1e-4;     // of p, for dF/dp, in shares of its range
+constexpr double onSpringBranch = 0.01; // distance of an equilibrium from its branch, in model scales [-]
+constexpr double sameForce = 1e-7;      // of forces on both sides of a switch, in model scales [-]
+constexpr double sameSlope = 1e-9;      // of their slopes [-]
 constexpr double realCrossing = 1e-7; // by which a real part changes across a Hopf point, of the largest eigenvalue [-]
 
 Eigen::Map<const Eigen::VectorXcd> asVector(const std::vector<std::complex<double>>& values)

@@ -12,8 +12,8 @@
 //
 //   G(p, q) = film(p, q) + contact(q) + suspension(q, v) - M a = 0,   R(p, q) + d(V p)/dt = 0
 //
-//   monolithic   one Newton iteration on pressure and attitude, with X = J^-1 dR/dq kept as long as the film's J is
-//   good:
+//   monolithic   one Newton iteration on pressure and attitude, with X = J^-1 dR/dq, which is kept as long as the
+//                film's J is good:
 //                (M/(beta dt^2) + C/(2 beta dt) + K + K_contact - dG/dq + dG/dp X) dq = G,  dp = -X dq
 //   staggered    the film is solved at the attitude, then the forces move the slider,
 //                (M/(beta dt^2) + C/(2 beta dt) + K) dq = G, until neither changes: the established program's method.

@@ -41,6 +41,7 @@ inline std::string_view name(CandidateKind kind)
 {
     constexpr std::array<std::string_view, 8> names{"full",         "static",  "contact-rest", "wave-answer",
                                                     "small-motion", "springs", "parts",        "sums"};
+    static_assert(names.size() == static_cast<std::size_t>(CandidateKind::Sum) + 1);
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -63,6 +63,7 @@ enum class Verdict : std::uint8_t { Within, TooFar, AnotherEnd, AnotherPeak, Not
 inline std::string_view name(Verdict verdict)
 {
     constexpr std::array<std::string_view, 5> names{"within", "too far", "another end", "another peak", "not known"};
+    static_assert(names.size() == static_cast<std::size_t>(Verdict::NotKnown) + 1);
     return names[static_cast<std::size_t>(verdict)];
 }
 Verdict verdictOn(const CandidateErrors& errors, const Allowance& allowed);

@@ -3,10 +3,9 @@
 // Error and cost of each candidate against the full model, in this order:
 //
 //   1. Models without a film in time. They take milliseconds, and their end is known.
-//   2. The full model, until its mean over the last tenth is predicted to a quarter of the allowed error, and the
-//   cheapest
-//      model of step 1 within the tolerance has an error known to a factor of two. It runs to its end where a first
-//      part predicts nothing: an unstable mode, unknown modes, a moving rough disk.
+//   2. The full model, until its mean over the last tenth is predicted to a quarter of the allowed error, and the error
+//      of the cheapest model of step 1 within the tolerance is known to a factor of two. It runs to its end where a
+//      first part predicts nothing: an unstable mode, unknown modes, a moving rough disk.
 //   3. Models in time without a part, to their ends; each is stopped as soon as it has taken too long to be advised.
 #pragma once
 

@@ -52,10 +52,14 @@ Eigen::Vector2d dashpots(const UndampedModes& modes, const std::array<double, 2>
         for (Eigen::Index i = 0; i < 2; ++i)
             shares(k, i) = std::pow(modes.shapes(0, k) + arms[static_cast<std::size_t>(i)] * modes.shapes(1, k), 2);
     }
-    const Eigen::Vector2d both = shares.inverse() * wanted;
-    if (shares.determinant() != 0.0 && both.minCoeff() >= 0.0) return both;
-    // The one that is left, by least squares.
-    const Eigen::Index left = both[0] < 0.0 ? 1 : 0;
+    // Where both arms take the same share of each mode, no pair of dashpots is the only one.
+    Eigen::Index left = shares.col(1).norm() > shares.col(0).norm() ? 1 : 0;
+    if (std::abs(shares.determinant()) > 1e-12 * shares.squaredNorm()) {
+        const Eigen::Vector2d both = shares.inverse() * wanted;
+        if (both.minCoeff() >= 0.0) return both;
+        left = both[0] < 0.0 ? 1 : 0;
+    }
+    // One alone, by least squares.
     Eigen::Vector2d one = Eigen::Vector2d::Zero();
     one[left] = std::max(0.0, shares.col(left).dot(wanted) / shares.col(left).squaredNorm());
     return one;

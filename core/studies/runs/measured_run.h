@@ -52,6 +52,7 @@ enum class EndKind : std::uint8_t {
 inline std::string_view name(EndKind kind)
 {
     constexpr std::array<std::string_view, 4> names{"flying", "contact", "in and out of contact", "failed"};
+    static_assert(names.size() == static_cast<std::size_t>(EndKind::Failed) + 1);
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -47,6 +47,7 @@ enum class CriterionVerdict : std::uint8_t { Right, Fooled, FalseAlarm, NotDeter
 inline std::string_view name(CriterionVerdict verdict)
 {
     constexpr std::array<std::string_view, 4> names{"right", "fooled", "false alarm", "not determined"};
+    static_assert(names.size() == static_cast<std::size_t>(CriterionVerdict::NotDetermined) + 1);
     return names[static_cast<std::size_t>(verdict)];
 }
 

@@ -21,6 +21,7 @@ enum class StudyStatus : std::uint8_t { Completed, Cancelled, Failed };
 inline std::string_view name(StudyStatus status)
 {
     constexpr std::array<std::string_view, 3> names{"completed", "cancelled", "failed"};
+    static_assert(names.size() == static_cast<std::size_t>(StudyStatus::Failed) + 1);
     return names[static_cast<std::size_t>(status)];
 }
 
@@ -40,6 +41,7 @@ enum class PointKind : std::uint8_t {
 inline std::string_view name(PointKind kind)
 {
     constexpr std::array<std::string_view, 3> names{"good", "wrong-state", "failed"};
+    static_assert(names.size() == static_cast<std::size_t>(PointKind::Failed) + 1);
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -55,6 +57,7 @@ enum class ChartLine : std::uint8_t { None, Solid, Dashed, Steps };
 inline std::string_view name(ChartLine line)
 {
     constexpr std::array<std::string_view, 4> names{"none", "solid", "dashed", "steps"};
+    static_assert(names.size() == static_cast<std::size_t>(ChartLine::Steps) + 1);
     return names[static_cast<std::size_t>(line)];
 }
 
