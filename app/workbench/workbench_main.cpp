@@ -52,8 +52,7 @@ Arguments parse(int argc, char** argv)
          {"screenshot", "Runs the case, writes a picture of the whole window to <file> and ends.", "file"},
          {"study",
           "Performs a study of this <kind>, of a study's file or with its defaults for a case, needs no display, "
-          "writes "
-          "its charts as PNG and SVG to the folder of --pictures, prints their paths and ends.",
+          "writes its charts as PNG and SVG to the folder of --pictures, prints their paths and ends.",
           "kind"},
          {"pictures", "Folder for the charts of --study.", "folder"},
          {"size", "Size of the window for pictures, as 1600x1000.", "size", "1600x1000"},

@@ -202,7 +202,8 @@ bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
         event->ignore();
         return true;
     }
-    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    const auto* key = isKey ? static_cast<QKeyEvent*>(event) : nullptr;
     // With nothing typed, undo and redo are those of the case, not of the line.
     if (line_ && !line_->isModified() && event->type() == QEvent::ShortcutOverride &&
         (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {

@@ -40,7 +40,7 @@ void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
     values_ = std::move(values);
     // Where many cells are at the limit, as without contact, none of them is a place to mark.
     const auto only = [this](auto extreme) -> std::optional<std::size_t> {
-        if (extreme == values_.end() || std::ranges::count(values_, *extreme) > 1) return std::nullopt;
+        if (extreme == values_.end() || std::ranges::count(values_, *extreme) != 1) return std::nullopt;
         return static_cast<std::size_t>(extreme - values_.begin());
     };
     smallest_ = only(std::ranges::min_element(values_));

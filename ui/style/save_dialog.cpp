@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/save_dialog.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,12 +17,17 @@ QFileDialog* openSaveDialog(QWidget* parent, const QString& title, const QString
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(filters);
-    const bool named = suggestion.contains(u'.');
-    dialog->setDefaultSuffix(named ? QFileInfo(suggestion).suffix() : suggestion);
+    const auto endingOf = [](const QString& filter) {
+        return filter.section(QLatin1String("*."), 1).section(u')', 0, 0);
+    };
+    const bool named = suggestion.contains(u'.') || suggestion.contains(u'/');
+    const QString ending = named ? QFileInfo(suggestion).suffix() : suggestion;
+    const bool offered =
+        std::ranges::any_of(filters, [&](const QString& filter) { return endingOf(filter) == ending; });
+    dialog->setDefaultSuffix(offered ? ending : endingOf(filters.front()));
     if (named) dialog->selectFile(suggestion);
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).section(u')', 0, 0));
-    });
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
+                     [=](const QString& filter) { dialog->setDefaultSuffix(endingOf(filter)); });
     dialog->open();
     return dialog;
 }

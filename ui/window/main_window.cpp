@@ -73,7 +73,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 
 MainWindow::~MainWindow()
 {
-    // Widgets that show the runs and the case are deleted first: members are destroyed before child widgets.
+    // The members and the case's edits are destroyed before the widgets that show them.
     edits_->undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
                             static_cast<QObject*>(&controller()), static_cast<QObject*>(film_),

@@ -165,6 +165,12 @@ void TestStudyPage::showsAReport()
     QVERIFY(!f.results().isEmpty());
     QCOMPARE(f.charts(), 3);
     QCOMPARE(f.results().findChildren<StudyTableView*>().size(), 1);
+    const QList<QTabBar*> tabs = f.results().findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
+    const auto ofFacts = std::ranges::find(tabs, QStringLiteral("Findings and tables"), &QTabBar::accessibleName);
+    const auto ofCharts = std::ranges::find(tabs, QStringLiteral("Charts of the study"), &QTabBar::accessibleName);
+    QVERIFY(ofFacts != tabs.end() && ofCharts != tabs.end());
+    QCOMPARE((*ofCharts)->count(), 3);
+    QCOMPARE((*ofFacts)->tabText(1), QStringLiteral("Runs"));
     QVERIFY(f.findings().contains(QStringLiteral("40 times faster")));
     QVERIFY(f.findings().contains(QStringLiteral("⚠")));
     QVERIFY(!f.apply()->isVisible());
