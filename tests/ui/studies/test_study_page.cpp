@@ -165,7 +165,7 @@ void TestStudyPage::showsAReport()
     QVERIFY(!f.results().isEmpty());
     QCOMPARE(f.charts(), 3);
     QCOMPARE(f.results().findChildren<StudyTableView*>().size(), 1);
-    const QList<QTabBar*> tabs = f.results().findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
+    const QList<QTabBar*> tabs = f.results().findChildren<QTabBar*>();
     const auto ofFacts = std::ranges::find(tabs, QStringLiteral("Findings and tables"), &QTabBar::accessibleName);
     const auto ofCharts = std::ranges::find(tabs, QStringLiteral("Charts of the study"), &QTabBar::accessibleName);
     QVERIFY(ofFacts != tabs.end() && ofCharts != tabs.end());
