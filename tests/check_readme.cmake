@@ -41,8 +41,10 @@ foreach(readme IN LISTS readmes)
     string(REGEX MATCHALL "`[^`]*`" words "${text}")
     foreach(word IN LISTS words)
         string(REGEX REPLACE "`(\\./)?([^`]*)`" "\\2" path "${word}")
-        # A path has a slash or the ending of a source or a text. /fields is in an HDF5 file, build/ is made by the build.
-        if(path MATCHES "^[A-Za-z0-9_.*-]+(/[A-Za-z0-9_.*-]*)+$" OR path MATCHES "^[A-Za-z0-9_-]+\\.(h|cpp|md|cmake|py)$")
+        # A path has a slash or the ending of a source or a text. /fields is in an HDF5 file, build/ is made by the
+        # build.
+        if(path MATCHES "^[A-Za-z0-9_.*-]+(/[A-Za-z0-9_.*-]*)+$" OR
+           path MATCHES "^[A-Za-z0-9_-]+\\.(h|cpp|md|cmake|py)$")
             if(NOT path MATCHES "^build/")
                 list(APPEND paths "${path}")
             endif()

@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_command_line {
+
 class TestCommandLine : public QObject {
     Q_OBJECT
 
@@ -274,4 +276,7 @@ void TestCommandLine::describeStudies()
 }
 
 TOUCHDOWN_TEST(TestCommandLine)
+
+} // namespace test_command_line
+
 #include "test_command_line.moc"

@@ -4,6 +4,8 @@
 
 using namespace touchdown;
 
+namespace test_convergence_command {
+
 class TestConvergenceCommand : public QObject {
     Q_OBJECT
 
@@ -73,4 +75,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestConvergenceCommand)
+
+} // namespace test_convergence_command
+
 #include "test_convergence_command.moc"

@@ -10,6 +10,8 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace test_convert_command {
+
 class TestConvertCommand : public QObject {
     Q_OBJECT
 
@@ -113,4 +115,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestConvertCommand)
+
+} // namespace test_convert_command
+
 #include "test_convert_command.moc"

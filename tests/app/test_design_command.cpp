@@ -4,6 +4,8 @@
 
 using namespace touchdown;
 
+namespace test_design_command {
+
 class TestDesignCommand : public QObject {
     Q_OBJECT
 
@@ -95,4 +97,7 @@ value = )" + force +
 };
 
 TOUCHDOWN_TEST(TestDesignCommand)
+
+} // namespace test_design_command
+
 #include "test_design_command.moc"

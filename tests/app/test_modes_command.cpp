@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_modes_command {
+
 class TestModesCommand : public QObject {
     Q_OBJECT
 
@@ -102,4 +104,7 @@ void TestModesCommand::notConverged()
 }
 
 TOUCHDOWN_TEST(TestModesCommand)
+
+} // namespace test_modes_command
+
 #include "test_modes_command.moc"

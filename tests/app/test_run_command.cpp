@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_run_command {
+
 class TestRunCommand : public QObject {
     Q_OBJECT
 
@@ -420,4 +422,7 @@ void TestRunCommand::progressIsSilentUnlessAskedFor()
 }
 
 TOUCHDOWN_TEST(TestRunCommand)
+
+} // namespace test_run_command
+
 #include "test_run_command.moc"

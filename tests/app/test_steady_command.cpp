@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_steady_command {
+
 class TestSteadyCommand : public QObject {
     Q_OBJECT
 
@@ -231,4 +233,7 @@ void TestSteadyCommand::progressIsSilentUnlessAskedFor()
 }
 
 TOUCHDOWN_TEST(TestSteadyCommand)
+
+} // namespace test_steady_command
+
 #include "test_steady_command.moc"

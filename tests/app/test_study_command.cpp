@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_study_command {
+
 class TestStudyCommand : public QObject {
     Q_OBJECT
 
@@ -196,4 +198,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestStudyCommand)
+
+} // namespace test_study_command
+
 #include "test_study_command.moc"

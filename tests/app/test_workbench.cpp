@@ -7,7 +7,7 @@
 
 #include "tests/support/test_program.h"
 
-namespace {
+namespace test_workbench {
 
 struct Outcome {
     int code = -1;
@@ -39,8 +39,6 @@ QSize pngSize(const QString& path)
     if (head.size() < 24 || !head.startsWith("\x89PNG\r\n\x1a\n") || head.mid(12, 4) != "IHDR") return {};
     return {qFromBigEndian<qint32>(head.constData() + 16), qFromBigEndian<qint32>(head.constData() + 20)};
 }
-
-} // namespace
 
 class TestWorkbench : public QObject {
     Q_OBJECT
@@ -161,4 +159,7 @@ void TestWorkbench::saysWhatCannotBeWritten()
 }
 
 TOUCHDOWN_TEST(TestWorkbench)
+
+} // namespace test_workbench
+
 #include "test_workbench.moc"

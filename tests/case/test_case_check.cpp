@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_case_check {
+
 class TestCaseCheck : public QObject {
     Q_OBJECT
 
@@ -198,4 +200,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCaseCheck)
+
+} // namespace test_case_check
+
 #include "test_case_check.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_contact_check {
+
 class TestContactCheck : public QObject {
     Q_OBJECT
 
@@ -153,4 +155,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactCheck)
+
+} // namespace test_contact_check
+
 #include "test_contact_check.moc"

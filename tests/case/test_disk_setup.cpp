@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_disk_setup {
 
 const QByteArray caseText = R"(title = "a measured disk"
 model = "contact"
@@ -32,8 +32,6 @@ file = "measured/track.txt"
 
 /// x [um], height [nm].
 const QByteArray profile = "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n4 0\n5 1\n6 0\n7 -1\n";
-
-} // namespace
 
 class TestDiskSetup : public QObject {
     Q_OBJECT
@@ -120,4 +118,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestDiskSetup)
+
+} // namespace test_disk_setup
+
 #include "test_disk_setup.moc"

@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_field_text {
+
 class TestFieldText : public QObject {
     Q_OBJECT
 
@@ -256,4 +258,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFieldText)
+
+} // namespace test_field_text
+
 #include "test_field_text.moc"

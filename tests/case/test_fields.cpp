@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_fields {
 
 void addFieldRows()
 {
@@ -38,8 +38,6 @@ std::optional<FieldValue> another(const Field& field, const Case& c)
     }
     return {};
 }
-
-} // namespace
 
 class TestFields : public QObject {
     Q_OBJECT
@@ -435,4 +433,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFields)
+
+} // namespace test_fields
+
 #include "test_fields.moc"

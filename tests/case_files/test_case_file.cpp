@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_case_file {
 
 QStringList problemsOf(const CaseDocument& document)
 {
@@ -23,8 +23,6 @@ QStringList problemsOf(const CaseDocument& document)
     for (const InputProblem& problem : document.problems) texts << QString::fromStdString(problem.text());
     return texts;
 }
-
-} // namespace
 
 class TestCaseFile : public QObject {
     Q_OBJECT
@@ -438,4 +436,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestCaseFile)
+
+} // namespace test_case_file
+
 #include "test_case_file.moc"

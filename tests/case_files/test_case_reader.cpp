@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_case_reader {
 
 QStringList unusedOf(const CaseDocument& document)
 {
@@ -22,8 +22,6 @@ QStringList unusedOf(const CaseDocument& document)
 const std::string film =
     "model = 'film'\n[slider]\nlength = '1 mm'\n[ono_yamane]\ntouch_down = '3 nm'\nfriction = 0.2\n"
     "[run]\nstep = '1 ns'\nintegrator = 'rk4'\nduration = '1 ms'\n";
-
-} // namespace
 
 class TestCaseReader : public QObject {
     Q_OBJECT
@@ -79,4 +77,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCaseReader)
+
+} // namespace test_case_reader
+
 #include "test_case_reader.moc"

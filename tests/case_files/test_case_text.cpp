@@ -12,10 +12,11 @@
 #include <sstream>
 
 using namespace touchdown;
+
+namespace test_case_text {
+
 using test::firstDifference;
 using test::RandomCase;
-
-namespace {
 
 const std::string written = "# my notes\n"
                             "\n"
@@ -47,8 +48,6 @@ QStringList newLines(const std::string& before, const std::string& after)
         if (std::ranges::find(old, line) == old.end()) fresh << QString::fromStdString(line);
     return fresh;
 }
-
-} // namespace
 
 class TestCaseText : public QObject {
     Q_OBJECT
@@ -224,4 +223,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCaseText)
+
+} // namespace test_case_text
+
 #include "test_case_text.moc"

@@ -17,9 +17,10 @@
 
 using namespace touchdown;
 using namespace touchdown::test;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_cml_case {
+
+namespace fs = std::filesystem;
 
 /// A folder in which files are put.
 class Folder {
@@ -100,8 +101,6 @@ void makeSensible(Case& c)
     c.steady.skews.resize(c.steady.skews.empty() ? 0 : c.steady.radii.size());
     c.surface.taperLength = std::min(c.surface.taperLength, c.slider.length);
 }
-
-} // namespace
 
 class TestCmlCase : public QObject {
     Q_OBJECT
@@ -369,4 +368,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlCase)
+
+} // namespace test_cml_case
+
 #include "test_cml_case.moc"

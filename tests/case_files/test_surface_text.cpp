@@ -20,7 +20,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_surface_text {
 
 const std::string written = "# a slider of mine\n"
                             "model = \"film\"\n"
@@ -89,8 +89,6 @@ std::string replaced(std::string text, const std::string& part, const std::strin
     Q_ASSERT(at != std::string::npos);
     return text.replace(at, part.size(), with);
 }
-
-} // namespace
 
 class TestSurfaceText : public QObject {
     Q_OBJECT
@@ -506,4 +504,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestSurfaceText)
+
+} // namespace test_surface_text
+
 #include "test_surface_text.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_cml_text {
 
 /// What an action on a text is refused with, and where; "" and 0 when it is not.
 struct Refusal {
@@ -27,8 +27,6 @@ Refusal refusal(std::string_view text, const std::function<void(CmlText&)>& acti
     }
     return {};
 }
-
-} // namespace
 
 class TestCmlText : public QObject {
     Q_OBJECT
@@ -187,4 +185,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlText)
+
+} // namespace test_cml_text
+
 #include "test_cml_text.moc"

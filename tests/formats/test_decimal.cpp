@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_decimal {
+
 class TestDecimal : public QObject {
     Q_OBJECT
 
@@ -57,4 +59,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDecimal)
+
+} // namespace test_decimal
+
 #include "test_decimal.moc"

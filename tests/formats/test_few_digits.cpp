@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_few_digits {
+
 class TestFewDigits : public QObject {
     Q_OBJECT
 
@@ -47,4 +49,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFewDigits)
+
+} // namespace test_few_digits
+
 #include "test_few_digits.moc"

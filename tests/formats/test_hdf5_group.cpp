@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_hdf5_group {
 
 std::vector<double> counted(std::size_t first, std::size_t count)
 {
@@ -19,8 +19,6 @@ std::vector<double> counted(std::size_t first, std::size_t count)
     std::iota(values.begin(), values.end(), static_cast<double>(first));
     return values;
 }
-
-} // namespace
 
 class TestHdf5Group : public QObject {
     Q_OBJECT
@@ -101,4 +99,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestHdf5Group)
+
+} // namespace test_hdf5_group
+
 #include "test_hdf5_group.moc"

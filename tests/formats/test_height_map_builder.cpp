@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_height_map_builder {
 
 std::string refusal(const std::function<void()>& action)
 {
@@ -22,8 +22,6 @@ std::string refusal(const std::function<void()>& action)
     }
     return {};
 }
-
-} // namespace
 
 class TestHeightMapBuilder : public QObject {
     Q_OBJECT
@@ -95,4 +93,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHeightMapBuilder)
+
+} // namespace test_height_map_builder
+
 #include "test_height_map_builder.moc"

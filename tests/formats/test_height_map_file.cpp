@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_height_map_file {
 
 HeightMapDocument read(const std::string& text, const std::string& name = "map.txt")
 {
@@ -34,8 +34,6 @@ bool near(const std::vector<double>& a, const std::vector<double>& b)
 }
 
 const std::vector<double> fourHeights{1e-9, 2e-9, 0.5e-9, -1e-9};
-
-} // namespace
 
 class TestHeightMapFile : public QObject {
     Q_OBJECT
@@ -220,4 +218,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHeightMapFile)
+
+} // namespace test_height_map_file
+
 #include "test_height_map_file.moc"

@@ -14,10 +14,9 @@
 
 using namespace touchdown;
 
-using Writer = std::function<void(const Hdf5Group&)>;
-Q_DECLARE_METATYPE(Writer)
+namespace test_height_map_hdf5 {
 
-namespace {
+using Writer = std::function<void(const Hdf5Group&)>;
 
 const std::vector<double> x{0.0, 1.0, 2.0, 3.0};
 const std::vector<double> y{0.0, 2.0};
@@ -40,8 +39,6 @@ void writeMatrix(const Hdf5Group& file, const std::string& name, hsize_t rows, h
     checkHdf5(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     if (!unit.empty()) dataset.set("unit", unit);
 }
-
-} // namespace
 
 class TestHeightMapHdf5 : public QObject {
     Q_OBJECT
@@ -185,4 +182,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHeightMapHdf5)
+
+} // namespace test_height_map_hdf5
+
 #include "test_height_map_hdf5.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_nearest_name {
+
 class TestNearestName : public QObject {
     Q_OBJECT
 
@@ -57,4 +59,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestNearestName)
+
+} // namespace test_nearest_name
+
 #include "test_nearest_name.moc"

@@ -11,9 +11,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_output_file {
+
+namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
@@ -22,8 +23,6 @@ std::string read(const fs::path& file)
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
-
-} // namespace
 
 class TestOutputFile : public QObject {
     Q_OBJECT
@@ -100,4 +99,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestOutputFile)
+
+} // namespace test_output_file
+
 #include "test_output_file.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_quotation {
+
 class TestQuotation : public QObject {
     Q_OBJECT
 
@@ -46,4 +48,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestQuotation)
+
+} // namespace test_quotation
+
 #include "test_quotation.moc"

@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_text_file {
 
 QString problemOf(const std::filesystem::path& file, std::uintmax_t largest = 1024)
 {
@@ -16,8 +16,6 @@ QString problemOf(const std::filesystem::path& file, std::uintmax_t largest = 10
     const auto* problem = std::get_if<FileProblem>(&result);
     return problem == nullptr ? QString() : QString::fromStdString(problem->message);
 }
-
-} // namespace
 
 class TestTextFile : public QObject {
     Q_OBJECT
@@ -98,4 +96,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestTextFile)
+
+} // namespace test_text_file
+
 #include "test_text_file.moc"

@@ -7,7 +7,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_toml_document {
 
 std::string textOf(const TomlEntry& entry, std::string_view text)
 {
@@ -20,8 +20,6 @@ const TomlEntry* find(const TomlDocument& document, std::string_view key)
         if (entry.key == key) return &entry;
     return nullptr;
 }
-
-} // namespace
 
 class TestTomlDocument : public QObject {
     Q_OBJECT
@@ -208,4 +206,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestTomlDocument)
+
+} // namespace test_toml_document
+
 #include "test_toml_document.moc"

@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_toml_editor {
 
 std::string edited(const std::string& text, const std::function<void(TomlEditor&)>& change)
 {
@@ -21,8 +21,6 @@ std::string edited(const std::string& text, const std::function<void(TomlEditor&
     change(editor);
     return editor.result();
 }
-
-} // namespace
 
 class TestTomlEditor : public QObject {
     Q_OBJECT
@@ -130,4 +128,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestTomlEditor)
+
+} // namespace test_toml_editor
+
 #include "test_toml_editor.moc"

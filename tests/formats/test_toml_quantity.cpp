@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_toml_quantity {
+
 class TestTomlQuantity : public QObject {
     Q_OBJECT
 
@@ -59,4 +61,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestTomlQuantity)
+
+} // namespace test_toml_quantity
+
 #include "test_toml_quantity.moc"

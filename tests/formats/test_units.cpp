@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_units {
 
 QString problemOf(const char* text, const char* unit)
 {
@@ -26,8 +26,6 @@ double valueOf(std::string_view text, std::string_view unit)
     const auto result = parseQuantity(text, unit);
     return std::holds_alternative<double>(result) ? std::get<double>(result) : std::numeric_limits<double>::quiet_NaN();
 }
-
-} // namespace
 
 class TestUnits : public QObject {
     Q_OBJECT
@@ -295,4 +293,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestUnits)
+
+} // namespace test_units
+
 #include "test_units.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_words {
+
 class TestWords : public QObject {
     Q_OBJECT
 
@@ -31,4 +33,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestWords)
+
+} // namespace test_words
+
 #include "test_words.moc"

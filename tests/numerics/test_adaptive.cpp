@@ -11,9 +11,10 @@
 
 using namespace touchdown;
 using namespace touchdown::test;
-using Mode = PiecewiseOscillator::Mode;
 
-namespace {
+namespace test_adaptive {
+
+using Mode = PiecewiseOscillator::Mode;
 
 /// Springs of 1 rad/s above and 5 rad/s below q = 0, lightly damped.
 const PiecewiseOscillator smooth = smoothOscillator({0.3, 1.0, 0.1});
@@ -25,8 +26,6 @@ IntegrationResult integrate(const PiecewiseOscillator& system, PiecewiseOscillat
     return integrateAdaptive(system, Start<PiecewiseOscillator>{y, system.naiveMode(y, Mode::Upper)}, until,
                              {.tolerance = tolerance, .firstStep = 1e-3}, log);
 }
-
-} // namespace
 
 class TestAdaptive : public QObject {
     Q_OBJECT
@@ -240,4 +239,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAdaptive)
+
+} // namespace test_adaptive
+
 #include "test_adaptive.moc"

@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_bounded_step {
 
 constexpr double far = std::numeric_limits<double>::infinity();
 constexpr double hardlyDamped = 1e-14;
@@ -22,8 +22,6 @@ std::vector<double> freeStep(const std::vector<std::vector<double>>& slopes, con
     return boundedStep(slopes, r, lambda, std::vector<double>(slopes.size(), -far),
                        std::vector<double>(slopes.size(), far));
 }
-
-} // namespace
 
 class TestBoundedStep : public QObject {
     Q_OBJECT
@@ -80,4 +78,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestBoundedStep)
+
+} // namespace test_bounded_step
+
 #include "test_bounded_step.moc"

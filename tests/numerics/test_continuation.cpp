@@ -10,10 +10,11 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_continuation {
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
 
 using Linearised = ContinuationProblem::Linearised;
 
@@ -68,8 +69,6 @@ ContinuationProblem hopf()
     problem.tests = [](const VectorXd&, double p) { return std::vector{hopfTest(hopfMatrix(p).eigenvalues())}; };
     return problem;
 }
-
-} // namespace
 
 class TestContinuation : public QObject {
     Q_OBJECT
@@ -174,4 +173,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContinuation)
+
+} // namespace test_continuation
+
 #include "test_continuation.moc"

@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_convection {
 
 EffectiveConductance conductance(ConvectionScheme scheme, double K, double c)
 {
@@ -33,8 +33,6 @@ void addSchemes()
     QTest::newRow("exponential") << ConvectionScheme::Exponential;
     QTest::newRow("complete flux") << ConvectionScheme::CompleteFlux;
 }
-
-} // namespace
 
 class TestConvection : public QObject {
     Q_OBJECT
@@ -150,4 +148,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestConvection)
+
+} // namespace test_convection
+
 #include "test_convection.moc"

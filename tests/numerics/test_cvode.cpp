@@ -11,6 +11,8 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace test_cvode {
+
 class TestCvode : public QObject {
     Q_OBJECT
 
@@ -94,4 +96,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCvode)
+
+} // namespace test_cvode
+
 #include "test_cvode.moc"

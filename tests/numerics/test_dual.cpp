@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_dual {
+
 class TestDual : public QObject {
     Q_OBJECT
 
@@ -57,4 +59,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDual)
+
+} // namespace test_dual
+
 #include "test_dual.moc"

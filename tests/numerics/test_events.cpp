@@ -11,7 +11,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_events {
 
 using Coefficients = std::array<double, 5>;
 
@@ -29,8 +29,6 @@ Coefficients quadratic(double a, double b, double c)
     for (std::size_t k = 0; k < 5; ++k) out[k] = a + b * double(k) / 4.0 + c * double(k) * (double(k) - 1.0) / 12.0;
     return out;
 }
-
-} // namespace
 
 class TestEvents : public QObject {
     Q_OBJECT
@@ -149,4 +147,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestEvents)
+
+} // namespace test_events
+
 #include "test_events.moc"

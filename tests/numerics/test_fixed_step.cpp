@@ -11,10 +11,11 @@
 
 using namespace touchdown;
 using namespace touchdown::test;
+
+namespace test_fixed_step {
+
 using Mode = PiecewiseOscillator::Mode;
 using System = PiecewiseOscillator;
-
-namespace {
 
 enum Method { Naive, Rk4Located, NewmarkLocated, NewmarkDamped };
 
@@ -45,8 +46,6 @@ void methodRows()
     QTest::newRow("rk4-events") << int(Rk4Located);
     QTest::newRow("newmark") << int(NewmarkLocated);
 }
-
-} // namespace
 
 class TestFixedStep : public QObject {
     Q_OBJECT
@@ -246,4 +245,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFixedStep)
+
+} // namespace test_fixed_step
+
 #include "test_fixed_step.moc"

@@ -7,7 +7,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_gauss_legendre {
 
 template <std::size_t N, typename Function>
 double integral(double lower, double upper, Function f)
@@ -16,8 +16,6 @@ double integral(double lower, double upper, Function f)
     GaussLegendre<N>{}.sample(lower, upper, [&](double x, double weight) { sum += weight * f(x); });
     return sum;
 }
-
-} // namespace
 
 class TestGaussLegendre : public QObject {
     Q_OBJECT
@@ -54,4 +52,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGaussLegendre)
+
+} // namespace test_gauss_legendre
+
 #include "test_gauss_legendre.moc"

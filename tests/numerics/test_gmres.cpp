@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_gmres {
 
 template <typename T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
@@ -68,8 +68,6 @@ void checkAgainstEigen(double diagonal, int restart)
     // What it says it has reached is so.
     QVERIFY(std::abs((b - a * x).norm() / b.norm() - result.residual) < 1e-13);
 }
-
-} // namespace
 
 class TestGmres : public QObject {
     Q_OBJECT
@@ -237,4 +235,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGmres)
+
+} // namespace test_gmres
+
 #include "test_gmres.moc"

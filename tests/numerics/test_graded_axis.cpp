@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_graded_axis {
 
 /// The number of the line at this position, -1 for none.
 int lineAt(const std::vector<double>& lines, double position)
@@ -19,8 +19,6 @@ int lineAt(const std::vector<double>& lines, double position)
     const auto found = std::find(lines.begin(), lines.end(), position);
     return found == lines.end() ? -1 : static_cast<int>(found - lines.begin());
 }
-
-} // namespace
 
 class TestGradedAxis : public QObject {
     Q_OBJECT
@@ -153,4 +151,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGradedAxis)
+
+} // namespace test_graded_axis
+
 #include "test_graded_axis.moc"

@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_line_relaxation {
 
 struct Flow {
     PaddedGrid pad;
@@ -71,8 +71,6 @@ double largest(const std::vector<double>& field)
     for (const double value : field) result = std::max(result, std::abs(value));
     return result;
 }
-
-} // namespace
 
 class TestLineRelaxation : public QObject {
     Q_OBJECT
@@ -176,4 +174,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestLineRelaxation)
+
+} // namespace test_line_relaxation
+
 #include "test_line_relaxation.moc"

@@ -17,7 +17,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_multigrid {
 
 using Complex = std::complex<double>;
 
@@ -224,8 +224,6 @@ double nonlinearity()
             if (vSum[pad.at(i, j)] != T{}) return INFINITY;
     return error / largest;
 }
-
-} // namespace
 
 class TestMultigrid : public QObject {
     Q_OBJECT
@@ -436,4 +434,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestMultigrid)
+
+} // namespace test_multigrid
+
 #include "test_multigrid.moc"

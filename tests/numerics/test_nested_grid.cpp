@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_nested_grid {
 
 const CellGrid uneven{{0.0, 1.0, 1.5, 3.0, 4.0, 6.0, 6.5, 8.0}, {0.0, 0.5, 2.0, 3.0, 3.25, 5.0, 6.0, 7.0, 7.5}};
 
@@ -42,8 +42,6 @@ double total(const std::vector<double>& field)
 }
 
 double wavy(double x, double y) { return std::sin(3.0 * x) + x * y * y; }
-
-} // namespace
 
 class TestNestedGrid : public QObject {
     Q_OBJECT
@@ -111,4 +109,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestNestedGrid)
+
+} // namespace test_nested_grid
+
 #include "test_nested_grid.moc"

@@ -9,7 +9,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_newmark {
 
 /// q" = -q^3: nonlinear, so that Newton's iteration has work to do.
 struct Cubic : PiecewiseOscillator {
@@ -17,8 +17,6 @@ struct Cubic : PiecewiseOscillator {
     State naiveDerivative(const State& y, Mode mode) const { return derivative(y, mode); }
     Eigen::Matrix<double, 1, 2> jacobian(const State& y, Mode) const { return {-3.0 * y[0] * y[0], 0.0}; }
 };
-
-} // namespace
 
 class TestNewmark : public QObject {
     Q_OBJECT
@@ -76,4 +74,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestNewmark)
+
+} // namespace test_newmark
+
 #include "test_newmark.moc"

@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_periodic_spline {
 
 void addMeans(const PeriodicSpline& s, const CellGrid& grid, double shiftX, double shiftY, std::span<double> out)
 {
@@ -21,7 +21,7 @@ void addMeans(const PeriodicSpline& s, const CellGrid& grid, double shiftX, doub
     s.addMeans(grid, shiftX, shiftY, out, work);
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> noise(int nx, int ny, unsigned seed = 7)
 {
@@ -61,8 +61,6 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
     return largest;
 }
-
-} // namespace
 
 class TestPeriodicSpline : public QObject {
     Q_OBJECT
@@ -330,4 +328,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestPeriodicSpline)
+
+} // namespace test_periodic_spline
+
 #include "test_periodic_spline.moc"

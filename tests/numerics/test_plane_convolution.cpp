@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_plane_convolution {
+
 class TestPlaneConvolution : public QObject {
     Q_OBJECT
 
@@ -21,8 +23,6 @@ private slots:
     void paddedSizesSuitFftw();
     void allocatesNothing();
 };
-
-namespace {
 
 std::size_t product(int a, int b) { return static_cast<std::size_t>(a) * static_cast<std::size_t>(b); }
 
@@ -47,8 +47,6 @@ PlaneConvolution padded(int nx, int ny)
     convolution.setTransform(quarter);
     return convolution;
 }
-
-} // namespace
 
 void TestPlaneConvolution::isTheSumOverAllPairs_data()
 {
@@ -136,4 +134,7 @@ void TestPlaneConvolution::allocatesNothing()
 }
 
 TOUCHDOWN_TEST(TestPlaneConvolution)
+
+} // namespace test_plane_convolution
+
 #include "test_plane_convolution.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_runge_kutta {
 
 /// Sums of the order conditions up to order 5 (Hairer, Norsett & Wanner, Solving ODEs I, table II.2.2), one row a tree.
 template <std::size_t s>
@@ -71,8 +71,6 @@ int satisfied(const std::vector<std::pair<double, double>>& rows)
 constexpr int upToOrder4 = 8;
 constexpr int upToOrder5 = 17;
 
-} // namespace
-
 class TestRungeKutta : public QObject {
     Q_OBJECT
 
@@ -104,4 +102,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRungeKutta)
+
+} // namespace test_runge_kutta
+
 #include "test_runge_kutta.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_small_matrix {
 
 /// Eigenvalues 3 and 1 +- 2 i.
 Matrix3 turning()
@@ -19,8 +19,6 @@ Matrix3 turning()
     m << 1.0, -2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 3.0;
     return m;
 }
-
-} // namespace
 
 class TestSmallMatrix : public QObject {
     Q_OBJECT
@@ -56,4 +54,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSmallMatrix)
+
+} // namespace test_small_matrix
+
 #include "test_small_matrix.moc"

@@ -15,12 +15,9 @@
 
 using namespace touchdown;
 
-Q_DECLARE_METATYPE(touchdown::SpectrumWindow)
-Q_DECLARE_METATYPE(touchdown::SpectrumScaling)
+namespace test_spectrum {
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> noise(std::size_t n, double sigma)
 {
@@ -55,8 +52,6 @@ void addWindows()
     QTest::newRow("Blackman") << SpectrumWindow::Blackman;
     QTest::newRow("flat top") << SpectrumWindow::FlatTop;
 }
-
-} // namespace
 
 class TestSpectrum : public QObject {
     Q_OBJECT
@@ -381,4 +376,7 @@ void TestSpectrum::threadsDoNotDisturbEachOther()
 }
 
 TOUCHDOWN_TEST(TestSpectrum)
+
+} // namespace test_spectrum
+
 #include "test_spectrum.moc"

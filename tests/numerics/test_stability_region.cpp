@@ -10,9 +10,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using Complex = std::complex<double>;
 
-namespace {
+namespace test_stability_region {
+
+using Complex = std::complex<double>;
 
 /// Up to which h the method is stable for lambda of size 1 in this direction.
 double limit(const Growth& growth, Complex direction, double to = 100.0)
@@ -24,8 +25,6 @@ double coupledLimit(const CoupledRule& rule, double dampingRatio, double leak)
     return largestStable([&](double w) { return coupledGrowth(rule, w, dampingRatio, leak) <= stableGrowth; }, 1e-4,
                          20.0);
 }
-
-} // namespace
 
 #define NEAR(value, expected, tolerance)                                                                               \
     QVERIFY2(std::abs((value) - (expected)) <= (tolerance), qPrintable(QString::number((value), 'g', 12)))
@@ -181,4 +180,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStabilityRegion)
+
+} // namespace test_stability_region
+
 #include "test_stability_region.moc"

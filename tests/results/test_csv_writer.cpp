@@ -7,6 +7,9 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_csv_writer {
+
 namespace fs = std::filesystem;
 
 class TestCsvWriter : public QObject {
@@ -77,4 +80,7 @@ void TestCsvWriter::csvProblems()
 }
 
 TOUCHDOWN_TEST(TestCsvWriter)
+
+} // namespace test_csv_writer
+
 #include "test_csv_writer.moc"

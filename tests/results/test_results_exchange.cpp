@@ -12,6 +12,9 @@
 
 using namespace touchdown;
 using namespace std::chrono_literals;
+
+namespace test_results_exchange {
+
 namespace fs = std::filesystem;
 
 class TestResultsExchange : public QObject {
@@ -155,4 +158,7 @@ void TestResultsExchange::fullDisk()
 }
 
 TOUCHDOWN_TEST(TestResultsExchange)
+
+} // namespace test_results_exchange
+
 #include "test_results_exchange.moc"

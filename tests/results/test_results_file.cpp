@@ -7,6 +7,9 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_results_file {
+
 namespace fs = std::filesystem;
 
 class TestResultsFile : public QObject {
@@ -122,4 +125,7 @@ void TestResultsFile::samplesThatDoNotFit()
 }
 
 TOUCHDOWN_TEST(TestResultsFile)
+
+} // namespace test_results_file
+
 #include "test_results_file.moc"

@@ -9,6 +9,9 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_results_layout {
+
 namespace fs = std::filesystem;
 
 class TestResultsLayout : public QObject {
@@ -144,4 +147,7 @@ void TestResultsLayout::spectra()
 }
 
 TOUCHDOWN_TEST(TestResultsLayout)
+
+} // namespace test_results_layout
+
 #include "test_results_layout.moc"

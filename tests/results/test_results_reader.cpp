@@ -8,6 +8,9 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_results_reader {
+
 namespace fs = std::filesystem;
 
 class TestResultsReader : public QObject {
@@ -95,4 +98,7 @@ void TestResultsReader::unreadableFiles()
 }
 
 TOUCHDOWN_TEST(TestResultsReader)
+
+} // namespace test_results_reader
+
 #include "test_results_reader.moc"

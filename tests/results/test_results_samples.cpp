@@ -10,9 +10,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_results_samples {
+
+namespace fs = std::filesystem;
 
 /// 3 x 2 cells of different widths.
 RecordedFields someFields()
@@ -80,8 +81,6 @@ QString difference(const StoredRun& run, const std::vector<RecordedFields>& sets
             return QStringLiteral("snapshot %1").arg(k);
     return {};
 }
-
-} // namespace
 
 class TestResultsSamples : public QObject {
     Q_OBJECT
@@ -234,4 +233,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestResultsSamples)
+
+} // namespace test_results_samples
+
 #include "test_results_samples.moc"

@@ -12,9 +12,10 @@
 
 using namespace touchdown;
 using namespace std::chrono_literals;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_results_writer {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t batchSize = 700;
 constexpr std::size_t batchesPerSnapshot = 10;
@@ -55,8 +56,6 @@ int writeToTheEnd(const char* file)
     if (!writer.open(file, sampleCase(), sampleCaseText, sampleQuantities).empty()) return 1;
     return writer.finish(sampleSummary()).empty() ? 0 : 1;
 }
-
-} // namespace
 
 class TestResultsWriter : public QObject {
     Q_OBJECT
@@ -121,4 +120,7 @@ static const touchdown::test::Program untilKilled("write_until_killed",
 static const touchdown::test::Program toTheEnd("write_to_the_end",
                                                [](int, char** argv) { return writeToTheEnd(argv[1]); });
 TOUCHDOWN_TEST(TestResultsWriter)
+
+} // namespace test_results_writer
+
 #include "test_results_writer.moc"

@@ -18,10 +18,11 @@
 #include <memory>
 
 using namespace touchdown;
+
+namespace test_steady_writer {
+
 using test::sampleFilmCase;
 using test::sampleSteady;
-
-namespace {
 
 const std::string caseText = "model = \"film\" # µ\n";
 const SteadySeriesPoint onePoint{23e-3, 0.1, 565.0, {}};
@@ -52,8 +53,6 @@ private:
     Hdf5Access access_;
     Hdf5Group file_;
 };
-
-} // namespace
 
 class TestSteadyWriter : public QObject {
     Q_OBJECT
@@ -198,4 +197,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestSteadyWriter)
+
+} // namespace test_steady_writer
+
 #include "test_steady_writer.moc"

@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_recipes {
 
 QString textOf(const char* file)
 {
@@ -27,8 +27,6 @@ QString sectionOf(const QString& text, const QString& heading)
     const qsizetype start = text.indexOf("\n## " + heading);
     return start < 0 ? QString() : text.mid(start, text.indexOf("\n## ", start + 1) - start);
 }
-
-} // namespace
 
 class TestRecipes : public QObject {
     Q_OBJECT
@@ -102,4 +100,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRecipes)
+
+} // namespace test_recipes
+
 #include "test_recipes.moc"

@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_keys {
 
 DescribedKey find(const std::string& kind, const std::string& name)
 {
@@ -18,8 +18,6 @@ DescribedKey find(const std::string& kind, const std::string& name)
     if (key == keys.end()) qFatal("%s has no %s", kind.c_str(), name.c_str());
     return *key;
 }
-
-} // namespace
 
 class TestStudyKeys : public QObject {
     Q_OBJECT
@@ -74,4 +72,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStudyKeys)
+
+} // namespace test_study_keys
+
 #include "test_study_keys.moc"

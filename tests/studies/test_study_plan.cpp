@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_plan {
 
 const std::string kind = "hysteresis"; // of which the keys are few
 
@@ -25,8 +25,6 @@ StudyPlan parse(const std::string& text, const Case* given = nullptr, const std:
 {
     return parseStudy(kind, text, "a.toml", ".", given, settings, options);
 }
-
-} // namespace
 
 class TestStudyPlan : public QObject {
     Q_OBJECT
@@ -305,4 +303,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStudyPlan)
+
+} // namespace test_study_plan
+
 #include "test_study_plan.moc"

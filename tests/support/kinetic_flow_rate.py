@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The kinetic Poiseuille flow rate Q_P(D) by the variational principle of Cercignani & Pagani 1966, to many digits.
+"""The kinetic Poiseuille flow rate Q_P(D) to many digits: variational principle of Cercignani & Pagani 1966.
 
-Linearised BGK equation between diffusely reflecting plates at x = -D/2, D/2, with T_n(x) = int_0^inf t^n exp(-t^2 - x/t) dt:
+Linearised BGK equation between diffusely reflecting plates at x = -D/2, D/2, with
+T_n(x) = int_0^inf t^n exp(-t^2 - x/t) dt:
 
     psi = 1 + K psi,   (K psi)(x) = 1/sqrt(pi) int T_-1(|x - y|) psi(y) dy,   Q_P = [(1, psi) - D]/D^2.
 
-With psi = A + B x^2 the stationary value of 2 (1, psi) - (psi, psi - K psi) gives (1, psi). The products are integrals of a power of x
-times T_n, which integration by parts (T_n' = -T_(n-1)) turns into values of T_n at 0 and D.
+With psi = A + B x^2 the stationary value of 2 (1, psi) - (psi, psi - K psi) gives (1, psi). The products are
+integrals of a power of x times T_n, which integration by parts (T_n' = -T_(n-1)) turns into values of T_n at 0 and D.
 
-Without arguments: the rows of core/physics/film/kinetic_flow_rate.cpp. With numbers: Q_P at these D. Needs python3-mpmath.
+Without arguments: the rows of core/physics/film/kinetic_flow_rate.cpp. With numbers: Q_P at these D.
+Needs python3-mpmath.
 """
 import sys
 
@@ -21,7 +23,8 @@ mp.dps = 40
 def abramowitz(n, x):
     if x == 0:
         return gamma(mpf(n + 1) / 2) / 2
-    return quad(lambda t: t**n * exp(-t * t - x / t), sorted({0, min(sqrt(x), 1) / 10, x ** (mpf(1) / 3), 1, 2, 4, 8, 12}))
+    places = sorted({0, min(sqrt(x), 1) / 10, x ** (mpf(1) / 3), 1, 2, 4, 8, 12})
+    return quad(lambda t: t**n * exp(-t * t - x / t), places)
 
 
 def flow_rate(D):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An independent integration of the 2-DOF spring model with located switches (SciPy's DOP853), in nm, us and urad (forces in SI).
+"""An independent integration of the 2-DOF spring model with located switches (SciPy's DOP853).
 
-Writes tests/simulation/springs/scipy_reference_<name>.csv: time [us], flying height [nm], pitch [urad] and, as comments,
-the switches. Run from the project's folder; needs python3-scipy. The tests compare with the stored files.
+In nm, us and urad; forces in SI. Writes tests/simulation/springs/scipy_reference_<name>.csv: time [us], flying
+height [nm], pitch [urad] and, as comments, the switches. Run from the project's folder; needs python3-scipy. The tests compare with the stored files.
 """
 import sys
 
@@ -13,13 +13,15 @@ from scipy.integrate import solve_ivp
 # Parameters in SI, as the tests set them. None of them is the paper's.
 CASES = {
     # Light slider with strong damping; the contact pad far back; springs that are lost and caught again at d_1.
-    "light": dict(M=0.9e-6, J=0.8e-13, b=0.23e-3, df=0.31e-3, dr=0.37e-3, dh=0.41e-3, kf0=4.1e5, kr0=0.9e6, xf=0.03, xr=0.04,
-                  d1=2.6e-9, FH=6e-9, th0=130e-6, k=11.0, kth=0.9e-4, xs=0.02, xth=0.03, fm=14e-3, kc=3.3e6, fc0=4e-3, ds=2.8e-9,
-                  de=5.7e-9, mu=0.45, linear=False, h0=60e-9, pitch0=40e-6, vz=-0.02, vth=60.0, T=300e-6),
+    "light": dict(M=0.9e-6, J=0.8e-13, b=0.23e-3, df=0.31e-3, dr=0.37e-3, dh=0.41e-3, kf0=4.1e5, kr0=0.9e6,
+                  xf=0.03, xr=0.04, d1=2.6e-9, FH=6e-9, th0=130e-6, k=11.0, kth=0.9e-4, xs=0.02, xth=0.03, fm=14e-3,
+                  kc=3.3e6, fc0=4e-3, ds=2.8e-9, de=5.7e-9, mu=0.45, linear=False, h0=60e-9, pitch0=40e-6, vz=-0.02,
+                  vth=60.0, T=300e-6),
     # Adhesion that falls linearly on take-off, and a start in contact.
-    "linear": dict(M=1.5e-6, J=2.0e-13, b=0.3e-3, df=0.45e-3, dr=0.52e-3, dh=0.58e-3, kf0=6e5, kr0=1.2e6, xf=0.02, xr=0.03,
-                   d1=0.5e-9, FH=8e-9, th0=100e-6, k=6.0, kth=1.5e-4, xs=0.01, xth=0.01, fm=6e-3, kc=5e6, fc0=5e-3, ds=3e-9,
-                   de=5e-9, mu=0.3, linear=True, h0=2e-9, pitch0=100e-6, vz=0.0, vth=0.0, T=200e-6),
+    "linear": dict(M=1.5e-6, J=2.0e-13, b=0.3e-3, df=0.45e-3, dr=0.52e-3, dh=0.58e-3, kf0=6e5, kr0=1.2e6,
+                   xf=0.02, xr=0.03, d1=0.5e-9, FH=8e-9, th0=100e-6, k=6.0, kth=1.5e-4, xs=0.01, xth=0.01, fm=6e-3,
+                   kc=5e6, fc0=5e-3, ds=3e-9, de=5e-9, mu=0.3, linear=True, h0=2e-9, pitch0=100e-6, vz=0.0, vth=0.0,
+                   T=200e-6),
 }
 
 
@@ -51,7 +53,8 @@ def run(p):
         force = ff + fr + fc - p["k"] * (y[0] * 1e-9 - z0) - c * vz
         moment = (p["df"] * ff - p["dr"] * fr - p["dh"] * fc - 0.5 * p["b"] * p["mu"] * fcr
                   - p["kth"] * (y[1] * 1e-6 - p["th0"]) - cth * vth)
-        return [y[2], y[3], force / p["M"] * 1e-3, moment / p["J"] * 1e-6]  # m/s^2 = 1e-3 nm/us^2, rad/s^2 = 1e-6 urad/us^2
+        # m/s^2 = 1e-3 nm/us^2, rad/s^2 = 1e-6 urad/us^2
+        return [y[2], y[3], force / p["M"] * 1e-3, moment / p["J"] * 1e-6]
 
     def exits(mode):
         branch, front, rear = mode
@@ -80,8 +83,8 @@ def run(p):
             f = lambda s, x, _, place=place, level=level: (places(x)[place] - level) * 1e9
             f.terminal, f.direction = True, direction
             functions.append(f)
-        s = solve_ivp(rhs, (t, end), y, method="DOP853", rtol=1e-12, atol=[1e-11, 1e-12, 1e-11, 1e-11], events=functions,
-                      dense_output=True, args=(mode,), max_step=0.5)
+        s = solve_ivp(rhs, (t, end), y, method="DOP853", rtol=1e-12, atol=[1e-11, 1e-12, 1e-11, 1e-11],
+                      events=functions, dense_output=True, args=(mode,), max_step=0.5)
         inside = grid[(grid >= t) & (grid < s.t[-1])] if s.status == 1 else grid[(grid >= t) & (grid <= end)]
         for g in inside:
             x = s.sol(g)

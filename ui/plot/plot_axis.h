@@ -44,8 +44,8 @@ public:
 
     /// Not more than `most` major ticks.
     std::vector<AxisTick> ticks(int most) const;
-    /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]" far
-    /// zoomed in.
+    /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]"
+    /// far zoomed in.
     QString text() const;
 
     /// A number of this axis in its display unit with digits that resolve a thousandth of the range: "7.013".

@@ -143,6 +143,7 @@ void PlotWidget::refreshNow()
     phasePaths_.clear();
     if (isPhasePortrait()) phasePaths_ = std::move(paths);
     canvas_->repaintAll();
+    ++refreshes_;
     refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
 }
 

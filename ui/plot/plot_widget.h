@@ -71,6 +71,7 @@ public:
     void dataChanged();
     /// At once, as before a picture is taken.
     void refreshNow();
+    long long refreshes() const { return refreshes_; }
 
     /// Shows this; emits nothing.
     void setView(const PlotView& view);
@@ -155,6 +156,7 @@ private:
     bool stale_ = true;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
     double refreshSeconds_ = 0.0; // the last refresh took
+    long long refreshes_ = 0;
 };
 
 } // namespace touchdown

@@ -37,8 +37,8 @@ QString roundedText(double value, std::string_view displayUnit, int digits, cons
 QString statusText(std::string_view status);
 /// A force with a fitting prefix and about four figures: "3.577 mN".
 QString forceText(double newtons, const QLocale& locale = QLocale());
-/// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to three
-/// digits are all shown: "5.60 nm".
+/// A small length in nm, or in µm from a micrometre on, with at most this many digits: "100 nm", "1.5 µm"; up to
+/// three digits are all shown: "5.60 nm".
 QString lengthText(double metres, int digits = 6, const QLocale& locale = QLocale());
 /// A time with a fitting prefix and about four figures: "1.250 ms".
 QString timeText(double seconds, const QLocale& locale = QLocale());

@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cml_archive {
 
 std::string packed(const std::vector<CmlMember>& members) { return std::get<std::string>(formatCmlArchive(members)); }
 
@@ -30,8 +30,6 @@ std::string withBytes(std::string bytes, std::string_view what, std::string_view
         bytes.replace(at, what.size(), by);
     return bytes;
 }
-
-} // namespace
 
 class TestCmlArchive : public QObject {
     Q_OBJECT
@@ -178,4 +176,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlArchive)
+
+} // namespace test_cml_archive
+
 #include "test_cml_archive.moc"

@@ -15,9 +15,10 @@
 
 using namespace touchdown;
 using namespace touchdown::test;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_cml_disk_file {
+
+namespace fs = std::filesystem;
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
@@ -38,8 +39,6 @@ std::string withValues(std::string_view heading, std::string_view values)
     const std::string text = cmlDynamicsText();
     return withLine(text, lineOf(text, heading) + 1, values);
 }
-
-} // namespace
 
 class TestCmlDiskFile : public QObject {
     Q_OBJECT
@@ -187,4 +186,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestCmlDiskFile)
+
+} // namespace test_cml_disk_file
+
 #include "test_cml_disk_file.moc"

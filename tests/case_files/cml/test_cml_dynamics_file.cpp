@@ -15,7 +15,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cml_dynamics_file {
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
@@ -37,8 +37,6 @@ std::string withValues(std::string_view heading, std::string_view values)
     const std::string text = cmlDynamicsText();
     return withLine(text, lineOf(text, heading) + 1, values);
 }
-
-} // namespace
 
 class TestCmlDynamicsFile : public QObject {
     Q_OBJECT
@@ -225,4 +223,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlDynamicsFile)
+
+} // namespace test_cml_dynamics_file
+
 #include "test_cml_dynamics_file.moc"

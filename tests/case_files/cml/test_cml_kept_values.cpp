@@ -10,7 +10,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cml_kept_values {
 
 Case film() { return defaultsOf(ModelKind::Film); }
 
@@ -25,8 +25,6 @@ Case applied(Case c, const std::string& comments, QByteArray& warnings, QByteArr
     rest = QByteArray::fromStdString(fields.comments);
     return c;
 }
-
-} // namespace
 
 class TestCmlKeptValues : public QObject {
     Q_OBJECT
@@ -106,4 +104,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlKeptValues)
+
+} // namespace test_cml_kept_values
+
 #include "test_cml_kept_values.moc"

@@ -13,7 +13,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cml_rail_file {
 
 CmlRails read(const std::string& text) { return readCmlRails(text, "rail.dat"); }
 
@@ -21,8 +21,6 @@ std::string firstProblem(const CmlRails& rails)
 {
     return rails.valid() ? std::string() : rails.problems.front().text();
 }
-
-} // namespace
 
 class TestCmlRailFile : public QObject {
     Q_OBJECT
@@ -335,4 +333,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlRailFile)
+
+} // namespace test_cml_rail_file
+
 #include "test_cml_rail_file.moc"

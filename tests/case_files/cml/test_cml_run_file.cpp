@@ -15,7 +15,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cml_run_file {
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
@@ -35,8 +35,6 @@ std::string withValues(std::string_view heading, std::string_view values)
     const std::string text = cmlRunText();
     return withLine(text, lineOf(text, heading) + 1, values);
 }
-
-} // namespace
 
 class TestCmlRunFile : public QObject {
     Q_OBJECT
@@ -400,4 +398,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlRunFile)
+
+} // namespace test_cml_run_file
+
 #include "test_cml_run_file.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_cml_sections {
+
 class TestCmlSections : public QObject {
     Q_OBJECT
 
@@ -78,4 +80,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCmlSections)
+
+} // namespace test_cml_sections
+
 #include "test_cml_sections.moc"

@@ -10,11 +10,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_adhesion {
 
 bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance * std::abs(b); }
-
-} // namespace
 
 class TestAdhesion : public QObject {
     Q_OBJECT
@@ -114,4 +112,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAdhesion)
+
+} // namespace test_adhesion
+
 #include "test_adhesion.moc"

@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_adhesive_contact {
 
 constexpr double modulus = 1e11; // E* [Pa]
 
@@ -61,8 +61,6 @@ Balance balance(AdhesiveContact& contact, const std::vector<double>& separation)
     found.gap /= scale;
     return found;
 }
-
-} // namespace
 
 class TestAdhesiveContact : public QObject {
     Q_OBJECT
@@ -325,4 +323,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAdhesiveContact)
+
+} // namespace test_adhesive_contact
+
 #include "test_adhesive_contact.moc"

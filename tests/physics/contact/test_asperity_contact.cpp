@@ -14,9 +14,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_asperity_contact {
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double normal(double u) { return std::exp(-0.5 * u * u) / std::sqrt(2.0 * pi); }
 
@@ -79,8 +79,6 @@ Asperities surface(AsperityModel model, double yield)
     a.planeHeight = 0.0;
     return a;
 }
-
-} // namespace
 
 class TestAsperityContact : public QObject {
     Q_OBJECT
@@ -271,4 +269,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAsperityContact)
+
+} // namespace test_asperity_contact
+
 #include "test_asperity_contact.moc"

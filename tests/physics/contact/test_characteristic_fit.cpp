@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_characteristic_fit {
 
 struct Setting {
     Asperities asperities{.radius = 1e-6, .density = 8.5e12, .heightDeviation = 0.2e-9, .planeHeight = 2.1e-9};
@@ -34,8 +34,6 @@ bool finite(const CharacteristicFit& fit)
     return p.meniscusForce >= 0.0 && p.contactStiffness >= 0.0 && p.initialContactForce >= 0.0 &&
            p.takeOff >= p.touchDown;
 }
-
-} // namespace
 
 class TestCharacteristicFit : public QObject {
     Q_OBJECT
@@ -188,4 +186,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCharacteristicFit)
+
+} // namespace test_characteristic_fit
+
 #include "test_characteristic_fit.moc"

@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_contact_cells {
+
 class TestContactCells : public QObject {
     Q_OBJECT
 
@@ -20,8 +22,6 @@ private slots:
     void preconditionsAnyCells_data();
     void preconditionsAnyCells();
 };
-
-namespace {
 
 constexpr double modulus = 8e10;
 
@@ -54,8 +54,6 @@ Eigen::MatrixXd preconditioner(const UniformGrid& grid, const std::vector<std::s
     }
     return matrix;
 }
-
-} // namespace
 
 void TestContactCells::sumsOverTheCellsAlone()
 {
@@ -137,4 +135,7 @@ void TestContactCells::preconditionsAnyCells()
 }
 
 TOUCHDOWN_TEST(TestContactCells)
+
+} // namespace test_contact_cells
+
 #include "test_contact_cells.moc"

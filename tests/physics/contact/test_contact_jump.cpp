@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_jump {
 
 /// A contact that holds with force -k d until it is drawn to `off`, and then is free until it comes back to `in`.
 struct Latch {
@@ -29,8 +29,6 @@ struct Latch {
         return {[this](double d) { return force(d); }, [this] { kept = held; }, [this] { held = kept; }};
     }
 };
-
-} // namespace
 
 class TestContactJump : public QObject {
     Q_OBJECT
@@ -98,4 +96,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactJump)
+
+} // namespace test_contact_jump
+
 #include "test_contact_jump.moc"

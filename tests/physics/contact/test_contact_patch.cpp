@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_patch {
 
 constexpr double length = 1.25e-3, width = 1e-3, cell = 0.5e-6;
 constexpr int mostCells = 2048;
@@ -29,8 +29,6 @@ AirBearingSurface twoPads()
 }
 
 double end(double x0, int n, double d) { return x0 + n * d; }
-
-} // namespace
 
 class TestContactPatch : public QObject {
     Q_OBJECT
@@ -154,4 +152,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactPatch)
+
+} // namespace test_contact_patch
+
 #include "test_contact_patch.moc"

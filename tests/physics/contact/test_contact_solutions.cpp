@@ -17,6 +17,8 @@
 
 using namespace touchdown;
 
+namespace test_contact_solutions {
+
 class TestContactSolutions : public QObject {
     Q_OBJECT
 
@@ -38,9 +40,7 @@ private slots:
     void isTheDenseSolution();
 };
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double modulus = 8e10;
 
 UniformGrid square(int n, double side) { return {n, n, side / n, side / n, -side / 2, -side / 2}; }
@@ -70,8 +70,6 @@ struct Sphere {
         return sample(grid, [&](double x, double y) { return (x * x + y * y) / (2.0 * radius) - lowered; });
     }
 };
-
-} // namespace
 
 // At 128^2 load, radius and peak are to be within half a per cent. Load, approach and peak are of second order in the
 // larger side of a cell, a quarter of its square (1e-4) and less; the staircase that stands for the circle is off by a
@@ -317,4 +315,7 @@ void TestContactSolutions::isTheDenseSolution()
 }
 
 TOUCHDOWN_TEST(TestContactSolutions)
+
+} // namespace test_contact_solutions
+
 #include "test_contact_solutions.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_coulomb_friction {
+
 class TestCoulombFriction : public QObject {
     Q_OBJECT
 
@@ -37,4 +39,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCoulombFriction)
+
+} // namespace test_coulomb_friction
+
 #include "test_coulomb_friction.moc"

@@ -13,6 +13,8 @@
 
 using namespace touchdown;
 
+namespace test_elastic_contact {
+
 class TestElasticContact : public QObject {
     Q_OBJECT
 
@@ -32,8 +34,6 @@ private slots:
     void tellsThatItDidNotConverge();
     void stopsWhenAsked();
 };
-
-namespace {
 
 constexpr double modulus = 1e11;
 constexpr double side = 2e-6;
@@ -64,10 +64,6 @@ double range(std::span<const double> values)
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     return *most - *least;
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(Rough)
 
 void TestElasticContact::fulfilsItsConditions_data()
 {
@@ -327,4 +323,7 @@ void TestElasticContact::stopsWhenAsked()
 }
 
 TOUCHDOWN_TEST(TestElasticContact)
+
+} // namespace test_elastic_contact
+
 #include "test_elastic_contact.moc"

@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_elastic_contact_limits {
+
 class TestElasticContactLimits : public QObject {
     Q_OBJECT
 
@@ -24,8 +26,6 @@ private slots:
     void flatPadFromAfar();
     void roundingDoesNotGrow();
 };
-
-namespace {
 
 constexpr double modulus = 1e11;
 
@@ -48,11 +48,6 @@ double wrongGap(const ElasticContact& contact, HalfSpace& afresh, std::span<cons
     const double scale = std::max(*most - *least, 0.1 * peak * afresh.ownCompliance());
     return worst <= 0.0 ? 0.0 : worst / scale;
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(touchdown::UniformGrid)
-Q_DECLARE_METATYPE(touchdown::HalfSpaceEdges)
 
 void TestElasticContactLimits::anyGridAndScale_data()
 {
@@ -194,4 +189,7 @@ void TestElasticContactLimits::roundingDoesNotGrow()
 }
 
 TOUCHDOWN_TEST(TestElasticContactLimits)
+
+} // namespace test_elastic_contact_limits
+
 #include "test_elastic_contact_limits.moc"

@@ -13,6 +13,8 @@
 
 using namespace touchdown;
 
+namespace test_half_space {
+
 class TestHalfSpace : public QObject {
     Q_OBJECT
 
@@ -32,9 +34,7 @@ private slots:
     void isAskedAtEachRow();
 };
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double modulus = 8e10;
 
 std::vector<double> someField(std::size_t count)
@@ -43,8 +43,6 @@ std::vector<double> someField(std::size_t count)
     for (std::size_t k = 0; k < count; ++k) values[k] = std::sin(1.0 + 3.7 * static_cast<double>(k * k % 1009));
     return values;
 }
-
-} // namespace
 
 void TestHalfSpace::squareUnderUniformPressure_data()
 {
@@ -260,4 +258,7 @@ void TestHalfSpace::threadsGiveTheSameBits()
 }
 
 TOUCHDOWN_TEST(TestHalfSpace)
+
+} // namespace test_half_space
+
 #include "test_half_space.moc"

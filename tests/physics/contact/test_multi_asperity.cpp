@@ -13,16 +13,14 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_multi_asperity {
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Setting = test::AsperityPad;
 using test::stiffBulk;
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
-
-} // namespace
 
 class TestMultiAsperity : public QObject {
     Q_OBJECT
@@ -258,4 +256,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestMultiAsperity)
+
+} // namespace test_multi_asperity
+
 #include "test_multi_asperity.moc"

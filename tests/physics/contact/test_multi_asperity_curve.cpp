@@ -12,9 +12,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_multi_asperity_curve {
 
-const double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Setting = test::AsperityPad;
 using test::stiffBulk;
@@ -29,8 +29,6 @@ double worstSpacing(const MultiAsperityCurve& curve, const MultiAsperity& model)
             worst = std::max(worst, std::abs(model.padSeparation(point.state) - point.padSeparation));
     return worst;
 }
-
-} // namespace
 
 class TestMultiAsperityCurve : public QObject {
     Q_OBJECT
@@ -118,4 +116,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestMultiAsperityCurve)
+
+} // namespace test_multi_asperity_curve
+
 #include "test_multi_asperity_curve.moc"

@@ -9,9 +9,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using enum ContactRegion;
 
-namespace {
+namespace test_ono_yamane {
+
+using enum ContactRegion;
 
 bool near(double a, double b, double tolerance = 1e-15) { return std::abs(a - b) <= tolerance; }
 
@@ -29,8 +30,6 @@ ContactRegion follow(const OnoYamaneLaw& law, ContactRegion region, double to)
     }
     return region;
 }
-
-} // namespace
 
 class TestOnoYamane : public QObject {
     Q_OBJECT
@@ -177,4 +176,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestOnoYamane)
+
+} // namespace test_ono_yamane
+
 #include "test_ono_yamane.moc"

@@ -14,12 +14,12 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_pull_off {
 
 constexpr double radius = 1e-6;        // R [m]
 constexpr double surfaceEnergy = 0.05; // dgamma [N/m]
 constexpr double z0 = 0.3e-9;          // [m]
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// E* [Pa] for Tabor's number.
 double modulus(double mu) { return std::sqrt(radius * surfaceEnergy * surfaceEnergy / (mu * mu * mu * z0 * z0 * z0)); }
@@ -62,8 +62,6 @@ struct Sphere {
         return most;
     }
 };
-
-} // namespace
 
 class TestPullOff : public QObject {
     Q_OBJECT
@@ -139,4 +137,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestPullOff)
+
+} // namespace test_pull_off
+
 #include "test_pull_off.moc"

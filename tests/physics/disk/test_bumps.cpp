@@ -11,11 +11,9 @@
 
 using namespace touchdown;
 
-Q_DECLARE_METATYPE(touchdown::BumpShape)
+namespace test_bumps {
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One bump of 10 nm, 6 um long and 4 um wide, in the middle of a track of 100 x 20 um.
 DiskSurface oneBump(BumpShape shape)
@@ -45,8 +43,6 @@ void shapes()
     // 1/2; the integral of pi r (1 + cos(pi r)) over r is pi/2 - 2/pi, times a quarter.
     QTest::newRow("cosine") << BumpShape::Cosine << 0.5 << (pi / 2.0 - 2.0 / pi) / 4.0;
 }
-
-} // namespace
 
 class TestBumps : public QObject {
     Q_OBJECT
@@ -211,4 +207,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestBumps)
+
+} // namespace test_bumps
+
 #include "test_bumps.moc"

@@ -10,9 +10,7 @@
 
 using namespace touchdown;
 
-Q_DECLARE_METATYPE(std::function<void(touchdown::DiskSurface&)>)
-
-namespace {
+namespace test_disk_surface_check {
 
 /// All parts, each without fault.
 DiskSurface combined()
@@ -42,8 +40,6 @@ std::string text(const std::vector<DiskSurfaceProblem>& problems)
     for (const auto& p : problems) all += (all.empty() ? "" : " | ") + p.key + " " + p.sentence;
     return all;
 }
-
-} // namespace
 
 class TestDiskSurfaceCheck : public QObject {
     Q_OBJECT
@@ -265,4 +261,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDiskSurfaceCheck)
+
+} // namespace test_disk_surface_check
+
 #include "test_disk_surface_check.moc"

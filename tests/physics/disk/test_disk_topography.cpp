@@ -15,9 +15,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_disk_topography {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 DiskSurface rough(RoughnessSpectrum spectrum = RoughnessSpectrum::Gaussian)
 {
@@ -66,8 +66,6 @@ std::vector<double> heightsOf(const DiskTopography& t, const UniformGrid& grid, 
     t.heights(grid, shiftX, shiftY, out);
     return out;
 }
-
-} // namespace
 
 class TestDiskTopography : public QObject {
     Q_OBJECT
@@ -293,4 +291,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDiskTopography)
+
+} // namespace test_disk_topography
+
 #include "test_disk_topography.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_disk_velocity {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double length = 0.85e-3, width = 0.70e-3; // [m]
@@ -30,8 +30,6 @@ Velocity crossProduct(const DiskMotion& disk, double x, double y)
 }
 
 bool agree(Velocity a, Velocity b) { return std::hypot(a.x - b.x, a.y - b.y) < 1e-13 * std::hypot(b.x, b.y); }
-
-} // namespace
 
 class TestDiskVelocity : public QObject {
     Q_OBJECT
@@ -90,4 +88,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDiskVelocity)
+
+} // namespace test_disk_velocity
+
 #include "test_disk_velocity.moc"

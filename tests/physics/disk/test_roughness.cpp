@@ -13,11 +13,9 @@
 
 using namespace touchdown;
 
-Q_DECLARE_METATYPE(touchdown::RoughnessSpectrum)
+namespace test_roughness {
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int seeds = 20;
 
 /// 400 um of track: 1600 x 128 points.
@@ -58,8 +56,6 @@ void spectra()
     QTest::newRow("exponential") << RoughnessSpectrum::Exponential;
     QTest::newRow("self-affine") << RoughnessSpectrum::SelfAffine;
 }
-
-} // namespace
 
 class TestRoughness : public QObject {
     Q_OBJECT
@@ -289,4 +285,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRoughness)
+
+} // namespace test_roughness
+
 #include "test_roughness.moc"

@@ -11,9 +11,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_surface_statistics {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const UniformGrid strip{256, 8, 0.5e-6, 1e-6, 0.0, 0.0};
 
 template <typename Height>
@@ -31,8 +31,6 @@ double integral(const ProfilePsd& psd)
     for (const double density : psd.density) sum += density * psd.waveNumber.front();
     return sum;
 }
-
-} // namespace
 
 class TestSurfaceStatistics : public QObject {
     Q_OBJECT
@@ -187,4 +185,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSurfaceStatistics)
+
+} // namespace test_surface_statistics
+
 #include "test_surface_statistics.moc"

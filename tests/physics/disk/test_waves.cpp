@@ -10,9 +10,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_waves {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 DiskSurface twoWaves()
 {
@@ -35,8 +35,6 @@ double exact(const DiskSurface& s, double x, double y)
                         s.wavePhases[i]);
     return sum;
 }
-
-} // namespace
 
 class TestWaves : public QObject {
     Q_OBJECT
@@ -125,4 +123,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestWaves)
+
+} // namespace test_waves
+
 #include "test_waves.moc"

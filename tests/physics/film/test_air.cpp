@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_air {
+
 class TestAir : public QObject {
     Q_OBJECT
 
@@ -65,4 +67,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAir)
+
+} // namespace test_air
+
 #include "test_air.moc"

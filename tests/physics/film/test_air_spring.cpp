@@ -9,11 +9,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_air_spring {
 
 constexpr AirSpring spring{.stiffness = 1.35e6, .staticSpacing = 9.25e-9, .cutoff = 0.3e-9};
-
-} // namespace
 
 class TestAirSpring : public QObject {
     Q_OBJECT
@@ -56,4 +54,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestAirSpring)
+
+} // namespace test_air_spring
+
 #include "test_air_spring.moc"

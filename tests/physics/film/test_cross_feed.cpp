@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_cross_feed {
 
 constexpr double side = 0.3e-3; // [m]
 
@@ -33,8 +33,6 @@ double load(int nx, int ny)
                         {20e-9, 100e-6, 0.0});
     return problem.solve().converged ? problem.load() : 0.0;
 }
-
-} // namespace
 
 class TestCrossFeed : public QObject {
     Q_OBJECT
@@ -108,4 +106,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCrossFeed)
+
+} // namespace test_cross_feed
+
 #include "test_cross_feed.moc"

@@ -17,7 +17,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_energy {
 
 constexpr double L = 0.8e-3, W = 0.6e-3;
 constexpr Attitude rest{60e-9, 100e-6, 3e-6};
@@ -46,8 +46,6 @@ Attitude moved(double t)
 }
 
 constexpr FilmStepOptions tight{.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30};
-
-} // namespace
 
 class TestFilmEnergy : public QObject {
     Q_OBJECT
@@ -217,4 +215,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmEnergy)
+
+} // namespace test_film_energy
+
 #include "test_film_energy.moc"

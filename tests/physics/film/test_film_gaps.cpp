@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_gaps {
 
 constexpr double L = 1.0e-3, W = 0.8e-3;
 
@@ -44,8 +44,6 @@ const CutPlace* cutAt(const FilmGaps& gaps, std::size_t axis, int i, int j)
         if (place.at == gaps.pad.at(i, j)) return &place;
     return nullptr;
 }
-
-} // namespace
 
 class TestFilmGaps : public QObject {
     Q_OBJECT
@@ -281,4 +279,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestFilmGaps)
+
+} // namespace test_film_gaps
+
 #include "test_film_gaps.moc"

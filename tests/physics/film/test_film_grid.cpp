@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_grid {
 
 constexpr double L = 1.2e-3, W = 1.0e-3;
 
@@ -30,8 +30,6 @@ double spacingAt(const std::vector<double>& lines, double position)
     const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, position);
     return *above - *(above - 1);
 }
-
-} // namespace
 
 class TestFilmGrid : public QObject {
     Q_OBJECT
@@ -154,4 +152,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmGrid)
+
+} // namespace test_film_grid
+
 #include "test_film_grid.moc"

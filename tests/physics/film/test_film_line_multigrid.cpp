@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_line_multigrid {
 
 constexpr double length = 1.25e-3, width = 1.0e-3; // [m]
 
@@ -99,8 +99,6 @@ void eachSlider()
         QTest::addRow("%s, complete flux", name) << rails << ConvectionScheme::CompleteFlux;
     }
 }
-
-} // namespace
 
 class TestFilmLineMultigrid : public QObject {
     Q_OBJECT
@@ -277,4 +275,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmLineMultigrid)
+
+} // namespace test_film_line_multigrid
+
 #include "test_film_line_multigrid.moc"

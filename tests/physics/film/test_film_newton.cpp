@@ -13,7 +13,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_newton {
 
 constexpr double L = 1e-3, W = 0.8e-3;
 
@@ -35,8 +35,6 @@ FilmSetting setting(ConvectionScheme scheme = ConvectionScheme::CompleteFlux)
 }
 
 constexpr Attitude flying{15e-9, 120e-6, 3e-6};
-
-} // namespace
 
 class TestFilmNewton : public QObject {
     Q_OBJECT
@@ -232,4 +230,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmNewton)
+
+} // namespace test_film_newton
+
 #include "test_film_newton.moc"

@@ -13,6 +13,8 @@
 
 using namespace touchdown;
 
+namespace test_film_oscillation {
+
 class TestFilmOscillation : public QObject {
     Q_OBJECT
 
@@ -21,8 +23,6 @@ private slots:
     void squeezedPlatesAgreeWithBlech();
     void slowMotionIsTheStaticStiffness();
 };
-
-namespace {
 
 constexpr double length = 1.0e-3, width = 0.5e-3, gap = 2e-6;
 
@@ -91,8 +91,6 @@ std::complex<double> blech(double omega)
     return {scale * sigma * sigma / (pi2 * pi2 * pi2 * pi2) * spring, scale * sigma / (pi2 * pi2 * pi2) * damping};
 }
 
-} // namespace
-
 void TestFilmOscillation::squeezedPlatesAgreeWithBlech_data()
 {
     QTest::addColumn<double>("frequency"); // [Hz]
@@ -144,4 +142,7 @@ void TestFilmOscillation::slowMotionIsTheStaticStiffness()
 }
 
 TOUCHDOWN_TEST(TestFilmOscillation)
+
+} // namespace test_film_oscillation
+
 #include "test_film_oscillation.moc"

@@ -14,7 +14,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_rate {
 
 constexpr double L = 0.2e-3, W = 0.15e-3;
 
@@ -71,8 +71,6 @@ struct LowSlider : FilmProblem {
             for (int i = 0; i < gaps.pad.nx; ++i) p[gaps.pad.at(i, j)] *= 1.0 + 1e-3 * ((i + j) % 2 == 0 ? 1.0 : -1.0);
     }
 };
-
-} // namespace
 
 class TestFilmRate : public QObject {
     Q_OBJECT
@@ -138,4 +136,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRate)
+
+} // namespace test_film_rate
+
 #include "test_film_rate.moc"

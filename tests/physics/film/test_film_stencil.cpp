@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_film_stencil {
+
 class TestFilmStencil : public QObject {
     Q_OBJECT
 
@@ -95,4 +97,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmStencil)
+
+} // namespace test_film_stencil
+
 #include "test_film_stencil.moc"

@@ -15,7 +15,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_step {
 
 constexpr double L = 0.8e-3, W = 0.6e-3;
 constexpr Attitude rest{60e-9, 100e-6, 3e-6};
@@ -72,8 +72,6 @@ double content(const GasFilm& film, std::span<const double> p)
 {
     return std::inner_product(p.begin(), p.end(), film.volumes().begin(), 0.0);
 }
-
-} // namespace
 
 class TestFilmStep : public QObject {
     Q_OBJECT
@@ -315,4 +313,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmStep)
+
+} // namespace test_film_step
+
 #include "test_film_step.moc"

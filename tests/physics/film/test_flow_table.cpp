@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_flow_table {
 
 constexpr Air air{101325.0, 1.806e-5, 63.5e-9};
 constexpr double unit = 101325.0 * 63.5e-9; // w where Kn = 1 [Pa m]
@@ -40,8 +40,6 @@ double loadOf(SlipModel model, double bearingNumber, double knudsen, int steps =
                bearingNumber, [&](double w) { return table.at(w, wideGap).mobility; }, steps)
         .load;
 }
-
-} // namespace
 
 class TestFlowTable : public QObject {
     Q_OBJECT
@@ -157,7 +155,7 @@ private slots:
     {
         QFETCH(double, gap);
         QFETCH(SlipModel, model);
-        const FlowTable table(::hardSwitch, air), branch({.model = model, .accommodation = 0.9}, air);
+        const FlowTable table(test_flow_table::hardSwitch, air), branch({.model = model, .accommodation = 0.9}, air);
         for (const double w : {1e-7 * unit, 0.01 * unit, 3.0 * unit, 1e8 * unit}) {
             compareValues(table.at(w, gap), branch.at(w, gap));
             QCOMPARE(table.gapDerivative(w, gap), 0.0);
@@ -258,4 +256,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFlowTable)
+
+} // namespace test_flow_table
+
 #include "test_flow_table.moc"

@@ -14,7 +14,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film {
 
 constexpr double gramForce = 9.80665e-3; // [N]
 constexpr double L = 1.0e-3, W = 0.8e-3;
@@ -42,8 +42,6 @@ Rail box(double x0, double x1, double y0, double y1)
 {
     return {.points = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, .recess = {0.0}};
 }
-
-} // namespace
 
 class TestGasFilm : public QObject {
     Q_OBJECT
@@ -234,4 +232,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilm)
+
+} // namespace test_gas_film
+
 #include "test_gas_film.moc"

@@ -15,7 +15,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film_derivatives {
 
 constexpr double L = 0.9e-3, W = 0.7e-3;
 
@@ -124,8 +124,6 @@ void addSettings()
     setting.disk.speed = 0.0;
     QTest::newRow("disk at rest") << setting << 0.0;
 }
-
-} // namespace
 
 class TestGasFilmDerivatives : public QObject {
     Q_OBJECT
@@ -316,4 +314,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilmDerivatives)
+
+} // namespace test_gas_film_derivatives
+
 #include "test_gas_film_derivatives.moc"

@@ -15,7 +15,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film_load {
 
 constexpr double gramForce = 9.80665e-3; // [N]
 
@@ -49,8 +49,6 @@ FilmSetting planeSetting()
     setting.disk = uniformMotion(15.0);
     return setting;
 }
-
-} // namespace
 
 class TestGasFilmLoad : public QObject {
     Q_OBJECT
@@ -269,4 +267,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilmLoad)
+
+} // namespace test_gas_film_load
+
 #include "test_gas_film_load.moc"

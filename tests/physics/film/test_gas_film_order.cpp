@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film_order {
 
 // Oblique films. The gap h = 2 - s and the disk's motion change and point along one direction only, s = x cos a + y sin
 // a, through pitch, roll and skew; so does the pressure, in a flow without divergence:
@@ -94,8 +94,6 @@ double error(const ObliqueFilm& exact, double speed, ConvectionScheme scheme, in
         }
     return std::sqrt(sum) / n / air.pressure;
 }
-
-} // namespace
 
 /// The same along a flat gap without diffusion to speak of: each streamline keeps its pressure. The scheme alone mixes
 /// them.
@@ -198,4 +196,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilmOrder)
+
+} // namespace test_gas_film_order
+
 #include "test_gas_film_order.moc"

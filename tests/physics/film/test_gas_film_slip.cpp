@@ -14,7 +14,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film_slip {
 
 constexpr double wedgeAngle = 0.03, wedgeInlet = 100e-9, wedgeSpeed = 10.0; // [rad], [m], [m/s]
 
@@ -65,8 +65,6 @@ double padLoad(double gap, double blendWidth)
     FilmProblem problem(surface, L, L, uniformGrid(L, L, 24, 24), setting, {gap, 0.0, 0.0});
     return problem.solve({.tolerance = 1e-11}).converged ? problem.load() : std::nan("");
 }
-
-} // namespace
 
 class TestGasFilmSlip : public QObject {
     Q_OBJECT
@@ -150,4 +148,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilmSlip)
+
+} // namespace test_gas_film_slip
+
 #include "test_gas_film_slip.moc"

@@ -17,7 +17,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_gas_film_surface {
 
 using Complex = std::complex<double>;
 
@@ -138,8 +138,6 @@ double largest(std::span<const double> values)
     for (const double value : values) result = std::max(result, std::abs(value));
     return result;
 }
-
-} // namespace
 
 class TestGasFilmSurface : public QObject {
     Q_OBJECT
@@ -294,4 +292,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestGasFilmSurface)
+
+} // namespace test_gas_film_surface
+
 #include "test_gas_film_surface.moc"

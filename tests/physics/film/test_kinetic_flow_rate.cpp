@@ -11,11 +11,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_kinetic_flow_rate {
 
 double below(double d) { return std::nextafter(d, 0.0); }
-
-} // namespace
 
 class TestKineticFlowRate : public QObject {
     Q_OBJECT
@@ -144,4 +142,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestKineticFlowRate)
+
+} // namespace test_kinetic_flow_rate
+
 #include "test_kinetic_flow_rate.moc"

@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_path_flow {
 
 /// A piece of a path along the axis, from `start` to `end`, the face at zero; F = c p - D dp/dx in it.
 struct Piece {
@@ -80,8 +80,6 @@ void addPaths()
     row("a groove, Peclet 200 beside it",
         {{-0.5, -0.3, 2.0, 0.01}, {-0.3, 0.0, 9.0, 30.0}, {0.0, 0.2, 9.0, 30.0}, {0.2, 0.5, 2.0, 0.01}});
 }
-
-} // namespace
 
 class TestPathFlow : public QObject {
     Q_OBJECT
@@ -243,4 +241,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestPathFlow)
+
+} // namespace test_path_flow
+
 #include "test_path_flow.moc"

@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_slip {
+
 class TestSlip : public QObject {
     Q_OBJECT
 
@@ -87,4 +89,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSlip)
+
+} // namespace test_slip
+
 #include "test_slip.moc"

@@ -6,6 +6,8 @@
 
 using namespace touchdown;
 
+namespace test_minimum_spacing {
+
 class TestMinimumSpacing : public QObject {
     Q_OBJECT
 
@@ -20,8 +22,6 @@ private slots:
     void mayBeNegative();
     void aSymmetricEdgeBearsInItsMiddle();
 };
-
-namespace {
 
 constexpr double length = 1e-3, width = 0.8e-3;
 
@@ -38,8 +38,6 @@ AirBearingSurface withRail()
     surface.rails = {{.points = {{0.2e-3, 0.1e-3}, {0.9e-3, 0.1e-3}, {0.9e-3, 0.5e-3}, {0.2e-3, 0.5e-3}}}};
     return surface;
 }
-
-} // namespace
 
 void TestMinimumSpacing::aPitchedPlaneIsNearestAtItsTrailingEdge()
 {
@@ -134,4 +132,7 @@ void TestMinimumSpacing::aSymmetricEdgeBearsInItsMiddle()
 }
 
 TOUCHDOWN_TEST(TestMinimumSpacing)
+
+} // namespace test_minimum_spacing
+
 #include "test_minimum_spacing.moc"

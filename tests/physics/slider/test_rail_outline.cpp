@@ -11,13 +11,11 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_rail_outline {
 
 /// A T, 4 wide and 4 high, its foot from 1 to 3.
 const std::vector<RailPoint> letterT{{1, 0, 0}, {3, 0, 0}, {3, 3, 0}, {4, 3, 0},
                                      {4, 4, 0}, {0, 4, 0}, {0, 3, 0}, {1, 3, 0}};
-
-} // namespace
 
 class TestRailOutline : public QObject {
     Q_OBJECT
@@ -96,4 +94,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRailOutline)
+
+} // namespace test_rail_outline
+
 #include "test_rail_outline.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_rail_wall {
 
 const WallShape wide({{-4.0, 0.0, 20.0}, {0.1, 0.2, 1.0}});
 const WallShape narrow({{-1.0, 10.0}, {0.1, 1.0}});
@@ -21,8 +21,6 @@ SurfacePoint direction(double degrees)
     const double angle = degrees * 3.14159265358979323846 / 180.0;
     return {std::cos(angle), std::sin(angle)};
 }
-
-} // namespace
 
 class TestRailWall : public QObject {
     Q_OBJECT
@@ -117,4 +115,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRailWall)
+
+} // namespace test_rail_wall
+
 #include "test_rail_wall.moc"

@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_recess {
 
 constexpr double um = 1e-6;
 constexpr double length = 200.0 * um;
@@ -82,8 +82,6 @@ std::vector<double> inMicrometres(std::vector<double> values)
     for (double& v : values) v = std::round(v / um * 1e9) / 1e9;
     return values;
 }
-
-} // namespace
 
 class TestRecess : public QObject {
     Q_OBJECT
@@ -419,4 +417,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRecess)
+
+} // namespace test_recess
+
 #include "test_recess.moc"

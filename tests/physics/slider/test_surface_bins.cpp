@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_surface_bins {
 
 constexpr double length = test::RandomSurface::length;
 constexpr double width = test::RandomSurface::width;
@@ -57,8 +57,6 @@ double jumpBetween(const Track& track, double a, double b)
     }
     return a;
 }
-
-} // namespace
 
 class TestSurfaceBins : public QObject {
     Q_OBJECT
@@ -206,4 +204,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSurfaceBins)
+
+} // namespace test_surface_bins
+
 #include "test_surface_bins.moc"

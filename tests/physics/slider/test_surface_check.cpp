@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_surface_check {
 
 constexpr double length = 0.85e-3; // [m]
 constexpr double width = 0.70e-3;  // [m]
@@ -51,10 +51,6 @@ QStringList toList(const std::vector<SurfaceProblem>& problems)
     }
     return list;
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(Change)
 
 class TestSurfaceCheck : public QObject {
     Q_OBJECT
@@ -203,4 +199,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSurfaceCheck)
+
+} // namespace test_surface_check
+
 #include "test_surface_check.moc"

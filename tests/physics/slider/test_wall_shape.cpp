@@ -9,11 +9,9 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_wall_shape {
 
 const WallShape shape({{-2.0, 0.0, 4.0, 4.0, 6.0}, {1.0, 3.0, 2.0, 5.0, 4.0}});
-
-} // namespace
 
 class TestWallShape : public QObject {
     Q_OBJECT
@@ -60,4 +58,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestWallShape)
+
+} // namespace test_wall_shape
+
 #include "test_wall_shape.moc"

@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_figures {
 
 ContactForces forces(double separation, double contact, double adhesion, double area = 0.0)
 {
@@ -28,8 +28,6 @@ double value(const std::vector<RunFigure>& list, const char* name)
     const auto found = std::ranges::find(list, name, [](const RunFigure& figure) { return figure.quantity.name; });
     return found == list.end() ? NAN : found->value;
 }
-
-} // namespace
 
 class TestContactFigures : public QObject {
     Q_OBJECT
@@ -81,4 +79,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactFigures)
+
+} // namespace test_contact_figures
+
 #include "test_contact_figures.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_lever {
 
 /// 1.25 x 1.00 x 0.30 mm.
 Case pico()
@@ -20,8 +20,6 @@ Case pico()
     c.onoYamane.friction = 0.4;
     return c;
 }
-
-} // namespace
 
 class TestContactLever : public QObject {
     Q_OBJECT
@@ -66,4 +64,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactLever)
+
+} // namespace test_contact_lever
+
 #include "test_contact_lever.moc"

@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_model {
 
 Case contactCase(ContactKind kind)
 {
@@ -23,8 +23,6 @@ Case contactCase(ContactKind kind)
     c.approach = {6e-9, 1e-9};
     return c;
 }
-
-} // namespace
 
 class TestContactModel : public QObject {
     Q_OBJECT
@@ -131,4 +129,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactModel)
+
+} // namespace test_contact_model
+
 #include "test_contact_model.moc"

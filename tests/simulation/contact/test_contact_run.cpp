@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_contact_run {
 
 Case sample(const char* name)
 {
@@ -69,8 +69,6 @@ Case smallSphere()
     c.run.fieldSnapshots = 5;
     return c;
 }
-
-} // namespace
 
 class TestContactRun : public QObject {
     Q_OBJECT
@@ -316,4 +314,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestContactRun)
+
+} // namespace test_contact_run
+
 #include "test_contact_run.moc"

@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_elastic_pad {
 
 Rail rail(double x0, double x1, double y0, double y1)
 {
@@ -36,8 +36,6 @@ Case flatPad()
     c.pad.length = c.pad.width = 4e-6;
     return c;
 }
-
-} // namespace
 
 class TestElasticPad : public QObject {
     Q_OBJECT
@@ -164,4 +162,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestElasticPad)
+
+} // namespace test_elastic_pad
+
 #include "test_elastic_pad.moc"

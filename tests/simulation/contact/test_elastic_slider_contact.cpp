@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_elastic_slider_contact {
 
 constexpr double length = 1.25e-3, width = 1.0e-3;
 constexpr double pitch = 150e-6;
@@ -80,8 +80,6 @@ bool near(double a, double b, double tolerance)
 {
     return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }
-
-} // namespace
 
 class TestElasticSliderContact : public QObject {
     Q_OBJECT
@@ -282,4 +280,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestElasticSliderContact)
+
+} // namespace test_elastic_slider_contact
+
 #include "test_elastic_slider_contact.moc"

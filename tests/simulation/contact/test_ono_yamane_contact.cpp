@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_ono_yamane_contact {
 
 constexpr double length = 1.25e-3, width = 1.0e-3;
 constexpr double pitch = 100e-6;
@@ -42,8 +42,6 @@ struct Contact {
     MinimumSpacing spacing;
     OnoYamaneContact law;
 };
-
-} // namespace
 
 class TestOnoYamaneContact : public QObject {
     Q_OBJECT
@@ -168,4 +166,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestOnoYamaneContact)
+
+} // namespace test_ono_yamane_contact
+
 #include "test_ono_yamane_contact.moc"

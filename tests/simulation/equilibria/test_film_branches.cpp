@@ -11,11 +11,9 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_branches {
 
 double staticSpacing(const Case& c) { return staticStateOf(c, always).minimumSpacing; }
-
-} // namespace
 
 class TestFilmBranches : public QObject {
     Q_OBJECT
@@ -92,4 +90,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmBranches)
+
+} // namespace test_film_branches
+
 #include "test_film_branches.moc"

@@ -14,6 +14,8 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace test_film_branches_fold {
+
 class TestFilmBranchesFold : public QObject {
     Q_OBJECT
 
@@ -73,4 +75,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmBranchesFold)
+
+} // namespace test_film_branches_fold
+
 #include "test_film_branches_fold.moc"

@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_equilibria {
 
 /// The small slider with menisci that reach from 2 nm below its static spacing to 3 nm above.
 Case withMenisci(int degreesOfFreedom)
@@ -41,8 +41,6 @@ const Equilibrium* touchingOne(const FilmEquilibria& all)
         if (at.touching) found = &at;
     return found;
 }
-
-} // namespace
 
 class TestFilmEquilibria : public QObject {
     Q_OBJECT
@@ -129,4 +127,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmEquilibria)
+
+} // namespace test_film_equilibria
+
 #include "test_film_equilibria.moc"

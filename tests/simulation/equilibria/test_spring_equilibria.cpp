@@ -11,9 +11,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using Mode = SpringModel::Mode;
 
-namespace {
+namespace test_spring_equilibria {
+
+using Mode = SpringModel::Mode;
 
 CaseAt byField(const Case& c, const char* key)
 {
@@ -41,8 +42,6 @@ Case oneSpring()
     c.onoYamane.takeOffShape = TakeOffShape::Linear;
     return c;
 }
-
-} // namespace
 
 class TestSpringEquilibria : public QObject {
     Q_OBJECT
@@ -276,4 +275,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSpringEquilibria)
+
+} // namespace test_spring_equilibria
+
 #include "test_spring_equilibria.moc"

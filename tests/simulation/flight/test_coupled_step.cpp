@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_coupled_step {
 
 /// So tight that what is left of a step does not count beside its discretisation.
 CoupledStepOptions tight(FilmCoupling coupling)
@@ -113,8 +113,6 @@ SteadyResult filmAtAmbient(const Case& c)
     rest.pressure.assign(16 * 16, c.air.given.pressure);
     return rest;
 }
-
-} // namespace
 
 class TestCoupledStep : public QObject {
     Q_OBJECT
@@ -405,4 +403,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestCoupledStep)
+
+} // namespace test_coupled_step
+
 #include "test_coupled_step.moc"

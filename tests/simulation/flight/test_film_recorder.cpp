@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_recorder {
 
 constexpr double length = 1.25e-3, width = 1.0e-3;
 
@@ -113,8 +113,6 @@ struct Recording {
     }
     double value(const char* quantity, std::size_t sample) const { return columns[columnOf.at(quantity)][sample]; }
 };
-
-} // namespace
 
 class TestFilmRecorder : public QObject {
     Q_OBJECT
@@ -248,4 +246,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRecorder)
+
+} // namespace test_film_recorder
+
 #include "test_film_recorder.moc"

@@ -9,6 +9,8 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace test_film_run {
+
 class TestFilmRun : public QObject {
     Q_OBJECT
 
@@ -189,4 +191,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRun)
+
+} // namespace test_film_run
+
 #include "test_film_run.moc"

@@ -11,7 +11,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_run_contact {
 
 /// A pico, without roll, let go some nanometres above a disk that it touches on its way down.
 Case bouncing(double duration)
@@ -35,8 +35,6 @@ std::size_t count(const Flight& flight, const char* event)
     return static_cast<std::size_t>(
         std::ranges::count_if(flight.events, [&](const RunEvent& e) { return e.name == event; }));
 }
-
-} // namespace
 
 class TestFilmRunContact : public QObject {
     Q_OBJECT
@@ -149,4 +147,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRunContact)
+
+} // namespace test_film_run_contact
+
 #include "test_film_run_contact.moc"

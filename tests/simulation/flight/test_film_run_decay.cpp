@@ -12,7 +12,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_run_decay {
 
 using Complex = std::complex<double>;
 
@@ -64,8 +64,6 @@ Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, doub
     return std::log(leadingFactor(samples, samplesPerPeriod, 1e-6)) / c.run.sampleInterval;
 }
 
-} // namespace
-
 class TestFilmRunDecay : public QObject {
     Q_OBJECT
 
@@ -108,4 +106,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRunDecay)
+
+} // namespace test_film_run_decay
+
 #include "test_film_run_decay.moc"

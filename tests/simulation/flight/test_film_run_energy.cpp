@@ -11,7 +11,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_run_energy {
 
 /// The plane slider of the sample case, held where it flies by its load of 8.2 gf at 0.73 of the length, and kicked
 /// onto a contact that sets in 10 nm below its static trailing edge.
@@ -37,10 +37,6 @@ std::size_t count(const Flight& flight, const char* event)
     return static_cast<std::size_t>(
         std::ranges::count_if(flight.events, [&](const RunEvent& e) { return e.name == event; }));
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(touchdown::Case)
 
 class TestFilmRunEnergy : public QObject {
     Q_OBJECT
@@ -70,4 +66,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRunEnergy)
+
+} // namespace test_film_run_energy
+
 #include "test_film_run_energy.moc"

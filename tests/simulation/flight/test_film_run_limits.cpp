@@ -11,7 +11,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_film_run_limits {
 
 bool warns(const Flight& flight, const char* of)
 {
@@ -56,8 +56,6 @@ Case throughTheSwitch(double blendWidth, FilmCoupling coupling)
     c.run.sampleInterval = 1e-9;
     return c;
 }
-
-} // namespace
 
 class TestFilmRunLimits : public QObject {
     Q_OBJECT
@@ -108,4 +106,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmRunLimits)
+
+} // namespace test_film_run_limits
+
 #include "test_film_run_limits.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_scene {
 
 /// Over a disk whose map has 64 x 32 points, with a contact.
 Case touching()
@@ -30,8 +30,6 @@ Case touching()
     c.diskSurface.trackWidth = 32e-6;
     return c;
 }
-
-} // namespace
 
 class TestFilmScene : public QObject {
     Q_OBJECT
@@ -96,4 +94,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestFilmScene)
+
+} // namespace test_film_scene
+
 #include "test_film_scene.moc"

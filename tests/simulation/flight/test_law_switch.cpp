@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_law_switch {
 
 constexpr double width = 0.1e-9, shortest = 1e-14, dt = 1e-6;
 
@@ -44,8 +44,6 @@ struct Step {
 };
 
 bool near(double value, double expected) { return std::abs(value - expected) <= 1e-9 * std::abs(expected); }
-
-} // namespace
 
 class TestLawSwitch : public QObject {
     Q_OBJECT
@@ -93,4 +91,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestLawSwitch)
+
+} // namespace test_law_switch
+
 #include "test_law_switch.moc"

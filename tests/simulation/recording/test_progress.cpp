@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_progress {
+
 class TestProgress : public QObject {
     Q_OBJECT
 
@@ -53,4 +55,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestProgress)
+
+} // namespace test_progress
+
 #include "test_progress.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_run_spectra {
 
 const std::vector<Quantity> quantities{{"energy", "J", "pJ", "Energy"},
                                        {"minimum_spacing", "m", "nm", "Minimum spacing"},
@@ -44,8 +44,6 @@ void feed(RunSpectra& spectra, std::size_t samples, double start)
         spectra.add(batch);
     }
 }
-
-} // namespace
 
 class TestRunSpectra : public QObject {
     Q_OBJECT
@@ -89,4 +87,7 @@ void TestRunSpectra::tooFewSamples()
 }
 
 TOUCHDOWN_TEST(TestRunSpectra)
+
+} // namespace test_run_spectra
+
 #include "test_run_spectra.moc"

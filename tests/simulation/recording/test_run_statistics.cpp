@@ -11,6 +11,8 @@
 
 using namespace touchdown;
 
+namespace test_run_statistics {
+
 class TestRunStatistics : public QObject {
     Q_OBJECT
 
@@ -108,4 +110,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRunStatistics)
+
+} // namespace test_run_statistics
+
 #include "test_run_statistics.moc"

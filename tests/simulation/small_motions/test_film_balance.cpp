@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_film_balance {
 
 const std::function<bool()> always = [] { return true; };
 
@@ -32,8 +32,6 @@ Case withMenisci()
                    .takeOffShape = TakeOffShape::Linear};
     return c;
 }
-
-} // namespace
 
 class TestFilmBalance : public QObject {
     Q_OBJECT
@@ -135,4 +133,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestFilmBalance)
+
+} // namespace test_film_balance
+
 #include "test_film_balance.moc"

@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_linear_motion {
+
 class TestLinearMotion : public QObject {
     Q_OBJECT
 
@@ -16,8 +18,6 @@ private slots:
     void followsTheFilmWhereMotionsAreSmall();
     void twiceTheWaveTwiceTheAnswer();
 };
-
-namespace {
 
 Case restingSlider(int degreesOfFreedom)
 {
@@ -36,8 +36,6 @@ void setWave(Case& c, double amplitude)
     c.diskSurface.waveLengths = {c.disk.speed * c.disk.radius / 100e3}; // passes at 100 kHz
     c.diskSurface.wavePhases = {0.4};
 }
-
-} // namespace
 
 // Displacements of 1 pm over a gap of 40 nm: what is nonlinear is 1/40,000 of them. What the film forgets at rates of
 // its own, the air in the cavity within some 40 us, is left out: a displaced slider comes back by a tenth so slowly. Of
@@ -96,4 +94,7 @@ void TestLinearMotion::twiceTheWaveTwiceTheAnswer()
 }
 
 TOUCHDOWN_TEST(TestLinearMotion)
+
+} // namespace test_linear_motion
+
 #include "test_linear_motion.moc"

@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_modes {
+
 class TestModes : public QObject {
     Q_OBJECT
 
@@ -24,8 +26,6 @@ private slots:
     void saysWhereTheGridIsTooCoarse();
     void stiffAndSoftLimitsOfTheFilm();
 };
-
-namespace {
 
 constexpr double twoPi = 2.0 * std::numbers::pi;
 
@@ -77,8 +77,6 @@ double imbalance(const Case& c, const SteadyResult& rest, const AirBearingMode& 
     }
     return worst;
 }
-
-} // namespace
 
 void TestModes::aHeavySliderOscillatesOnTheStaticFilm()
 {
@@ -204,4 +202,7 @@ void TestModes::stiffAndSoftLimitsOfTheFilm()
 }
 
 TOUCHDOWN_TEST(TestModes)
+
+} // namespace test_modes
+
 #include "test_modes.moc"

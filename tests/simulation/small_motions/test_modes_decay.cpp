@@ -19,7 +19,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_modes_decay {
 
 using Complex = std::complex<double>;
 
@@ -161,8 +161,6 @@ Case coarse(const std::string& name)
     return c;
 }
 
-} // namespace
-
 class TestModesDecay : public QObject {
     Q_OBJECT
 
@@ -187,7 +185,7 @@ private slots:
         QCOMPARE(r.status, SteadyStatus::Converged);
         QCOMPARE(r.modes.size(), std::size_t(3));
         for (const AirBearingMode& mode : r.modes) {
-            const Complex s = ::freeDecay(c, r, mode, amplitude * r.steady.minimumSpacing);
+            const Complex s = test_modes_decay::freeDecay(c, r, mode, amplitude * r.steady.minimumSpacing);
             const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
             const QString found = QString("%1 mode: %2 Hz with damping ratio %3, in time %4 Hz with %5")
                                       .arg(mode.kind.c_str())
@@ -202,4 +200,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestModesDecay)
+
+} // namespace test_modes_decay
+
 #include "test_modes_decay.moc"

@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_spring_energy_balance {
 
 double imbalance(const Case& c)
 {
@@ -29,8 +29,6 @@ Case drop(IntegratorKind integrator, double step = 10e-9)
     c.run.stepCheck = false;
     return c;
 }
-
-} // namespace
 
 class TestSpringEnergyBalance : public QObject {
     Q_OBJECT
@@ -108,4 +106,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSpringEnergyBalance)
+
+} // namespace test_spring_energy_balance
+
 #include "test_spring_energy_balance.moc"

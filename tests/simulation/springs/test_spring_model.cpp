@@ -11,10 +11,11 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+
+namespace test_spring_model {
+
 using State = SpringModel::State;
 using Mode = SpringModel::Mode;
-
-namespace {
 
 /// Equations (1)-(4) with the signs of the pad and friction moments, written down a second time without any
 /// rearrangement.
@@ -79,8 +80,6 @@ struct Ledger {
 
 constexpr std::array<ContactRegion, 4> allRegions{ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting,
                                                   ContactRegion::Bridged};
-
-} // namespace
 
 class TestSpringModel : public QObject {
     Q_OBJECT
@@ -314,4 +313,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSpringModel)
+
+} // namespace test_spring_model
+
 #include "test_spring_model.moc"

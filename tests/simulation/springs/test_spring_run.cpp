@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_spring_run {
 
 double tailOf(const Summary& summary, double Statistics::*member = &Statistics::mean)
 {
@@ -59,9 +59,7 @@ Case pushedOntoTheBoundary(double takeOff)
     return c;
 }
 
-} // namespace
-
-#define QVERIFY_STATUS(summary, expected) QVERIFY2((summary).status == (expected), (summary).message.c_str())
+#define VERIFY_STATUS(summary, expected) QVERIFY2((summary).status == (expected), (summary).message.c_str())
 
 class TestSpringRun : public QObject {
     Q_OBJECT
@@ -73,7 +71,7 @@ private slots:
     void stepsBeyondTheLimit()
     {
         const Summary within = runWith(smallSwing(), IntegratorKind::Rk4Events, 1.6e-6);
-        QVERIFY_STATUS(within, RunStatus::Completed);
+        VERIFY_STATUS(within, RunStatus::Completed);
         QVERIFY(within.warnings.empty() && tailOf(within, &Statistics::std) < 1e-12);
         for (const IntegratorKind kind : {IntegratorKind::Rk4, IntegratorKind::Rk4Events}) {
             const Summary beyond = runWith(smallSwing(), kind, 1.7e-6);
@@ -82,11 +80,11 @@ private slots:
             QVERIFY(warns(beyond, "has not converged in time"));
         }
         // A little further and a step jumps the wall of the rear spring.
-        QVERIFY_STATUS(runWith(smallSwing(), IntegratorKind::Rk4Events, 2e-6), RunStatus::Failed);
+        VERIFY_STATUS(runWith(smallSwing(), IntegratorKind::Rk4Events, 2e-6), RunStatus::Failed);
         QCOMPARE(runWith(smallSwing(), IntegratorKind::Rk4Events, 2e-6).failure, RunFailure::Tunnelled);
         for (const double step : {1.7e-6, 2e-6}) {
             const Summary implicit = runWith(smallSwing(), IntegratorKind::Newmark, step);
-            QVERIFY_STATUS(implicit, RunStatus::Completed);
+            VERIFY_STATUS(implicit, RunStatus::Completed);
             QVERIFY(implicit.warnings.empty() && std::abs(tailOf(implicit) - 7e-9) < 1e-12);
         }
     }
@@ -97,9 +95,9 @@ private slots:
         Case c;
         c.run.duration = 0.1e-3;
         const Summary implicit = runWith(c, IntegratorKind::Newmark, 0.5e-6);
-        QVERIFY_STATUS(implicit, RunStatus::Failed);
+        VERIFY_STATUS(implicit, RunStatus::Failed);
         QCOMPARE(implicit.failure, RunFailure::NotConverged);
-        QVERIFY_STATUS(runWith(c, IntegratorKind::Dopri5), RunStatus::Completed);
+        VERIFY_STATUS(runWith(c, IntegratorKind::Dopri5), RunStatus::Completed);
     }
     /// However loose its tolerance, dopri5 jumps no wall; at 1e-2 its energy is off by tenths, which the run says
     /// itself. At the default 1e-8 there is nothing to say.
@@ -114,11 +112,11 @@ private slots:
         Case drop; // no more than 1 % at 1e-3
         drop.run.tolerance = 1e-3;
         const Summary fair = run(drop);
-        QVERIFY_STATUS(fair, RunStatus::Completed);
+        VERIFY_STATUS(fair, RunStatus::Completed);
         QVERIFY(!warns(fair, "too loose") && std::abs(tailOf(fair) - 7e-9) < 0.1e-9);
         c.run.tolerance = 1e-8;
         const Summary tight = run(c);
-        QVERIFY_STATUS(tight, RunStatus::Completed);
+        VERIFY_STATUS(tight, RunStatus::Completed);
         QVERIFY(tight.warnings.empty());
     }
     /// With d_e = d_s nothing keeps the pad from switching without end. Located switches see that and say so; those
@@ -130,17 +128,17 @@ private slots:
              {IntegratorKind::Dopri5, IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Cvode}) {
             if (kind == IntegratorKind::Cvode && !haveCvode) continue;
             const Summary summary = runWith(pushedOntoTheBoundary(3e-9), kind, 10e-9);
-            QVERIFY_STATUS(summary, RunStatus::Failed);
+            VERIFY_STATUS(summary, RunStatus::Failed);
             QCOMPARE(summary.failure, RunFailure::Chattering);
             QVERIFY2(summary.message.find("d_e close to d_s") != std::string::npos, summary.message.c_str());
         }
         const Summary naive = runWith(pushedOntoTheBoundary(3e-9), IntegratorKind::Rk4, 10e-9);
-        QVERIFY_STATUS(naive, RunStatus::Completed);
+        VERIFY_STATUS(naive, RunStatus::Completed);
         QVERIFY(naive.events.size() > 1000);
         const Summary adaptive = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Dopri5),
                       fixed = runWith(pushedOntoTheBoundary(3.01e-9), IntegratorKind::Rk4Events, 10e-9);
-        QVERIFY_STATUS(adaptive, RunStatus::Completed);
-        QVERIFY_STATUS(fixed, RunStatus::Completed);
+        VERIFY_STATUS(adaptive, RunStatus::Completed);
+        VERIFY_STATUS(fixed, RunStatus::Completed);
         QCOMPARE(adaptive.events.size(), fixed.events.size());
         QVERIFY(std::abs(tailOf(adaptive) - tailOf(fixed)) < 1e-12);
     }
@@ -155,7 +153,7 @@ private slots:
         QVERIFY(warns(naive, "changes the end state"));
         for (const IntegratorKind kind : {IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Dopri5}) {
             const Summary located = runWith(c, kind, 10e-9);
-            QVERIFY_STATUS(located, RunStatus::Completed);
+            VERIFY_STATUS(located, RunStatus::Completed);
             QVERIFY(located.warnings.empty() && std::abs(tailOf(located) - 7e-9) < 0.1e-9);
         }
     }
@@ -168,10 +166,10 @@ private slots:
             c.run.duration = 0.3e-3;
             c.run.stepCheck = false;
             const Summary lost = runWith(c, kind, 10e-9);
-            QVERIFY_STATUS(lost, RunStatus::Failed);
+            VERIFY_STATUS(lost, RunStatus::Failed);
             QCOMPARE(lost.failure, RunFailure::RearSpringLost);
             c.springs.cutoff = 0.3e-9;
-            QVERIFY_STATUS(runWith(c, kind, 10e-9), RunStatus::Completed);
+            VERIFY_STATUS(runWith(c, kind, 10e-9), RunStatus::Completed);
         }
     }
     /// Equation (5) as the paper prints it goes on below d_1, to logarithms of negative numbers: the energy becomes
@@ -197,4 +195,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSpringRun)
+
+} // namespace test_spring_run
+
 #include "test_spring_run.moc"

@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_disk_under_film {
 
 constexpr double wave = 0.25e-3, amplitude = 1e-9;
 
@@ -35,8 +35,6 @@ double mean(double a, double b, double shift)
     const double k = 2.0 * std::numbers::pi / wave;
     return amplitude * (std::cos(k * (a - shift)) - std::cos(k * (b - shift))) / (k * (b - a));
 }
-
-} // namespace
 
 class TestDiskUnderFilm : public QObject {
     Q_OBJECT
@@ -109,4 +107,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDiskUnderFilm)
+
+} // namespace test_disk_under_film
+
 #include "test_disk_under_film.moc"

@@ -7,6 +7,8 @@
 
 using namespace touchdown;
 
+namespace test_flying_attitude {
+
 class TestFlyingAttitude : public QObject {
     Q_OBJECT
 
@@ -21,8 +23,6 @@ private slots:
     void isAskedAtEachLinearIteration();
     void saysWhenItDoesNotConverge();
 };
-
-namespace {
 
 /// A case solved on one graded grid.
 struct Solved {
@@ -42,8 +42,6 @@ struct Solved {
     Attitude attitude;
     AttitudeSolution solution;
 };
-
-} // namespace
 
 void TestFlyingAttitude::loadsAreTorquesAboutTheCentre()
 {
@@ -199,4 +197,7 @@ void TestFlyingAttitude::saysWhenItDoesNotConverge()
 }
 
 TOUCHDOWN_TEST(TestFlyingAttitude)
+
+} // namespace test_flying_attitude
+
 #include "test_flying_attitude.moc"

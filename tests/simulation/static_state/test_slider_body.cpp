@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_slider_body {
 
 constexpr double length = 1.25e-3, width = 1.0e-3;
 constexpr Attitude rest{12e-9, 150e-6, -3e-6};
@@ -40,8 +40,6 @@ Case unlike()
 }
 
 bool near(double value, double expected) { return std::abs(value - expected) <= 1e-12 * std::abs(expected); }
-
-} // namespace
 
 class TestSliderBody : public QObject {
     Q_OBJECT
@@ -162,4 +160,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSliderBody)
+
+} // namespace test_slider_body
+
 #include "test_slider_body.moc"

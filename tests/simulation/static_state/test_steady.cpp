@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_steady {
+
 class TestSteady : public QObject {
     Q_OBJECT
 
@@ -105,8 +107,6 @@ void TestSteady::theErrorEstimateCoversTheFinerGrid()
     QVERIFY(change > 0.03 * coarse.discretisationError.minimumSpacing);
 }
 
-namespace {
-
 struct Change {
     const char* parameter;
     double step;
@@ -142,8 +142,6 @@ Case onUniformGrid()
     c.steady.loadTolerance = 1e-12;
     return c;
 }
-
-} // namespace
 
 void TestSteady::sensitivitiesAgreeWithDifferences_data()
 {
@@ -251,4 +249,7 @@ void TestSteady::aLoadThatOnlyContactCarries()
 }
 
 TOUCHDOWN_TEST(TestSteady)
+
+} // namespace test_steady
+
 #include "test_steady.moc"

@@ -11,6 +11,8 @@
 
 using namespace touchdown;
 
+namespace test_steady_quantities {
+
 class TestSteadyQuantities : public QObject {
     Q_OBJECT
 
@@ -65,4 +67,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSteadyQuantities)
+
+} // namespace test_steady_quantities
+
 #include "test_steady_quantities.moc"

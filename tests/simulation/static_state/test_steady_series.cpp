@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_steady_series {
+
 class TestSteadySeries : public QObject {
     Q_OBJECT
 
@@ -84,4 +86,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSteadySeries)
+
+} // namespace test_steady_series
+
 #include "test_steady_series.moc"

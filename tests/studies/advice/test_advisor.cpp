@@ -14,6 +14,8 @@
 
 using namespace touchdown;
 
+namespace test_advisor {
+
 class TestAdvisor : public QObject {
     Q_OBJECT
 
@@ -44,8 +46,6 @@ private slots:
     void sumsHaveTheirPartsTried();
     void aPeakElsewhereIsNotConfirmed();
 };
-
-namespace {
 
 Case taperFlat()
 {
@@ -118,8 +118,6 @@ AdvisorResult knownResult()
 }
 
 std::string verdict(const StudyReport& report, const std::string& model) { return textOf(report, model, "verdict"); }
-
-} // namespace
 
 // It begins in its static state over a flat disk: nothing moves it away.
 void TestAdvisor::aQuietSceneNeedsItsStaticState()
@@ -531,4 +529,7 @@ void TestAdvisor::aPeakElsewhereIsNotConfirmed()
 }
 
 TOUCHDOWN_TEST(TestAdvisor)
+
+} // namespace test_advisor
+
 #include "test_advisor.moc"

@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_advisor_judgement {
+
 class TestAdvisorJudgement : public QObject {
     Q_OBJECT
 
@@ -25,8 +27,6 @@ private slots:
     void aSwingThatStepsMayMakeHasNoPeak();
 };
 
-namespace {
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 AdvisorTask adaptive(double stepError)
@@ -36,8 +36,6 @@ AdvisorTask adaptive(double stepError)
     task.start.run.stepError = stepError;
     return task;
 }
-
-} // namespace
 
 // Known to half of it, 0.4 lies between 0.2 and 0.6: a factor of two at most.
 void TestAdvisorJudgement::aClaim_data()
@@ -169,4 +167,7 @@ void TestAdvisorJudgement::aSwingThatStepsMayMakeHasNoPeak()
 }
 
 TOUCHDOWN_TEST(TestAdvisorJudgement)
+
+} // namespace test_advisor_judgement
+
 #include "test_advisor_judgement.moc"

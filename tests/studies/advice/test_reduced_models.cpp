@@ -13,6 +13,8 @@
 
 using namespace touchdown;
 
+namespace test_reduced_models {
+
 /// What a model says of the end, its case says, too, when it is read back and solved.
 class TestReducedModels : public QObject {
     Q_OBJECT
@@ -23,8 +25,6 @@ private slots:
     void theCaseOfSprings();
     void noCaseHasSmallMotionsAlone();
 };
-
-namespace {
 
 Candidate candidateOf(CandidateKind kind, const Case& c) { return {kind, std::string(name(kind)), {}, {}, c}; }
 
@@ -42,8 +42,6 @@ double meanOfRun(const Case& c)
     const PilotRun run = pilotRun(c, {}, {});
     return run.valid() ? estimateTail(run.samples, c.run.duration).mean : -1.0;
 }
-
-} // namespace
 
 void TestReducedModels::theCaseOfAStaticState()
 {
@@ -98,4 +96,7 @@ void TestReducedModels::noCaseHasSmallMotionsAlone()
 }
 
 TOUCHDOWN_TEST(TestReducedModels)
+
+} // namespace test_reduced_models
+
 #include "test_reduced_models.moc"

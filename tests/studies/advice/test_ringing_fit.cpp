@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_ringing_fit {
+
 class TestRingingFit : public QObject {
     Q_OBJECT
 
@@ -18,8 +20,6 @@ private slots:
     void whatCreepsIsTold();
     void needsPeriodsAndSamples();
 };
-
-namespace {
 
 using Complex = std::complex<double>;
 constexpr double twoPi = 2.0 * std::numbers::pi;
@@ -35,8 +35,6 @@ std::vector<double> ringing(std::size_t count, double constant, const std::vecto
             samples[k] += (amplitude * std::exp(s * (interval * static_cast<double>(k)))).real();
     return samples;
 }
-
-} // namespace
 
 // The signal is of the fitted form: what is left is rounding, of numbers about 40 nm: 1e-16 * 4e-8.
 void TestRingingFit::findsRatesThatAreKnownAbout()
@@ -94,4 +92,7 @@ void TestRingingFit::needsPeriodsAndSamples()
 }
 
 TOUCHDOWN_TEST(TestRingingFit)
+
+} // namespace test_ringing_fit
+
 #include "test_ringing_fit.moc"

@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_scene_motion {
+
 class TestSceneMotion : public QObject {
     Q_OBJECT
 
@@ -84,4 +86,7 @@ void TestSceneMotion::withoutModesNothingIsForetold()
 }
 
 TOUCHDOWN_TEST(TestSceneMotion)
+
+} // namespace test_scene_motion
+
 #include "test_scene_motion.moc"

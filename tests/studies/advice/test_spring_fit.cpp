@@ -10,6 +10,8 @@
 
 using namespace touchdown;
 
+namespace test_spring_fit {
+
 class TestSpringFit : public QObject {
     Q_OBJECT
 
@@ -21,16 +23,12 @@ private slots:
     void saysWhereThereAreNone();
 };
 
-namespace {
-
 Case taperFlat()
 {
     Case c = test::taperFlat();
     c.run.duration = 0.2e-3;
     return c;
 }
-
-} // namespace
 
 // The springs have the symmetric part of the film's matrix at a frequency between both modes: of two long rails it is
 // symmetric but for some thousandths, and changes as little with frequency; modes go as its root. For both damping
@@ -101,4 +99,7 @@ void TestSpringFit::saysWhereThereAreNone()
 }
 
 TOUCHDOWN_TEST(TestSpringFit)
+
+} // namespace test_spring_fit
+
 #include "test_spring_fit.moc"

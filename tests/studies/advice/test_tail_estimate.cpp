@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_tail_estimate {
+
 class TestTailEstimate : public QObject {
     Q_OBJECT
 
@@ -27,8 +29,6 @@ private slots:
     void tooFewSamplesFail();
     void tooFewSamplesWithoutTheirLastHalfTellNothing();
 };
-
-namespace {
 
 constexpr double twoPi = 2.0 * std::numbers::pi;
 constexpr double interval = 0.1e-6; // [s]
@@ -54,8 +54,6 @@ double tailSpread(double amplitude, double damping)
     const double g = 2.0 * damping, from = 0.9 * duration;
     return amplitude * std::sqrt(0.5 * (std::exp(-g * from) - std::exp(-g * duration)) / (g * (duration - from)));
 }
-
-} // namespace
 
 // Ten whole periods of 100 samples and one sample more: it moves mean and square by a thousandth of the amplitude.
 void TestTailEstimate::aWholeRunIsNotEstimated()
@@ -207,4 +205,7 @@ void TestTailEstimate::tooFewSamplesWithoutTheirLastHalfTellNothing()
 }
 
 TOUCHDOWN_TEST(TestTailEstimate)
+
+} // namespace test_tail_estimate
+
 #include "test_tail_estimate.moc"

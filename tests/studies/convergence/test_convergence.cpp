@@ -11,6 +11,8 @@
 
 using namespace touchdown;
 
+namespace test_convergence {
+
 class TestConvergence : public QObject {
     Q_OBJECT
 
@@ -121,4 +123,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestConvergence)
+
+} // namespace test_convergence
+
 #include "test_convergence.moc"

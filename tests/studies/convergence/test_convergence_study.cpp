@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_convergence_study {
 
 ConvergenceStudy someStudy()
 {
@@ -21,8 +21,6 @@ ConvergenceStudy someStudy()
     study.observed = {{2.0, 3e-3, 1e-5}, {{}, 2e-12, 1e-12}};
     return study;
 }
-
-} // namespace
 
 class TestConvergenceStudy : public QObject {
     Q_OBJECT
@@ -82,4 +80,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestConvergenceStudy)
+
+} // namespace test_convergence_study
+
 #include "test_convergence_study.moc"

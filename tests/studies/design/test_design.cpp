@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_design {
 
 Case slider()
 {
@@ -59,8 +59,6 @@ DesignParameter recessOfAll(const Case& c, double minimum, double maximum)
 {
     return parameter(c, {"abs.rail[1].recess", "abs.base_recess"}, minimum, maximum);
 }
-
-} // namespace
 
 class TestDesign : public QObject {
     Q_OBJECT
@@ -207,4 +205,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDesign)
+
+} // namespace test_design
+
 #include "test_design.moc"

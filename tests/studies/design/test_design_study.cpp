@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_design_study {
+
 class TestDesignStudy : public QObject {
     Q_OBJECT
 
@@ -69,4 +71,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDesignStudy)
+
+} // namespace test_design_study
+
 #include "test_design_study.moc"

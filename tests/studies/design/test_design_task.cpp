@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_design_task {
 
 const std::string good = R"(title = "A study"
 case = "film_pico"
@@ -75,8 +75,6 @@ std::string with(const std::string& old, const std::string& now)
     if (at == std::string::npos) qFatal("%s", old.c_str());
     return text.replace(at, old.size(), now);
 }
-
-} // namespace
 
 class TestDesignTask : public QObject {
     Q_OBJECT
@@ -232,4 +230,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDesignTask)
+
+} // namespace test_design_task
+
 #include "test_design_task.moc"

@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_held_steps {
 
 DesignKey keyOf(const Case& c, const char* key) { return std::get<DesignKey>(designKey(c, key)); }
 
@@ -20,8 +20,6 @@ HeldSteps heights(std::vector<double> values)
     steps.values = std::move(values);
     return steps;
 }
-
-} // namespace
 
 class TestHeldSteps : public QObject {
     Q_OBJECT
@@ -161,4 +159,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHeldSteps)
+
+} // namespace test_held_steps
+
 #include "test_held_steps.moc"

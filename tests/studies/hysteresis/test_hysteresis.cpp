@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_hysteresis {
 
 StudyPlan planOf(const Case& c, const std::string& text) { return parseStudy("hysteresis", text, "study", {}, &c); }
 
@@ -44,8 +44,6 @@ bool hasSeries(const StudyReport& report, const std::string& name)
                 if (series.name == name) return true;
     return false;
 }
-
-} // namespace
 
 class TestHysteresis : public QObject {
     Q_OBJECT
@@ -277,4 +275,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHysteresis)
+
+} // namespace test_hysteresis
+
 #include "test_hysteresis.moc"

@@ -9,6 +9,8 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
+namespace test_hysteresis_answer {
+
 class TestHysteresisAnswer : public QObject {
     Q_OBJECT
 
@@ -136,4 +138,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHysteresisAnswer)
+
+} // namespace test_hysteresis_answer
+
 #include "test_hysteresis_answer.moc"

@@ -14,7 +14,7 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace {
+namespace test_hysteresis_result {
 
 /// A branch from 0 to a value, the same at both ends.
 EquilibriumBranch between(ContactRegion contact, Equilibrium at, double value)
@@ -23,8 +23,6 @@ EquilibriumBranch between(ContactRegion contact, Equilibrium at, double value)
     last.parameter = value;
     return {.contact = contact, .points = {at, last}};
 }
-
-} // namespace
 
 class TestHysteresisResult : public QObject {
     Q_OBJECT
@@ -279,4 +277,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestHysteresisResult)
+
+} // namespace test_hysteresis_result
+
 #include "test_hysteresis_result.moc"

@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_value_ranges {
 
 StudiedEquilibrium at(double value, Stability stability, bool edge = false)
 {
@@ -26,8 +26,6 @@ bool same(const std::vector<ValueRange>& a, const std::vector<ValueRange>& b)
 bool flutters(const StudiedEquilibrium& point) { return point.stability == Stability::Flutter; }
 
 const ParameterText nanometres{"Height", "m", "nm"};
-
-} // namespace
 
 class TestValueRanges : public QObject {
     Q_OBJECT
@@ -83,4 +81,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestValueRanges)
+
+} // namespace test_value_ranges
+
 #include "test_value_ranges.moc"

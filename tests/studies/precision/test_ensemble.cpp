@@ -10,14 +10,12 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_ensemble {
 
 EnsembleEnd flying(double spacing) { return {.state = {EndKind::Flying, spacing, 0.0}}; }
 EnsembleEnd failed(RunFailure how) { return {.state = {}, .failure = how}; }
 
 const auto always = [](std::size_t) { return true; };
-
-} // namespace
 
 class TestEnsemble : public QObject {
     Q_OBJECT
@@ -131,4 +129,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestEnsemble)
+
+} // namespace test_ensemble
+
 #include "test_ensemble.moc"

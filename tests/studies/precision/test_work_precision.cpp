@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_work_precision {
 
 const StudyCallback noCallback;
 
@@ -83,8 +83,6 @@ const std::string quick = "repeats = 1\ntime_limit = \"1 ms\"\n";
 const std::string references =
     "[[reference]]\nname = \"dopri5\"\nset = { \"run.integrator\" = \"dopri5\", \"run.tolerance\" = 1e-13 }\n"
     "[[reference]]\nname = \"rk4-events\"\nset = { \"run.integrator\" = \"rk4-events\", \"run.step\" = \"5 ns\" }\n";
-
-} // namespace
 
 class TestWorkPrecision : public QObject {
     Q_OBJECT
@@ -376,4 +374,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestWorkPrecision)
+
+} // namespace test_work_precision
+
 #include "test_work_precision.moc"

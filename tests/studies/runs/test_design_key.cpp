@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_design_key {
 
 DesignKey key(const Case& c, const char* name)
 {
@@ -18,8 +18,6 @@ DesignKey key(const Case& c, const char* name)
 }
 
 bool near(double a, double b) { return std::abs(a - b) < 1e-15; } // [m]
-
-} // namespace
 
 class TestDesignKey : public QObject {
     Q_OBJECT
@@ -109,4 +107,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestDesignKey)
+
+} // namespace test_design_key
+
 #include "test_design_key.moc"

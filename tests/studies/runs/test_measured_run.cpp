@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_measured_run {
+
 class TestMeasuredRun : public QObject {
     Q_OBJECT
 
@@ -117,4 +119,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestMeasuredRun)
+
+} // namespace test_measured_run
+
 #include "test_measured_run.moc"

@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_parallel {
+
 class TestParallel : public QObject {
     Q_OBJECT
 
@@ -75,4 +77,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestParallel)
+
+} // namespace test_parallel
+
 #include "test_parallel.moc"

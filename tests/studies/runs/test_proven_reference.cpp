@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_proven_reference {
 
 const std::vector<ReferenceCase> cases{{"a", {}}, {"b", {}}, {"c", {}}};
 
@@ -21,8 +21,6 @@ MeasuredRun through(std::vector<double> spacings, EndKind kind = EndKind::Flying
     run.columns = {std::move(spacings)};
     return run;
 }
-
-} // namespace
 
 class TestProvenReference : public QObject {
     Q_OBJECT
@@ -85,4 +83,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestProvenReference)
+
+} // namespace test_proven_reference
+
 #include "test_proven_reference.moc"

@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_run_class {
 
 constexpr ClassRule rule{};
 
@@ -60,8 +60,6 @@ ProvenReference proven(const MeasuredRun& run, const MeasuredRun& check)
     return proveReference({{"a", {}}, {"b", {}}}, {run, check}, rule.agreement);
 }
 ProvenReference known(const MeasuredRun& run) { return proven(run, run); }
-
-} // namespace
 
 class TestRunClass : public QObject {
     Q_OBJECT
@@ -185,4 +183,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestRunClass)
+
+} // namespace test_run_class
+
 #include "test_run_class.moc"

@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_swept_method {
 
 std::vector<std::string> labelsOf(const SweptMethod& method)
 {
@@ -16,8 +16,6 @@ std::vector<std::string> labelsOf(const SweptMethod& method)
     for (const MethodSetting& setting : method.settings) labels.push_back(setting.label);
     return labels;
 }
-
-} // namespace
 
 class TestSweptMethod : public QObject {
     Q_OBJECT
@@ -81,4 +79,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestSweptMethod)
+
+} // namespace test_swept_method
+
 #include "test_swept_method.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_trajectory_error {
 
 /// `count` samples of x(i).
 template <class Function>
@@ -24,8 +24,6 @@ MeasuredRun runOf(std::size_t count, Function x)
     }
     return run;
 }
-
-} // namespace
 
 class TestTrajectoryError : public QObject {
     Q_OBJECT
@@ -88,4 +86,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestTrajectoryError)
+
+} // namespace test_trajectory_error
+
 #include "test_trajectory_error.moc"

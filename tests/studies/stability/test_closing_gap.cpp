@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_closing_gap {
 
 StudyReport pictureOf(SlipModel model, double blendWidth = 0.0)
 {
@@ -27,8 +27,6 @@ bool says(const std::vector<std::string>& sentences, const std::string& what)
     return std::ranges::any_of(sentences,
                                [&](const std::string& each) { return each.find(what) != std::string::npos; });
 }
-
-} // namespace
 
 class TestClosingGap : public QObject {
     Q_OBJECT
@@ -69,4 +67,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestClosingGap)
+
+} // namespace test_closing_gap
+
 #include "test_closing_gap.moc"

@@ -16,7 +16,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_stability {
 
 struct Read {
     StudyPerformance perform;
@@ -93,8 +93,6 @@ Case brief(const std::string& name, double duration)
 }
 Case naive() { return brief("fig10b_naive_switching", 0.5e-3); }
 Case shortDrop() { return brief("fig10a", 0.1e-3); }
-
-} // namespace
 
 class TestStability : public QObject {
     Q_OBJECT
@@ -273,4 +271,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStability)
+
+} // namespace test_stability
+
 #include "test_stability.moc"

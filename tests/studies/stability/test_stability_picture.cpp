@@ -13,9 +13,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using Complex = std::complex<double>;
 
-namespace {
+namespace test_stability_picture {
+
+using Complex = std::complex<double>;
 
 const StudyTable& tableOf(const StudyReport& picture, const std::string& name)
 {
@@ -38,8 +39,6 @@ StudyReport pictureOf(const Case& c)
     if (!makeLinearPicture(c, picture, [] { return true; })) qFatal("it was not stopped");
     return picture;
 }
-
-} // namespace
 
 class TestStabilityPicture : public QObject {
     Q_OBJECT
@@ -145,4 +144,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStabilityPicture)
+
+} // namespace test_stability_picture
+
 #include "test_stability_picture.moc"

@@ -9,9 +9,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-namespace fs = std::filesystem;
 
-namespace {
+namespace test_study_file {
+
+namespace fs = std::filesystem;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -45,8 +46,6 @@ StudyReport someReport()
     report.charts = {{"A chart", "How to read it", {panel, second}}};
     return report;
 }
-
-} // namespace
 
 class TestStudyFile : public QObject {
     Q_OBJECT
@@ -178,4 +177,7 @@ private:
 };
 
 TOUCHDOWN_TEST(TestStudyFile)
+
+} // namespace test_study_file
+
 #include "test_study_file.moc"

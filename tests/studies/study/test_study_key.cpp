@@ -9,6 +9,8 @@
 
 using namespace touchdown;
 
+namespace test_study_key {
+
 class TestStudyKey : public QObject {
     Q_OBJECT
 
@@ -61,4 +63,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStudyKey)
+
+} // namespace test_study_key
+
 #include "test_study_key.moc"

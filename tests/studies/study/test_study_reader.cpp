@@ -8,7 +8,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_reader {
 
 /// A reader with all that it refers to.
 struct Read {
@@ -30,8 +30,6 @@ struct Read {
 };
 
 QString text(const std::string& value) { return QString::fromStdString(value); }
-
-} // namespace
 
 class TestStudyReader : public QObject {
     Q_OBJECT
@@ -264,4 +262,7 @@ private slots:
 };
 
 TOUCHDOWN_TEST(TestStudyReader)
+
+} // namespace test_study_reader
+
 #include "test_study_reader.moc"

@@ -21,6 +21,8 @@
 
 using namespace touchdown;
 
+namespace test_case_files {
+
 class TestCaseFiles : public QObject {
     Q_OBJECT
 
@@ -170,4 +172,7 @@ void TestCaseFiles::knowsWhatCanBeDropped()
 }
 
 TOUCHDOWN_TEST(TestCaseFiles)
+
+} // namespace test_case_files
+
 #include "test_case_files.moc"

@@ -15,7 +15,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_case_panel {
 
 constexpr const char* flyingHeight = "springs.flying_height";
 
@@ -47,8 +47,6 @@ struct Fixture {
 
 /// "3.2" as the user's locale writes it.
 QString localised(QString number) { return number.replace(QLatin1Char('.'), QLocale().decimalPoint()); }
-
-} // namespace
 
 class TestCasePanel : public QObject {
     Q_OBJECT
@@ -445,4 +443,7 @@ void TestCasePanel::namesEveryInput()
 }
 
 TOUCHDOWN_TEST(TestCasePanel)
+
+} // namespace test_case_panel
+
 #include "test_case_panel.moc"

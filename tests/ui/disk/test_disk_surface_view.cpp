@@ -21,7 +21,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_disk_surface_view {
 
 /// 64 x 16 um with points every 0.25 um.
 Case roughCase(RoughnessSpectrum spectrum = RoughnessSpectrum::Gaussian)
@@ -44,8 +44,6 @@ QString cell(const DiskSurfaceView& view, const QString& row, int column)
         if (view.statistics()->item(i, 0)->text() == row) return view.statistics()->item(i, column)->text();
     return QStringLiteral("no such row");
 }
-
-} // namespace
 
 class TestDiskSurfaceView : public QObject {
     Q_OBJECT
@@ -312,4 +310,7 @@ void TestDiskSurfaceView::controlsHaveNames()
 }
 
 TOUCHDOWN_TEST(TestDiskSurfaceView)
+
+} // namespace test_disk_surface_view
+
 #include "test_disk_surface_view.moc"

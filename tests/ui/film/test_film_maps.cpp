@@ -16,6 +16,9 @@
 #include "ui/style/theme.h"
 
 using namespace touchdown;
+
+namespace test_film_maps {
+
 using Page = FilmView::Page;
 
 class TestFilmMaps : public QObject {
@@ -232,4 +235,7 @@ void TestFilmMaps::controlsHaveNames()
 }
 
 TOUCHDOWN_TEST(TestFilmMaps)
+
+} // namespace test_film_maps
+
 #include "test_film_maps.moc"

@@ -29,6 +29,9 @@
 #include "ui/style/theme.h"
 
 using namespace touchdown;
+
+namespace test_film_window {
+
 using Page = FilmView::Page;
 using State = SteadyController::State;
 
@@ -323,4 +326,7 @@ void TestFilmWindow::ambientPressureOfTheAir()
 }
 
 TOUCHDOWN_TEST(TestFilmWindow)
+
+} // namespace test_film_window
+
 #include "test_film_window.moc"

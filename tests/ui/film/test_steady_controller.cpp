@@ -11,9 +11,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using State = SteadyController::State;
 
-namespace {
+namespace test_steady_controller {
+
+using State = SteadyController::State;
 
 /// The root of h^2 = 2 nm^2 by Newton from the start's height: 12, 6.0833, 3.2061, ... nm.
 SteadyResult squareRoot(const Case& c, const SteadyCallback& callback)
@@ -71,8 +72,6 @@ Case sampleCase()
     c.initial.nominalTrailingEdgeHeight = 12e-9;
     return c;
 }
-
-} // namespace
 
 class TestSteadyController : public QObject {
     Q_OBJECT
@@ -210,4 +209,7 @@ void TestSteadyController::stoppingWhenIdleDoesNothing()
 }
 
 TOUCHDOWN_TEST(TestSteadyController)
+
+} // namespace test_steady_controller
+
 #include "test_steady_controller.moc"

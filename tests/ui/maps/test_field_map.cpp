@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_field_map {
+
 class TestFieldMap : public QObject {
     Q_OBJECT
 
@@ -154,4 +156,7 @@ void TestFieldMap::drawsWithoutAField()
 }
 
 TOUCHDOWN_TEST(TestFieldMap)
+
+} // namespace test_field_map
+
 #include "test_field_map.moc"

@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_colour_scale {
 
 /// CIE lightness L* of an sRGB colour, 0 to 100 (IEC 61966-2-1, CIE 15).
 double lightness(const QColor& colour)
@@ -19,8 +19,6 @@ double lightness(const QColor& colour)
         0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
     return y > 216.0 / 24389.0 ? 116.0 * std::cbrt(y) - 16.0 : 24389.0 / 27.0 * y;
 }
-
-} // namespace
 
 class TestColourScale : public QObject {
     Q_OBJECT
@@ -206,4 +204,7 @@ void TestColourScale::aFieldWithoutASpreadHasAScale()
 }
 
 TOUCHDOWN_TEST(TestColourScale)
+
+} // namespace test_colour_scale
+
 #include "test_colour_scale.moc"

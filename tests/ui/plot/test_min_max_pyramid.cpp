@@ -12,7 +12,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_min_max_pyramid {
 
 struct Samples {
     std::vector<double> times;
@@ -33,8 +33,6 @@ Samples noise(std::size_t count, bool even, unsigned seed = 7)
     }
     return samples;
 }
-
-} // namespace
 
 class TestMinMaxPyramid : public QObject {
     Q_OBJECT
@@ -252,4 +250,7 @@ void TestMinMaxPyramid::emptyAnswersNothing()
 }
 
 TOUCHDOWN_TEST(TestMinMaxPyramid)
+
+} // namespace test_min_max_pyramid
+
 #include "test_min_max_pyramid.moc"

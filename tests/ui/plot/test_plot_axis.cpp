@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_plot_axis {
 
 const QString minus(QChar(0x2212));
 
@@ -22,8 +22,6 @@ QStringList texts(const PlotAxis& axis, int most)
         if (tick.major) texts += tick.text;
     return texts;
 }
-
-} // namespace
 
 class TestPlotAxis : public QObject {
     Q_OBJECT
@@ -196,4 +194,7 @@ void TestPlotAxis::autoscaleOnLogarithmicAxis()
 }
 
 TOUCHDOWN_TEST(TestPlotAxis)
+
+} // namespace test_plot_axis
+
 #include "test_plot_axis.moc"

@@ -22,7 +22,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_plot_export {
 
 QByteArray contents(const QString& path)
 {
@@ -44,8 +44,6 @@ int ink(const QImage& image, const QColor& colour)
         }
     return count;
 }
-
-} // namespace
 
 class TestPlotExport : public QObject {
     Q_OBJECT
@@ -232,4 +230,7 @@ void TestPlotExport::problemsAreSentences()
 }
 
 TOUCHDOWN_TEST(TestPlotExport)
+
+} // namespace test_plot_export
+
 #include "test_plot_export.moc"

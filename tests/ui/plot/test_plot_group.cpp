@@ -17,7 +17,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_plot_group {
 
 void turnWheel(PlotWidget& plot, double x, int notches)
 {
@@ -26,8 +26,6 @@ void turnWheel(PlotWidget& plot, double x, int notches)
                       false);
     QCoreApplication::sendEvent(&plot, &event);
 }
-
-} // namespace
 
 class TestPlotGroup : public QObject {
     Q_OBJECT
@@ -288,4 +286,7 @@ void TestPlotGroup::phasePortraitKeepsItsAxes()
 }
 
 TOUCHDOWN_TEST(TestPlotGroup)
+
+} // namespace test_plot_group
+
 #include "test_plot_group.moc"

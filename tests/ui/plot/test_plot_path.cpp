@@ -11,7 +11,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_plot_path {
 
 PlotAxis axis(double low, double high, AxisScale scale = AxisScale::Linear)
 {
@@ -20,8 +20,6 @@ PlotAxis axis(double low, double high, AxisScale scale = AxisScale::Linear)
     axis.setRange({low, high});
     return axis;
 }
-
-} // namespace
 
 class TestPlotPath : public QObject {
     Q_OBJECT
@@ -185,4 +183,7 @@ void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
 }
 
 TOUCHDOWN_TEST(TestPlotPath)
+
+} // namespace test_plot_path
+
 #include "test_plot_path.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_plot_theme {
 
 /// Relative luminance and contrast of WCAG 2.1.
 double luminance(const QColor& colour)
@@ -24,8 +24,6 @@ double contrast(const QColor& a, const QColor& b)
     const auto [low, high] = std::minmax({luminance(a), luminance(b)});
     return (high + 0.05) / (low + 0.05);
 }
-
-} // namespace
 
 class TestPlotTheme : public QObject {
     Q_OBJECT
@@ -79,4 +77,7 @@ void TestPlotTheme::stylesRepeat()
 }
 
 TOUCHDOWN_TEST(TestPlotTheme)
+
+} // namespace test_plot_theme
+
 #include "test_plot_theme.moc"

@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_spectrum_view {
 
 /// 0 to 500 kHz in steps of 1 kHz: a floor of 1e-24 with peaks of 1e-18 at 42 kHz and 1e-20 at 152 kHz, and some bad
 /// values.
@@ -29,8 +29,6 @@ Spectrum sample()
     spectrum.power[9] = std::numeric_limits<double>::quiet_NaN();
     return spectrum;
 }
-
-} // namespace
 
 class TestSpectrumView : public QObject {
     Q_OBJECT
@@ -220,4 +218,7 @@ void TestSpectrumView::controlsHaveNames()
 }
 
 TOUCHDOWN_TEST(TestSpectrumView)
+
+} // namespace test_spectrum_view
+
 #include "test_spectrum_view.moc"

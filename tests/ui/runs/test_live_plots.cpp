@@ -18,6 +18,8 @@
 
 using namespace touchdown;
 
+namespace test_live_plots {
+
 class TestLivePlots : public QObject {
     Q_OBJECT
 
@@ -203,4 +205,7 @@ void TestLivePlots::aHiddenCurveStaysHiddenInItsPlotAlone()
 }
 
 TOUCHDOWN_TEST(TestLivePlots)
+
+} // namespace test_live_plots
+
 #include "test_live_plots.moc"

@@ -15,9 +15,10 @@
 #include "ui/runs/run_controller.h"
 
 using namespace touchdown;
-using State = RunController::State;
 
-namespace {
+namespace test_run_controller {
+
+using State = RunController::State;
 
 constexpr double microsecond = 1e-6; // [s]
 
@@ -82,8 +83,6 @@ RunRequest sampleRequest(const char* name)
     const CaseDocument document = openCase(name);
     return {document.value, document.text, {}};
 }
-
-} // namespace
 
 class TestRunController : public QObject {
     Q_OBJECT
@@ -160,8 +159,6 @@ void TestRunController::keepsEventsWithTheirSamples()
     QVERIFY(received.deliveries > 1);
 }
 
-namespace {
-
 /// Snapshots of a given number of values with every tenth sample, all in one update.
 struct Photographer {
     std::size_t values = 1000;
@@ -180,8 +177,6 @@ struct Photographer {
         return {};
     }
 };
-
-} // namespace
 
 void TestRunController::deliversEveryField()
 {
@@ -411,4 +406,7 @@ void TestRunController::saysWhyAFileCannotBeRecorded()
 }
 
 TOUCHDOWN_TEST(TestRunController)
+
+} // namespace test_run_controller
+
 #include "test_run_controller.moc"

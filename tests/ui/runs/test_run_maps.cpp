@@ -20,6 +20,8 @@
 
 using namespace touchdown;
 
+namespace test_run_maps {
+
 class TestRunMaps : public QObject {
     Q_OBJECT
 
@@ -268,8 +270,6 @@ void TestRunMaps::controlsHaveNames()
     }
 }
 
-namespace {
-
 /// Air over the slider, 2 x 1 cells, at 0, 1 .. 4 us; contact over the patch at its rear, 3 x 1 cells, at 0, 2, 4 us.
 std::unique_ptr<RunRecord> filmRun()
 {
@@ -292,8 +292,6 @@ std::unique_ptr<RunRecord> filmRun()
     run->append({}, {}, snapshots);
     return run;
 }
-
-} // namespace
 
 void TestRunMaps::showsTheSetsOfAFilm()
 {
@@ -335,4 +333,7 @@ void TestRunMaps::keepsTheTimeFromSetToSet()
 }
 
 TOUCHDOWN_TEST(TestRunMaps)
+
+} // namespace test_run_maps
+
 #include "test_run_maps.moc"

@@ -19,7 +19,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_runs_panel {
 
 /// A record of a run of the default case, with `change` applied, whole.
 std::unique_ptr<RunRecord> ranRecord(int number, const std::function<void(Case&)>& change = {})
@@ -36,8 +36,6 @@ std::unique_ptr<RunRecord> ranRecord(int number, const std::function<void(Case&)
     }));
     return record;
 }
-
-} // namespace
 
 class TestRunsPanel : public QObject {
     Q_OBJECT
@@ -266,4 +264,7 @@ void TestRunsPanel::boundsItsMemoryAndSaysSo()
 }
 
 TOUCHDOWN_TEST(TestRunsPanel)
+
+} // namespace test_runs_panel
+
 #include "test_runs_panel.moc"

@@ -13,7 +13,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_side_view {
 
 const std::vector<Quantity> quantities{{"minimum_spacing", "m", "nm", "Minimum spacing"},
                                        {"pitch", "rad", "urad", "Pitch"},
@@ -22,8 +22,6 @@ const std::vector<Quantity> quantities{{"minimum_spacing", "m", "nm", "Minimum s
 
 /// A slider that falls: 60 nm above the disk with 100 urad at 0, 52 nm with 110 urad at 1 us and in contact.
 SampleBatch falling() { return {{0.0, 1e-6}, {{17e-9, 5e-9}, {100e-6, 110e-6}, {60e-9, 52e-9}, {0.0, 1e-3}}}; }
-
-} // namespace
 
 class TestSideView : public QObject {
     Q_OBJECT
@@ -143,4 +141,7 @@ void TestSideView::paintsBothThemes()
 }
 
 TOUCHDOWN_TEST(TestSideView)
+
+} // namespace test_side_view
+
 #include "test_side_view.moc"

@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_attitude_sections {
 
 const QString nbsp(QChar(0x00A0));
 const QString minus(QChar(0x2212));
@@ -29,8 +29,6 @@ bool has(const std::vector<AttitudeSection>& sections, const QString& title)
 {
     return std::ranges::any_of(sections, [&title](const AttitudeSection& s) { return s.title == title; });
 }
-
-} // namespace
 
 class TestAttitudeSections : public QObject {
     Q_OBJECT
@@ -197,4 +195,7 @@ void TestAttitudeSections::usesTheDecimalComma()
 }
 
 TOUCHDOWN_TEST(TestAttitudeSections)
+
+} // namespace test_attitude_sections
+
 #include "test_attitude_sections.moc"

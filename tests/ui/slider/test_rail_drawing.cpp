@@ -8,6 +8,8 @@
 
 using namespace touchdown;
 
+namespace test_rail_drawing {
+
 class TestRailDrawing : public QObject {
     Q_OBJECT
 
@@ -86,4 +88,7 @@ void TestRailDrawing::tooManyLevelsLoseTheNearest()
 }
 
 TOUCHDOWN_TEST(TestRailDrawing)
+
+} // namespace test_rail_drawing
+
 #include "test_rail_drawing.moc"

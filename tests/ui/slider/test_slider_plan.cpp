@@ -14,7 +14,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_slider_plan {
 
 constexpr double longSide = 0.8e-3;  // [m]
 constexpr double shortSide = 0.4e-3; // [m]
@@ -55,10 +55,6 @@ int pixelsOf(const QImage& image, QRgb colour)
         for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == colour;
     return count;
 }
-
-} // namespace
-
-Q_DECLARE_METATYPE(std::optional<touchdown::SurfacePoint>)
 
 class TestSliderPlan : public QObject {
     Q_OBJECT
@@ -266,4 +262,7 @@ void TestSliderPlan::arrowTurnsWithTheSkew()
 }
 
 TOUCHDOWN_TEST(TestSliderPlan)
+
+} // namespace test_slider_plan
+
 #include "test_slider_plan.moc"

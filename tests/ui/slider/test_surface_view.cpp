@@ -12,6 +12,8 @@
 
 using namespace touchdown;
 
+namespace test_surface_view {
+
 class TestSurfaceView : public QObject {
     Q_OBJECT
 
@@ -179,4 +181,7 @@ void TestSurfaceView::drawsLightAndDark()
 }
 
 TOUCHDOWN_TEST(TestSurfaceView)
+
+} // namespace test_surface_view
+
 #include "test_surface_view.moc"

@@ -11,14 +11,12 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_axes {
 
 ChartPanel linear(std::vector<ChartPoint> points)
 {
     return {{"x", "", "", false}, {"y", "m", "nm", false}, {{"a", std::move(points)}}, {}, {}, false};
 }
-
-} // namespace
 
 class TestStudyAxes : public QObject {
     Q_OBJECT
@@ -113,4 +111,7 @@ void TestStudyAxes::nothingToShow()
 }
 
 TOUCHDOWN_TEST(TestStudyAxes)
+
+} // namespace test_study_axes
+
 #include "test_study_axes.moc"

@@ -17,7 +17,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_chart_view {
 
 /// Pixels of about this colour in a part of a picture.
 int ink(const QImage& image, const QColor& colour, const QRect& part)
@@ -41,8 +41,6 @@ QStringList legendTexts(const StudyChartDrawing& drawing)
     for (const StudyLegend::Entry& entry : drawing.legend().entries()) texts << entry.text;
     return texts;
 }
-
-} // namespace
 
 class TestStudyChartView : public QObject {
     Q_OBJECT
@@ -271,4 +269,7 @@ void TestStudyChartView::drawsAnEmptyChart()
 }
 
 TOUCHDOWN_TEST(TestStudyChartView)
+
+} // namespace test_study_chart_view
+
 #include "test_study_chart_view.moc"

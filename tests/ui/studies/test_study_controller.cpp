@@ -11,9 +11,10 @@
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
-using State = StudyController::State;
 
-namespace {
+namespace test_study_controller {
+
+using State = StudyController::State;
 
 /// Ten steps; after the fifth there is a chart to show.
 StudyReport tenSteps(int jobs, const StudyCallback& callback)
@@ -59,8 +60,6 @@ struct Received {
     std::vector<int> finished;
     StudyReport report;
 };
-
-} // namespace
 
 class TestStudyController : public QObject {
     Q_OBJECT
@@ -176,4 +175,7 @@ void TestStudyController::joinsWhenDestroyed()
 }
 
 TOUCHDOWN_TEST(TestStudyController)
+
+} // namespace test_study_controller
+
 #include "test_study_controller.moc"

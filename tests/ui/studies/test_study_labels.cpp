@@ -9,7 +9,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_study_labels {
 
 constexpr QRectF bounds(0.0, 0.0, 400.0, 300.0);
 
@@ -22,8 +22,6 @@ std::vector<QRectF> markers(const std::vector<LabelRequest>& labels)
     for (const LabelRequest& label : labels) boxes.emplace_back(label.at.x() - 4.0, label.at.y() - 4.0, 8.0, 8.0);
     return boxes;
 }
-
-} // namespace
 
 class TestStudyLabels : public QObject {
     Q_OBJECT
@@ -101,4 +99,7 @@ void TestStudyLabels::keepsOffALine()
 }
 
 TOUCHDOWN_TEST(TestStudyLabels)
+
+} // namespace test_study_labels
+
 #include "test_study_labels.moc"

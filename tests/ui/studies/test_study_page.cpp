@@ -37,10 +37,11 @@
 #include "ui/window/window_actions.h"
 
 using namespace touchdown;
+
+namespace test_study_page {
+
 using Page = MainWindow::Page;
 using State = StudyController::State;
-
-namespace {
 
 /// Until it is stopped: a report with its first chart so far.
 StudyReport endless(const StudyCallback& callback)
@@ -115,8 +116,6 @@ struct Fixture {
 
     MainWindow window{madeUp()};
 };
-
-} // namespace
 
 class TestStudyPage : public QObject {
     Q_OBJECT
@@ -347,4 +346,7 @@ void TestStudyPage::offersTheStudiesOfTheCore()
 }
 
 TOUCHDOWN_TEST(TestStudyPage)
+
+} // namespace test_study_page
+
 #include "test_study_page.moc"

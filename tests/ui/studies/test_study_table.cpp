@@ -13,6 +13,8 @@
 
 using namespace touchdown;
 
+namespace test_study_table {
+
 class TestStudyTable : public QObject {
     Q_OBJECT
 
@@ -108,4 +110,7 @@ void TestStudyTable::copiesWhatIsSelected()
 }
 
 TOUCHDOWN_TEST(TestStudyTable)
+
+} // namespace test_study_table
+
 #include "test_study_table.moc"

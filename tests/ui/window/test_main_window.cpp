@@ -34,9 +34,10 @@
 #include "ui/window/window_actions.h"
 
 using namespace touchdown;
-using State = RunController::State;
 
-namespace {
+namespace test_main_window {
+
+using State = RunController::State;
 
 /// A window on a sample case, at full speed.
 struct Fixture {
@@ -66,8 +67,6 @@ struct Fixture {
 
     MainWindow window;
 };
-
-} // namespace
 
 class TestMainWindow : public QObject {
     Q_OBJECT
@@ -561,4 +560,7 @@ void TestMainWindow::namesEveryControl()
 }
 
 TOUCHDOWN_TEST(TestMainWindow)
+
+} // namespace test_main_window
+
 #include "test_main_window.moc"

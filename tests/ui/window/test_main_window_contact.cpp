@@ -38,7 +38,7 @@
 
 using namespace touchdown;
 
-namespace {
+namespace test_main_window_contact {
 
 /// A window on the sphere of Hertz with a coarse patch.
 struct Fixture {
@@ -65,8 +65,6 @@ struct Fixture {
 
     MainWindow window;
 };
-
-} // namespace
 
 class TestMainWindowContact : public QObject {
     Q_OBJECT
@@ -300,4 +298,7 @@ void TestMainWindowContact::namesEveryControl()
 }
 
 TOUCHDOWN_TEST(TestMainWindowContact)
+
+} // namespace test_main_window_contact
+
 #include "test_main_window_contact.moc"

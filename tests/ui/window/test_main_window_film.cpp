@@ -43,9 +43,10 @@
 #include "ui/window/window_actions.h"
 
 using namespace touchdown;
-using State = SteadyController::State;
 
-namespace {
+namespace test_main_window_film {
+
+using State = SteadyController::State;
 
 /// A window on a film case with a coarse grid.
 struct Fixture {
@@ -86,8 +87,6 @@ struct Fixture {
 
     MainWindow window;
 };
-
-} // namespace
 
 class TestMainWindowFilm : public QObject {
     Q_OBJECT
@@ -419,4 +418,7 @@ void TestMainWindowFilm::namesEveryControl()
 }
 
 TOUCHDOWN_TEST(TestMainWindowFilm)
+
+} // namespace test_main_window_film
+
 #include "test_main_window_film.moc"

@@ -47,9 +47,10 @@
 #include "ui/window/window_actions.h"
 
 using namespace touchdown;
-using State = RunController::State;
 
-namespace {
+namespace test_xvfb_workbench {
+
+using State = RunController::State;
 
 /// Keys and clicks by the X server, not by Qt.
 void xdotool(const QStringList& arguments)
@@ -85,8 +86,6 @@ std::size_t colours(const QImage& image)
         for (int x = 0; x < image.width(); ++x) found.insert(image.pixel(x, y));
     return found.size();
 }
-
-} // namespace
 
 class TestXvfbWorkbench : public QObject {
     Q_OBJECT
@@ -298,4 +297,7 @@ void TestXvfbWorkbench::fitsASmallScreen()
 }
 
 TOUCHDOWN_TEST(TestXvfbWorkbench)
+
+} // namespace test_xvfb_workbench
+
 #include "test_xvfb_workbench.moc"
