@@ -147,7 +147,8 @@ StudyReport perform(const Case& start, const DesignTask& task, const StudyCallba
             return goOn();
         });
     };
-    runParallel(1, 1, search, [&](std::size_t) { return !callback || callback(progress.now()); });
+    const bool whole = runParallel(1, 1, search, [&](std::size_t) { return !callback || callback(progress.now()); });
+    if (!whole && study.status != StudyStatus::Completed) study.status = StudyStatus::Cancelled;
     return designReport(task, study);
 }
 
