@@ -76,4 +76,14 @@ std::string switchName(ContactRegion before, ContactRegion now)
     return {};
 }
 
+std::optional<ContactBranch> branchAfterSwitch(std::string_view name)
+{
+    using enum ContactRegion;
+    for (const ContactRegion before : {Apart, Pressed, Lifting, Bridged})
+        for (const ContactRegion now : {Apart, Pressed, Lifting, Bridged})
+            if (now != before && name == switchName(before, now))
+                return now == Apart ? ContactBranch::TouchDown : ContactBranch::TakeOff;
+    return {};
+}
+
 } // namespace touchdown

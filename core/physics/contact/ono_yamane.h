@@ -18,7 +18,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace touchdown {
 
@@ -64,6 +66,8 @@ enum class ContactRegion : std::uint8_t {
 
 /// A change of the region as an event: "touch-down".
 std::string switchName(ContactRegion before, ContactRegion now);
+/// The branch after an event of this name; none where the name is not one of switchName.
+std::optional<ContactBranch> branchAfterSwitch(std::string_view name);
 
 /// constant + slope d.
 struct AffineForce {

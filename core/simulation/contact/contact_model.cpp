@@ -38,9 +38,9 @@ public:
     std::vector<ContactSwitch> switchesUntil(double separation) const override
     {
         if (branch_ == ContactBranch::TouchDown && separation_ > touchDown_ && separation <= touchDown_)
-            return {{touchDown_, "touch-down"}};
+            return {{touchDown_, switchName(ContactRegion::Apart, ContactRegion::Pressed)}};
         if (branch_ == ContactBranch::TakeOff && separation_ < takeOff_ && separation >= takeOff_)
-            return {{takeOff_, "take-off"}};
+            return {{takeOff_, switchName(ContactRegion::Bridged, ContactRegion::Apart)}};
         return {};
     }
 

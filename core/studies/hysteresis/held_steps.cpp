@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/case/fields.h"
+#include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {
 
@@ -39,10 +40,8 @@ ContactBranch branchAfter(const HeldEnd& before)
     if (valueOf(end.final, "contact_force").value_or(0.0) != 0.0 ||
         valueOf(end.final, "adhesion_force").value_or(0.0) != 0.0)
         return ContactBranch::TakeOff;
-    for (auto event = end.events.rbegin(); event != end.events.rend(); ++event) {
-        if (event->name.find("spring") != std::string::npos) continue;
-        return event->name == "take-off" ? ContactBranch::TouchDown : ContactBranch::TakeOff;
-    }
+    for (auto event = end.events.rbegin(); event != end.events.rend(); ++event)
+        if (const auto branch = branchAfterSwitch(event->name)) return *branch;
     if (before.startSpacing >= before.run.onoYamane.takeOff) return ContactBranch::TouchDown;
     if (before.startSpacing <= before.run.onoYamane.touchDown) return ContactBranch::TakeOff;
     return before.run.initial.branch;

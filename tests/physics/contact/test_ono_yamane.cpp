@@ -173,6 +173,14 @@ private slots:
         QCOMPARE(law.nextBranch(ContactBranch::TakeOff, 5e-9), ContactBranch::TouchDown);
         QCOMPARE(law.nextBranch(ContactBranch::TouchDown, 3e-9), ContactBranch::TakeOff);
     }
+    void namesOfSwitchesTellTheBranch()
+    {
+        QCOMPARE(branchAfterSwitch(switchName(Apart, Pressed)), std::optional(ContactBranch::TakeOff));
+        QCOMPARE(branchAfterSwitch(switchName(Pressed, Lifting)), std::optional(ContactBranch::TakeOff));
+        QCOMPARE(branchAfterSwitch(switchName(Bridged, Apart)), std::optional(ContactBranch::TouchDown));
+        QVERIFY(!branchAfterSwitch("rear spring lost"));
+        QVERIFY(!branchAfterSwitch(""));
+    }
 };
 
 TOUCHDOWN_TEST(TestOnoYamane)
