@@ -12,7 +12,7 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/surface_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/words.h"
@@ -22,17 +22,17 @@ namespace touchdown {
 
 namespace {
 
-using Selection = std::vector<const Field*>;
+using Selection = std::vector<const Parameter*>;
 
-std::string kindName(const Field& field)
+std::string kindName(const Parameter& parameter)
 {
-    switch (field.kind) {
-    case FieldKind::Number: return "number";
-    case FieldKind::Integer: return "integer";
-    case FieldKind::Choice: return "choice";
-    case FieldKind::Boolean: return "boolean";
-    case FieldKind::Text: return "text";
-    case FieldKind::List: return "list";
+    switch (parameter.kind) {
+    case ParameterKind::Number: return "number";
+    case ParameterKind::Integer: return "integer";
+    case ParameterKind::Choice: return "choice";
+    case ParameterKind::Boolean: return "boolean";
+    case ParameterKind::Text: return "text";
+    case ParameterKind::List: return "list";
     }
     return {};
 }
@@ -40,8 +40,8 @@ std::string kindName(const Field& field)
 Selection select(const std::string& key)
 {
     Selection selection;
-    for (const Field& field : fields())
-        if (key.empty() || field.key == key || field.group() == key) selection.push_back(&field);
+    for (const Parameter& parameter : parameters())
+        if (key.empty() || parameter.key == key || parameter.group() == key) selection.push_back(&parameter);
     return selection;
 }
 
@@ -50,22 +50,22 @@ std::string nearest(const std::string& key)
 {
     if (const std::string name = nearestKey(key); !name.empty()) return name;
     std::vector<std::string> groups;
-    for (const Field& field : fields())
-        if (!field.group().empty() && (groups.empty() || groups.back() != field.group()))
-            groups.push_back(field.group());
+    for (const Parameter& parameter : parameters())
+        if (!parameter.group().empty() && (groups.empty() || groups.back() != parameter.group()))
+            groups.push_back(parameter.group());
     std::ranges::copy(studyKindNames(), std::back_inserter(groups));
     return nearestName(key, groups);
 }
 
-std::string defaultText(const Field& field)
+std::string defaultText(const Parameter& parameter)
 {
     const auto shown = [&](ModelKind model) {
-        const std::string text = toText(defaultsOf(model), field);
+        const std::string text = toText(defaultsOf(model), parameter);
         return text.empty() ? "(empty)" : text;
     };
     std::string text = shown(ModelKind::Springs);
     // The model has one default.
-    if (field.key == "model") return text;
+    if (parameter.key == "model") return text;
     const auto add = [&, springs = text](const char* name, ModelKind model) {
         if (const std::string other = shown(model); other != springs) text += std::string("; ") + name + ": " + other;
     };
@@ -74,11 +74,12 @@ std::string defaultText(const Field& field)
     return text;
 }
 
-std::string unitText(const Field& field)
+std::string unitText(const Parameter& parameter)
 {
-    const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
-    if (field.unit.empty()) return numbers ? "-" : "";
-    return field.unit == field.displayUnit ? field.unit : field.displayUnit + " (" + field.unit + ")";
+    const bool numbers = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::List;
+    if (parameter.unit.empty()) return numbers ? "-" : "";
+    return parameter.unit == parameter.displayUnit ? parameter.unit
+                                                   : parameter.displayUnit + " (" + parameter.unit + ")";
 }
 
 std::string table(const Selection& selection)
@@ -86,58 +87,62 @@ std::string table(const Selection& selection)
     std::size_t keyWidth = 3;
     std::size_t unitWidth = 4;
     std::size_t defaultWidth = 7;
-    for (const Field* field : selection) {
-        keyWidth = std::max(keyWidth, field->key.size());
-        unitWidth = std::max(unitWidth, unitText(*field).size());
-        defaultWidth = std::max(defaultWidth, defaultText(*field).size());
+    for (const Parameter* parameter : selection) {
+        keyWidth = std::max(keyWidth, parameter->key.size());
+        unitWidth = std::max(unitWidth, unitText(*parameter).size());
+        defaultWidth = std::max(defaultWidth, defaultText(*parameter).size());
     }
     std::string text =
         padded("KEY", keyWidth) + padded("UNIT", unitWidth) + padded("DEFAULT", defaultWidth) + "ALLOWED\n";
     std::string group;
     for (std::size_t i = 0; i < selection.size(); ++i) {
-        const Field* field = selection[i];
-        if (field->group() != group) text += "\n[" + field->group() + "]\n";
-        group = field->group();
-        text += padded(field->key, keyWidth) + padded(unitText(*field), unitWidth) +
-                padded(defaultText(*field), defaultWidth) + allowedRange(*field) + "\n";
-        text += wrapped(field->help + (field->source.empty() ? "" : " Source: " + field->source + "."), 6);
+        const Parameter* parameter = selection[i];
+        if (parameter->group() != group) text += "\n[" + parameter->group() + "]\n";
+        group = parameter->group();
+        text += padded(parameter->key, keyWidth) + padded(unitText(*parameter), unitWidth) +
+                padded(defaultText(*parameter), defaultWidth) + allowedRange(*parameter) + "\n";
+        text += wrapped(parameter->help + (parameter->source.empty() ? "" : " Source: " + parameter->source + "."), 6);
         const bool last = i + 1 == selection.size() || selection[i + 1]->group() != group;
         if (group == "abs" && last && selection.size() > 1) text += wrapped(std::string(surfaceHelp()), 6);
     }
     return text;
 }
 
-std::string details(const Field& field)
+std::string details(const Parameter& parameter)
 {
     const auto line = [](const char* name, const std::string& value) {
         return value.empty() ? std::string() : padded(name, 8) + value + "\n";
     };
-    return line("key", field.key) + line("name", field.label) + line("symbol", field.symbol) +
-           line("kind", kindName(field)) + line("unit", unitText(field)) + line("default", defaultText(field)) +
-           line("allowed", allowedRange(field)) + line("effect", field.help) + line("source", field.source);
+    return line("key", parameter.key) + line("name", parameter.label) + line("symbol", parameter.symbol) +
+           line("kind", kindName(parameter)) + line("unit", unitText(parameter)) +
+           line("default", defaultText(parameter)) + line("allowed", allowedRange(parameter)) +
+           line("effect", parameter.help) + line("source", parameter.source);
 }
 
-Json json(const Field& field)
+Json json(const Parameter& parameter)
 {
-    const auto value = [](const FieldValue& v) { return std::visit([](const auto& x) { return Json(x); }, v); };
-    Json result{{"key", field.key}, {"label", field.label}, {"symbol", field.symbol}, {"kind", kindName(field)}};
-    const bool list = field.kind == FieldKind::List;
-    if (field.kind == FieldKind::Number || list) {
-        result["unit"] = field.unit.empty() ? "1" : field.unit;
-        result["display_unit"] = field.displayUnit;
+    const auto value = [](const ParameterValue& v) { return std::visit([](const auto& x) { return Json(x); }, v); };
+    Json result{{"key", parameter.key},
+                {"label", parameter.label},
+                {"symbol", parameter.symbol},
+                {"kind", kindName(parameter)}};
+    const bool list = parameter.kind == ParameterKind::List;
+    if (parameter.kind == ParameterKind::Number || list) {
+        result["unit"] = parameter.unit.empty() ? "1" : parameter.unit;
+        result["display_unit"] = parameter.displayUnit;
     }
-    if (list) result["minimum_count"] = field.minimumCount;
-    if (list) result["maximum_count"] = field.maximumCount;
-    if (field.kind == FieldKind::Number || field.kind == FieldKind::Integer || list) {
-        result["minimum"] = jsonNumber(field.minimum);
-        result["minimum_allowed"] = field.minimumAllowed;
-        result["maximum"] = jsonNumber(field.maximum);
+    if (list) result["minimum_count"] = parameter.minimumCount;
+    if (list) result["maximum_count"] = parameter.maximumCount;
+    if (parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::Integer || list) {
+        result["minimum"] = jsonNumber(parameter.minimum);
+        result["minimum_allowed"] = parameter.minimumAllowed;
+        result["maximum"] = jsonNumber(parameter.maximum);
     }
-    if (field.kind == FieldKind::Choice) result["choices"] = field.choices;
-    result["default"] = value(field.get(Case{}));
-    result["allowed"] = allowedRange(field);
-    result["help"] = field.help;
-    result["source"] = field.source;
+    if (parameter.kind == ParameterKind::Choice) result["choices"] = parameter.choices;
+    result["default"] = value(parameter.get(Case{}));
+    result["allowed"] = allowedRange(parameter);
+    result["help"] = parameter.help;
+    result["source"] = parameter.source;
     return result;
 }
 
@@ -270,7 +275,7 @@ int describeCommand(const std::string& key, bool asJson)
     }
     if (asJson) {
         Json all = Json::array();
-        for (const Field* field : selection) all.push_back(json(*field));
+        for (const Parameter* parameter : selection) all.push_back(json(*parameter));
         Json result{{"fields", all}};
         if (key.empty() || key == "abs") result["surface"] = surfaceHelp();
         print(jsonText(result));

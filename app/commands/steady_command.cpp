@@ -13,7 +13,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
@@ -132,8 +132,8 @@ std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
     if (sensitivities.empty()) return {};
     std::string text = reportRow("sensitivity to", "   height [nm]  pitch [urad]   roll [urad]  spacing [nm]   per");
     for (const Sensitivity& s : sensitivities) {
-        const Field* field = findField(s.parameter);
-        const std::string unit = field ? field->displayUnit : s.unit == "m" ? "nm" : s.unit;
+        const Parameter* parameter = findParameter(s.parameter);
+        const std::string unit = parameter ? parameter->displayUnit : s.unit == "m" ? "nm" : s.unit;
         const double one = unit.empty() ? 1.0 : unitFactor(unit);
         const double nm = unitFactor("nm"), urad = unitFactor("urad");
         std::string name = "  " + s.parameter;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Everything that a run needs, as plain values in SI. Key names, units, ranges and help text of the
-// members are described once, in core/case/fields.h.
+// members are described once, in core/case/parameters.h.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Values that contradict each other although each is in its range, and values without effect.
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include "core/case/contact_check.h"
 #include "core/formats/units.h"
@@ -54,7 +54,7 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
     const auto add = [&](const char* key, const std::string& message) {
         problems.push_back({key, message, {"run.duration"}});
     };
-    if (findField("run.step")->used(c)) {
+    if (findParameter("run.step")->used(c)) {
         if (run.step > run.duration) add("run.step", "must be at most " + duration);
         if (run.duration / run.step > mostSteps)
             add("run.step", "makes more than 1e11 steps of " + duration + "; take a longer step");
@@ -62,7 +62,7 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
     if (run.sampleInterval > run.duration) add("run.sample_interval", "must be at most " + duration);
     if (run.duration / run.sampleInterval > mostSamples)
         add("run.sample_interval", "makes more than 1e8 samples of " + duration + "; take a longer interval");
-    if (findField("spectrum.start")->used(c) && c.spectrum.start >= run.duration)
+    if (findParameter("spectrum.start")->used(c) && c.spectrum.start >= run.duration)
         add("spectrum.start", "must be less than " + duration);
 }
 
@@ -113,10 +113,10 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (!slipLaw(c.air.slip.model).knowsAccommodation && c.air.slip.accommodation != 1.0)
-        problems.push_back(
-            {"air.accommodation",
-             "must be 1 with this air.slip (" + toText(c, *findField("air.slip")) + "), which assumes diffuse walls",
-             {"air.slip"}});
+        problems.push_back({"air.accommodation",
+                            "must be 1 with this air.slip (" + toText(c, *findParameter("air.slip")) +
+                                "), which assumes diffuse walls",
+                            {"air.slip"}});
     if (c.initial.state == InitialState::Static && c.steady.fixedAttitude)
         problems.push_back({"initial.state",
                             "must be \"given\" with steady.fixed_attitude, which computes no static attitude",
@@ -127,31 +127,31 @@ void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
     checkFilmContact(c, problems);
 }
 
-/// The choices of one field with which another would be used, as "a = \"x\" or \"y\""; empty if there are none.
-std::string choicesFor(const Case& c, const Field& wanted, const Field& chosen)
+/// The choices of one parameter with which another would be used, as "a = \"x\" or \"y\""; empty if there are none.
+std::string choicesFor(const Case& c, const Parameter& wanted, const Parameter& chosen)
 {
     std::string names;
     Case other = c;
-    const auto consider = [&](const FieldValue& value, const std::string& name) {
+    const auto consider = [&](const ParameterValue& value, const std::string& name) {
         chosen.set(other, value);
         if (wanted.used(other)) names += (names.empty() ? chosen.key + " = " : " or ") + name;
     };
     for (const std::string& choice : chosen.choices) consider(choice, '"' + choice + '"');
-    if (chosen.kind == FieldKind::Boolean)
+    if (chosen.kind == ParameterKind::Boolean)
         for (const bool value : {false, true}) consider(value, value ? "true" : "false");
     return names;
 }
 
 } // namespace
 
-std::string unusedMessage(const Case& c, const Field& field)
+std::string unusedMessage(const Case& c, const Parameter& parameter)
 {
-    if (field.used(c)) return {};
+    if (parameter.used(c)) return {};
     const std::string message = "has no effect here";
-    // Later choices depend on earlier ones: the search starts at the last field and reaches the model last.
-    for (auto chosen = fields().rbegin(); chosen != fields().rend(); ++chosen)
+    // Later choices depend on earlier ones: the search starts at the last parameter and reaches the model last.
+    for (auto chosen = parameters().rbegin(); chosen != parameters().rend(); ++chosen)
         if (chosen->used(c))
-            if (const std::string choices = choicesFor(c, field, *chosen); !choices.empty())
+            if (const std::string choices = choicesFor(c, parameter, *chosen); !choices.empty())
                 return message + ", only with " + choices;
     return message;
 }

@@ -3,7 +3,7 @@
 // Values that contradict each other in model "contact" and in the contact under a film.
 #pragma once
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include <vector>
 

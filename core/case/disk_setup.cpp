@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/height_map_file.h"
 #include "core/physics/disk/disk_surface_check.h"
 
@@ -9,7 +9,7 @@ namespace touchdown {
 
 namespace {
 
-bool readsFile(const Case& c) { return findField("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
+bool readsFile(const Case& c) { return findParameter("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
 
 HeightMapDocument readMap(const Case& c) { return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file); }
 

@@ -19,76 +19,80 @@ namespace touchdown {
 namespace {
 
 /// The default numbers of a list, or two numbers that show the unit.
-std::string exampleOf(const Field& field)
+std::string exampleOf(const Parameter& parameter)
 {
-    if (field.unit.empty())
-        if (std::string usual = toText(Case{}, field); !usual.empty()) return usual;
-    const std::string one = field.unit.empty() ? "1" : "\"1 " + field.displayUnit + '"';
+    if (parameter.unit.empty())
+        if (std::string usual = toText(Case{}, parameter); !usual.empty()) return usual;
+    const std::string one = parameter.unit.empty() ? "1" : "\"1 " + parameter.displayUnit + '"';
     return one + ", " + one;
 }
 
-std::string needed(const Field& field)
+std::string needed(const Parameter& parameter)
 {
-    switch (field.kind) {
-    case FieldKind::Number:
-        return field.unit.empty() ? "a number is needed" : "a number or \"1 " + field.displayUnit + "\" is needed";
-    case FieldKind::Integer: return "a whole number is needed";
-    case FieldKind::Choice: return "allowed is " + allowedRange(field);
-    case FieldKind::Boolean: return "true or false is needed";
-    case FieldKind::Text: return "text in quotation marks is needed";
-    case FieldKind::List: return "a list such as [" + exampleOf(field) + "] is needed";
+    switch (parameter.kind) {
+    case ParameterKind::Number:
+        return parameter.unit.empty() ? "a number is needed"
+                                      : "a number or \"1 " + parameter.displayUnit + "\" is needed";
+    case ParameterKind::Integer: return "a whole number is needed";
+    case ParameterKind::Choice: return "allowed is " + allowedRange(parameter);
+    case ParameterKind::Boolean: return "true or false is needed";
+    case ParameterKind::Text: return "text in quotation marks is needed";
+    case ParameterKind::List: return "a list such as [" + exampleOf(parameter) + "] is needed";
     }
     return {};
 }
 
 struct ValueReader {
     Case& target;
-    const Field& field;
+    const Parameter& parameter;
     using Problem = std::optional<std::string>;
 
-    Problem operator()(std::monostate) const { return "has the wrong type; " + needed(field); }
+    Problem operator()(std::monostate) const { return "has the wrong type; " + needed(parameter); }
     Problem operator()(bool value) const
     {
-        if (field.kind != FieldKind::Boolean) return (value ? "is true; " : "is false; ") + needed(field);
-        field.set(target, value);
+        if (parameter.kind != ParameterKind::Boolean) return (value ? "is true; " : "is false; ") + needed(parameter);
+        parameter.set(target, value);
         return {};
     }
     Problem operator()(std::int64_t value) const { return fromNumber(static_cast<double>(value)); }
     Problem operator()(double value) const { return fromNumber(value); }
     Problem operator()(const std::string& text) const
     {
-        if (field.kind == FieldKind::Text || field.kind == FieldKind::Choice) return setFromText(target, field, text);
-        if (field.kind != FieldKind::Number) return "is text; " + needed(field);
-        const auto number = parseQuantity(text, field.unit);
+        if (parameter.kind == ParameterKind::Text || parameter.kind == ParameterKind::Choice)
+            return setFromText(target, parameter, text);
+        if (parameter.kind != ParameterKind::Number) return "is text; " + needed(parameter);
+        const auto number = parseQuantity(text, parameter.unit);
         if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
-        return setFromNumber(target, field, std::get<double>(number));
+        return setFromNumber(target, parameter, std::get<double>(number));
     }
     Problem operator()(const TomlArray& array) const
     {
-        if (field.kind != FieldKind::List) return "has the wrong type; " + needed(field);
+        if (parameter.kind != ParameterKind::List) return "has the wrong type; " + needed(parameter);
         std::vector<double> values;
         for (const TomlElement& element : array.elements) {
-            if (values.size() > field.maximumCount) break;
-            const auto number = tomlQuantity(element.value, field.unit, field.displayUnit);
+            if (values.size() > parameter.maximumCount) break;
+            const auto number = tomlQuantity(element.value, parameter.unit, parameter.displayUnit);
             if (const auto* problem = std::get_if<UnitProblem>(&number)) return problem->message;
             values.push_back(std::get<double>(number));
         }
-        return setFromNumbers(target, field, values);
+        return setFromNumbers(target, parameter, values);
     }
 
 private:
     Problem fromNumber(double value) const
     {
-        if (field.kind != FieldKind::Number && field.kind != FieldKind::Integer) return "is a number; " + needed(field);
-        return setFromNumber(target, field, value);
+        if (parameter.kind != ParameterKind::Number && parameter.kind != ParameterKind::Integer)
+            return "is a number; " + needed(parameter);
+        return setFromNumber(target, parameter, value);
     }
 };
 
 std::vector<std::string> groups()
 {
     std::vector<std::string> names;
-    for (const Field& field : fields())
-        if (!field.group().empty() && (names.empty() || names.back() != field.group())) names.push_back(field.group());
+    for (const Parameter& parameter : parameters())
+        if (!parameter.group().empty() && (names.empty() || names.back() != parameter.group()))
+            names.push_back(parameter.group());
     return names;
 }
 
@@ -129,7 +133,7 @@ private:
     {
         Case c;
         const auto entry = std::ranges::find(toml.entries, "model", &TomlEntry::key);
-        if (entry != toml.entries.end()) setFromToml(c, *findField("model"), entry->value);
+        if (entry != toml.entries.end()) setFromToml(c, *findParameter("model"), entry->value);
         return c.model;
     }
 
@@ -169,7 +173,7 @@ private:
         unknownTables_.insert(table.key);
         if (isGroup(table.key)) {
             add(table.line, table.key, "is a table, not a value; write [" + table.key + "]");
-        } else if (findField(table.key) != nullptr || table.key == railFileKey) {
+        } else if (findParameter(table.key) != nullptr || table.key == railFileKey) {
             add(table.line, table.key, "is a value, not a table");
         } else {
             add(table.line, table.key, "unknown table" + didYouMean(nearestName(table.key, groups_)));
@@ -181,8 +185,9 @@ private:
         if (isSurfaceKey(entry.key) || entry.key == railFileKey || insideUnknown(entry.key)) return;
         if (isGroup(entry.key)) {
             add(entry.line, entry.key, "is a table, not a value; write [" + entry.key + "]");
-        } else if (const Field* field = findField(entry.key)) {
-            if (auto problem = setFromToml(document_.value, *field, entry.value)) add(entry.line, entry.key, *problem);
+        } else if (const Parameter* parameter = findParameter(entry.key)) {
+            if (auto problem = setFromToml(document_.value, *parameter, entry.value))
+                add(entry.line, entry.key, *problem);
         } else {
             // Each suggestion searches all keys; a text with many unknown keys is not a case with typing errors.
             constexpr int mostSuggestions = 50;
@@ -228,12 +233,12 @@ private:
         };
         std::vector<Unused> all;
         for (const TomlEntry& entry : toml.entries) {
-            const Field* field = findField(entry.key);
-            if (field == nullptr) continue;
-            const std::string message = unusedMessage(document_.value, *field);
+            const Parameter* parameter = findParameter(entry.key);
+            if (parameter == nullptr) continue;
+            const std::string message = unusedMessage(document_.value, *parameter);
             if (message.empty()) continue;
             const auto same = std::ranges::find_if(all, [&](const Unused& unused) {
-                return unused.message == message && findField(unused.first.key)->group() == field->group();
+                return unused.message == message && findParameter(unused.first.key)->group() == parameter->group();
             });
             if (same == all.end())
                 all.push_back({entry, message, {}});
@@ -268,9 +273,9 @@ private:
 
 } // namespace
 
-std::optional<std::string> setFromToml(Case& target, const Field& field, const TomlValue& value)
+std::optional<std::string> setFromToml(Case& target, const Parameter& parameter, const TomlValue& value)
 {
-    return std::visit(ValueReader{target, field}, value);
+    return std::visit(ValueReader{target, parameter}, value);
 }
 
 std::string shortenedKey(std::string_view key)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// TOML text to case: core/case/fields.h describes the keys; every problem carries its line.
+// TOML text to case: core/case/parameters.h describes the keys; every problem carries its line.
 #pragma once
 
 #include "core/case/case_document.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/toml_document.h"
 
 #include <filesystem>
@@ -18,8 +18,8 @@ namespace touchdown {
 /// without a folder they are a problem.
 CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder = {});
 
-/// Sets a field from a value of a case file; returns what is wrong with it, in a sentence without the key.
-std::optional<std::string> setFromToml(Case& target, const Field& field, const TomlValue& value);
+/// Sets a parameter from a value of a case file; returns what is wrong with it, in a sentence without the key.
+std::optional<std::string> setFromToml(Case& target, const Parameter& parameter, const TomlValue& value);
 
 /// A key that is short enough for a message.
 std::string shortenedKey(std::string_view key);

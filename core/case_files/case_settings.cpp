@@ -2,7 +2,7 @@
 #include "core/case_files/case_settings.h"
 
 #include "core/case/disk_setup.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/nearest_name.h"
@@ -27,14 +27,15 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
     const std::string_view key = keyOf(setting);
     const std::string_view written = trimmed(setting.substr(equals + 1), blanks);
-    const Field* field = findField(key);
-    if (field == nullptr)
+    const Parameter* parameter = findParameter(key);
+    if (parameter == nullptr)
         return problem(key.empty() ? inQuotes(setting) : std::string(key), "unknown key" + didYouMean(nearestKey(key)));
 
     const std::string_view value = withoutQuotes(written);
     const bool quoted = value.size() < written.size();
-    const auto message = quoted && field->kind == FieldKind::Number ? setFromToml(target, *field, std::string(value))
-                                                                    : setFromText(target, *field, value);
+    const auto message = quoted && parameter->kind == ParameterKind::Number
+                             ? setFromToml(target, *parameter, std::string(value))
+                             : setFromText(target, *parameter, value);
     if (!message) return {};
     return problem(key, *message);
 }
@@ -57,10 +58,10 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // A value without effect in the file may have one now; a setting may have none.
     std::erase_if(document.unused,
-                  [&](const InputProblem& unused) { return findField(unused.key)->used(document.value); });
+                  [&](const InputProblem& unused) { return findParameter(unused.key)->used(document.value); });
     for (const std::string& setting : settings) {
         const std::string key(keyOf(setting));
-        if (const std::string message = unusedMessage(document.value, *findField(key)); !message.empty())
+        if (const std::string message = unusedMessage(document.value, *findParameter(key)); !message.empty())
             document.unused.push_back({"--set", 0, key, message, ProblemKind::Setting});
     }
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
@@ -70,9 +71,9 @@ std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
 {
     Case changed = c;
     for (const CaseSetting& setting : settings) {
-        const Field* field = findField(setting.key);
-        if (field == nullptr) return setting.key + ": unknown key" + didYouMean(nearestKey(setting.key));
-        if (const auto problem = setFromText(changed, *field, setting.value)) return setting.key + ": " + *problem;
+        const Parameter* parameter = findParameter(setting.key);
+        if (parameter == nullptr) return setting.key + ": unknown key" + didYouMean(nearestKey(setting.key));
+        if (const auto problem = setFromText(changed, *parameter, setting.value)) return setting.key + ": " + *problem;
     }
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
     c = std::move(changed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_text.h"
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/surface_format.h"
 #include "core/case_files/surface_text.h"
@@ -53,24 +53,25 @@ std::string tomlList(const std::vector<double>& values, std::string_view display
 }
 
 /// The value with the quotation marks that TOML needs.
-std::string tomlValue(const Case& c, const Field& field)
+std::string tomlValue(const Case& c, const Parameter& parameter)
 {
-    const FieldValue value = field.get(c);
-    switch (field.kind) {
-    case FieldKind::Text:
-    case FieldKind::Choice: return tomlString(std::get<std::string>(value));
-    case FieldKind::Integer:
-    case FieldKind::Boolean: return toText(c, field);
-    case FieldKind::List: return tomlList(std::get<std::vector<double>>(value), field.displayUnit);
-    case FieldKind::Number: return formatTomlQuantity(std::get<double>(value), field.displayUnit);
+    const ParameterValue value = parameter.get(c);
+    switch (parameter.kind) {
+    case ParameterKind::Text:
+    case ParameterKind::Choice: return tomlString(std::get<std::string>(value));
+    case ParameterKind::Integer:
+    case ParameterKind::Boolean: return toText(c, parameter);
+    case ParameterKind::List: return tomlList(std::get<std::vector<double>>(value), parameter.displayUnit);
+    case ParameterKind::Number: return formatTomlQuantity(std::get<double>(value), parameter.displayUnit);
     }
     return {};
 }
 
 bool sameCase(const Case& a, const Case& b)
 {
-    return a.surface == b.surface &&
-           std::ranges::all_of(fields(), [&](const Field& field) { return field.get(a) == field.get(b); });
+    return a.surface == b.surface && std::ranges::all_of(parameters(), [&](const Parameter& parameter) {
+               return parameter.get(a) == parameter.get(b);
+           });
 }
 
 /// The tables [[abs.rail]] or [[abs.wall]]: equal tables at the front and at the back are kept, the tables between them
@@ -127,14 +128,15 @@ std::string changedText(const std::string& text, const TomlDocument& toml, const
     defaults.model = Case{}.model;
     TomlEditor editor(text, toml);
     if (fromFile && !keepsFile) editor.remove(railFileKey);
-    for (const Field& field : fields()) {
+    for (const Parameter& parameter : parameters()) {
         // A value that could not be read is replaced even if the new value is the default.
-        const bool bad = editor.has(field.key) && std::ranges::any_of(base.problems, [&](const InputProblem& problem) {
-                             return problem.key == field.key && problem.kind != ProblemKind::Combination;
-                         });
-        const bool ofFile = keepsFile && (field.group() == "abs" || field.group() == "slider");
-        const Case& before = editor.has(field.key) || ofFile ? base.value : defaults;
-        if (bad || field.get(before) != field.get(c)) editor.put(field.key, tomlValue(c, field));
+        const bool bad =
+            editor.has(parameter.key) && std::ranges::any_of(base.problems, [&](const InputProblem& problem) {
+                return problem.key == parameter.key && problem.kind != ProblemKind::Combination;
+            });
+        const bool ofFile = keepsFile && (parameter.group() == "abs" || parameter.group() == "slider");
+        const Case& before = editor.has(parameter.key) || ofFile ? base.value : defaults;
+        if (bad || parameter.get(before) != parameter.get(c)) editor.put(parameter.key, tomlValue(c, parameter));
     }
     if (!keepsFile) putSurface(editor, base.value.surface, c.surface);
     return editor.result();
@@ -150,18 +152,18 @@ std::string formatCase(const Case& c)
     const auto closeGroup = [&] {
         if (group == "abs") text += formatSurface(c.surface);
     };
-    for (const Field& field : fields()) {
+    for (const Parameter& parameter : parameters()) {
         // A changed value is written even if the model does not use it.
-        const bool set = field.get(c) != field.get(defaults);
-        const bool wanted = field.group() == "abs" && c.surface != AirBearingSurface{};
-        if (!set && !wanted && (!field.used(c) || field.group() == "about")) continue;
-        if (field.group() != group) {
+        const bool set = parameter.get(c) != parameter.get(defaults);
+        const bool wanted = parameter.group() == "abs" && c.surface != AirBearingSurface{};
+        if (!set && !wanted && (!parameter.used(c) || parameter.group() == "about")) continue;
+        if (parameter.group() != group) {
             closeGroup();
-            group = field.group();
+            group = parameter.group();
             text += "\n# " + std::string(groupComment(group)) + "\n[" + group + "]\n";
         }
-        text += std::string(field.leaf()) + " = " + tomlValue(c, field);
-        text += field.symbol.empty() ? "\n" : " # " + field.symbol + "\n";
+        text += std::string(parameter.leaf()) + " = " + tomlValue(c, parameter);
+        text += parameter.symbol.empty() ? "\n" : " # " + parameter.symbol + "\n";
     }
     closeGroup();
     return text;

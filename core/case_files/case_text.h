@@ -10,7 +10,7 @@
 
 namespace touchdown {
 
-/// The whole case as TOML: every used field, with a comment per group.
+/// The whole case as TOML: every used parameter, with a comment per group.
 std::string formatCase(const Case& c);
 
 /// `text` with the values of `c`: comments, order and spelling of all unchanged values are kept. A file of rails stays

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/case/disk_setup.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml/cml_kept_values.h"
@@ -50,19 +50,19 @@ std::string asMessage(std::string sentence)
     return sentence;
 }
 
-void readRails(const CmlFiles::File& file, CmlFields& fields)
+void readRails(const CmlFiles::File& file, CmlParameters& parameters)
 {
-    fields.beginFile(file.name);
+    parameters.beginFile(file.name);
     const CmlRails rails = readCmlRails(file.text, file.name);
-    fields.problems.insert(fields.problems.end(), rails.problems.begin(), rails.problems.end());
-    fields.warnings.insert(fields.warnings.end(), rails.warnings.begin(), rails.warnings.end());
+    parameters.problems.insert(parameters.problems.end(), rails.problems.begin(), rails.problems.end());
+    parameters.warnings.insert(parameters.warnings.end(), rails.warnings.begin(), rails.warnings.end());
     if (!rails.valid()) return;
-    fields.setSurface(rails);
+    parameters.setSurface(rails);
     for (const auto& [key, sentence] : surfaceProblems(rails.surface))
-        fields.addProblem(fields.lineOf(key), asMessage(sentence));
-    if (!fields.problems.empty()) return;
+        parameters.addProblem(parameters.lineOf(key), asMessage(sentence));
+    if (!parameters.problems.empty()) return;
     for (const auto& [key, sentence] : surfaceWarnings(rails.surface, rails.length, rails.width))
-        fields.addWarning(fields.lineOf(key), asMessage(sentence));
+        parameters.addWarning(parameters.lineOf(key), asMessage(sentence));
 }
 
 /// Latin-1, which the program writes, as UTF-8; control characters become '?'.
@@ -191,27 +191,27 @@ private:
 };
 
 /// The wave.def beside the other files, by its absolute path, so that the case may be moved.
-void findTrackProfile(const fs::path& path, CmlFields& fields)
+void findTrackProfile(const fs::path& path, CmlParameters& parameters)
 {
-    const Case& c = fields.value();
+    const Case& c = parameters.value();
     if (c.diskSurface.file.empty()) return;
-    const int line = fields.lineOf("disk.surface.file");
+    const int line = parameters.lineOf("disk.surface.file");
     std::error_code error;
     const fs::path folder = fs::is_directory(path, error) ? path
                             : path.parent_path().empty()  ? fs::path(".")
                                                           : path.parent_path();
     const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
     if (file) {
-        fields.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
+        parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
         const auto problems = diskFileProblems(c);
-        fields.problems.insert(fields.problems.end(), problems.begin(), problems.end());
+        parameters.problems.insert(parameters.problems.end(), problems.begin(), problems.end());
         return;
     }
-    if (c.diskSurface.kind == DiskSurfaceKind::File) fields.choose("disk.surface.kind", "flat", line);
-    fields.choose("disk.surface.file", "", line);
-    fields.addWarning(line, isArchive(path)
-                                ? "Disk Track Profile: not modelled: a wave.def in an archive; unpack it"
-                                : "Disk Track Profile: not modelled: there is no wave.def beside this file");
+    if (c.diskSurface.kind == DiskSurfaceKind::File) parameters.choose("disk.surface.kind", "flat", line);
+    parameters.choose("disk.surface.file", "", line);
+    parameters.addWarning(line, isArchive(path)
+                                    ? "Disk Track Profile: not modelled: a wave.def in an archive; unpack it"
+                                    : "Disk Track Profile: not modelled: there is no wave.def beside this file");
 }
 
 /// "tfc3" for tfc3, tfc3/ , tfc3/rail.dat and tfc3.cml.
@@ -275,18 +275,18 @@ bool isCmlPath(const fs::path& path)
     return isArchive(path) || isCmlMember(lowerCase(path.filename().string()));
 }
 
-void readCmlFiles(const CmlFiles& files, CmlFields& fields)
+void readCmlFiles(const CmlFiles& files, CmlParameters& parameters)
 {
-    readRails(files.rail, fields);
+    readRails(files.rail, parameters);
     if (!files.run.name.empty()) {
-        fields.beginFile(files.run.name);
-        readCmlRun(files.run.text, fields);
-        applyKeptValues(fields);
+        parameters.beginFile(files.run.name);
+        readCmlRun(files.run.text, parameters);
+        applyKeptValues(parameters);
     } else if (!files.dynamics.name.empty()) {
-        fields.beginFile(files.dynamics.name);
-        readCmlDynamics(files.dynamics.text, fields);
+        parameters.beginFile(files.dynamics.name);
+        readCmlDynamics(files.dynamics.text, parameters);
     }
-    if (fields.problems.empty()) fields.checkCombinations();
+    if (parameters.problems.empty()) parameters.checkCombinations();
 }
 
 CaseDocument readCmlCase(const fs::path& path)
@@ -296,13 +296,13 @@ CaseDocument readCmlCase(const fs::path& path)
     document.value = defaultsOf(ModelKind::Film);
     const auto files = CmlFinder(document).find(path);
     if (!files) return document;
-    CmlFields fields(document.value);
-    readCmlFiles(*files, fields);
-    if (!files->dynamics.name.empty()) findTrackProfile(path, fields);
-    if (document.value.title == Case{}.title) fields.choose("title", titleOf(path), 0);
-    document.problems = std::move(fields.problems);
-    document.warnings.insert(document.warnings.end(), fields.warnings.begin(), fields.warnings.end());
-    document.text = asToml(document, fields.comments);
+    CmlParameters parameters(document.value);
+    readCmlFiles(*files, parameters);
+    if (!files->dynamics.name.empty()) findTrackProfile(path, parameters);
+    if (document.value.title == Case{}.title) parameters.choose("title", titleOf(path), 0);
+    document.problems = std::move(parameters.problems);
+    document.warnings.insert(document.warnings.end(), parameters.warnings.begin(), parameters.warnings.end());
+    document.text = asToml(document, parameters.comments);
     return document;
 }
 
@@ -310,7 +310,7 @@ CmlOutput formatCmlCase(const Case& c)
 {
     CmlOutput output;
     if (c.model != ModelKind::Film) {
-        output.problem = "model is " + toText(c, *findField("model")) +
+        output.problem = "model is " + toText(c, *findParameter("model")) +
                          "; the established program's files describe an air film (model = \"film\")";
         return output;
     }
@@ -318,10 +318,10 @@ CmlOutput formatCmlCase(const Case& c)
     files.rail = {"rail.dat", formatCmlRails(c.slider.length, c.slider.width, c.slider.thickness, c.surface)};
     files.run = {"run.dat", formatCmlRun(c, "")};
     Case read = defaultsOf(ModelKind::Film);
-    CmlFields fields(read);
-    readCmlFiles(files, fields);
-    if (!fields.problems.empty()) {
-        output.problem = "does not fit into the established program's files: " + fields.problems.front().text();
+    CmlParameters parameters(read);
+    readCmlFiles(files, parameters);
+    if (!parameters.problems.empty()) {
+        output.problem = "does not fit into the established program's files: " + parameters.problems.front().text();
         return output;
     }
     const CmlKeptValues kept = keepValues(c, read);

@@ -11,7 +11,7 @@
 
 #include "core/case/case_document.h"
 #include "core/case_files/cml/cml_archive.h"
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
 
@@ -33,7 +33,7 @@ struct CmlFiles {
     File dynamics;
 };
 /// Puts their values into the case, which has the defaults of a film.
-void readCmlFiles(const CmlFiles& files, CmlFields& fields);
+void readCmlFiles(const CmlFiles& files, CmlParameters& parameters);
 
 /// The files of a film case, as far as they can describe it.
 struct CmlOutput {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rails, walls and points of interest of a case file. The numbers of [abs] are fields: see core/case/fields.h.
+// Rails, walls and points of interest of a case file. The numbers of [abs] are parameters: see core/case/parameters.h.
 //
 //   [abs]
 //   points_of_interest = [["1.24 mm", "0.5 mm"]]

@@ -3,18 +3,18 @@
 
 #include <ctime>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 namespace touchdown {
 namespace {
 
-Hdf5Dataset putParameter(const Hdf5Group& group, const Case& c, const Field& field)
+Hdf5Dataset putParameter(const Hdf5Group& group, const Case& c, const Parameter& parameter)
 {
-    const FieldValue value = field.get(c);
-    if (const auto* number = std::get_if<double>(&value)) return group.put(field.key, *number);
-    if (const auto* whole = std::get_if<int>(&value)) return group.put(field.key, static_cast<double>(*whole));
-    if (const auto* list = std::get_if<std::vector<double>>(&value)) return group.put(field.key, *list);
-    return group.put(field.key, toText(c, field));
+    const ParameterValue value = parameter.get(c);
+    if (const auto* number = std::get_if<double>(&value)) return group.put(parameter.key, *number);
+    if (const auto* whole = std::get_if<int>(&value)) return group.put(parameter.key, static_cast<double>(*whole));
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) return group.put(parameter.key, *list);
+    return group.put(parameter.key, toText(c, parameter));
 }
 
 } // namespace
@@ -43,11 +43,11 @@ void writeCaseGroup(const Hdf5Group& file, const Case& c, const std::string& tex
     const Hdf5Group group = file.create("case");
     group.put("text", text, "1", "The case as it was given");
     const Hdf5Group parameters = group.create("parameters");
-    for (const Field& field : fields()) {
-        if (field.used && !field.used(c)) continue;
-        const Hdf5Dataset dataset = putParameter(parameters, c, field);
-        dataset.describe(field.unit, field.label);
-        if (!field.symbol.empty()) dataset.set("symbol", field.symbol);
+    for (const Parameter& parameter : touchdown::parameters()) {
+        if (parameter.used && !parameter.used(c)) continue;
+        const Hdf5Dataset dataset = putParameter(parameters, c, parameter);
+        dataset.describe(parameter.unit, parameter.label);
+        if (!parameter.symbol.empty()) dataset.set("symbol", parameter.symbol);
     }
 }
 

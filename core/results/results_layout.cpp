@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/results_layout.h"
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/hdf5_file.h"
 #include "core/results/file_header.h"
 #include "core/results/results_samples.h"
@@ -10,7 +10,7 @@ namespace touchdown {
 namespace {
 
 /// Seed of the random disk; 0 where nothing is random.
-int seedOf(const Case& c) { return findField("disk.surface.seed")->used(c) ? c.diskSurface.seed : 0; }
+int seedOf(const Case& c) { return findParameter("disk.surface.seed")->used(c) ? c.diskSurface.seed : 0; }
 
 } // namespace
 
@@ -40,8 +40,8 @@ void writeSpectrum(const Hdf5Group& file, const ResultsSpectrum& entry)
     Case options;
     options.spectrum = entry.options;
     const auto option = [&](const char* key) {
-        const Field* field = findField(key);
-        return field ? toText(options, *field) : std::string();
+        const Parameter* parameter = findParameter(key);
+        return parameter ? toText(options, *parameter) : std::string();
     };
     group.set("window", option("spectrum.window"));
     group.set("scaling", option("spectrum.scaling"));

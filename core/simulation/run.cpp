@@ -3,7 +3,7 @@
 
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/numerics/cvode.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/contact/contact_run.h"
@@ -52,14 +52,14 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         refused.status = RunStatus::Failed;
         refused.failure = RunFailure::Other;
         refused.message = reason;
-        refused.model = toText(c, *findField("model"));
+        refused.model = toText(c, *findParameter("model"));
         return refused;
     }
     Summary summary;
     switch (c.model) {
     case ModelKind::Springs:
         summary = runSprings(c, callback, options);
-        summary.integrator = toText(c, *findField("run.integrator"));
+        summary.integrator = toText(c, *findParameter("run.integrator"));
         break;
     case ModelKind::Contact:
         summary = runContact(c, callback);
@@ -67,10 +67,10 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         break;
     case ModelKind::Film:
         summary = runFilm(c, callback);
-        summary.integrator = toText(c, *findField("film.coupling"));
+        summary.integrator = toText(c, *findParameter("film.coupling"));
         break;
     }
-    summary.model = toText(c, *findField("model"));
+    summary.model = toText(c, *findParameter("model"));
     return summary;
 }
 

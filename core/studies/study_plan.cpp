@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
@@ -270,7 +270,7 @@ std::vector<DescribedKey> studyKeys(const std::string& kind)
             if (described == keys.end()) described = keys.insert(described, {row, allowedText(row), {}});
             described->varies = described->varies || described->allowed != allowedText(row);
             if (const std::string standard = defaultText(row); !standard.empty())
-                described->standards.emplace_back(toText(c, *findField("model")), standard);
+                described->standards.emplace_back(toText(c, *findParameter("model")), standard);
         }
     }
     return keys;

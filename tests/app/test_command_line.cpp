@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
 
@@ -195,10 +195,10 @@ void TestCommandLine::describeAll()
     const Outcome json = folder_->touchdown({"describe", "--json"});
     QCOMPARE(text.code, 0);
     const QJsonArray all = json.json()["fields"].toArray();
-    QCOMPARE(static_cast<std::size_t>(all.size()), fields().size());
-    for (const Field& field : fields()) {
-        QVERIFY2(text.out.contains("\n" + QByteArray::fromStdString(field.key) + " "), field.key.c_str());
-        QVERIFY2(text.out.contains(QByteArray::fromStdString(allowedRange(field)) + "\n"), field.key.c_str());
+    QCOMPARE(static_cast<std::size_t>(all.size()), parameters().size());
+    for (const Parameter& parameter : parameters()) {
+        QVERIFY2(text.out.contains("\n" + QByteArray::fromStdString(parameter.key) + " "), parameter.key.c_str());
+        QVERIFY2(text.out.contains(QByteArray::fromStdString(allowedRange(parameter)) + "\n"), parameter.key.c_str());
     }
     QCOMPARE(folder_->touchdown({"describe", "springs", "--json"}).json()["fields"].toArray().size(), 10);
 }

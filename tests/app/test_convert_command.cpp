@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
@@ -37,8 +37,8 @@ private slots:
         const CaseDocument first = openCase(folder_->path("slider").toStdString());
         const CaseDocument last = readCaseFile(folder_->path("d.toml").toStdString());
         QVERIFY(last.valid());
-        for (const Field& field : fields())
-            QVERIFY2(field.get(first.value) == field.get(last.value), field.key.c_str());
+        for (const Parameter& parameter : parameters())
+            QVERIFY2(parameter.get(first.value) == parameter.get(last.value), parameter.key.c_str());
         QVERIFY(first.value.surface == last.value.surface);
         QCOMPARE(folder_->touchdown({"validate", "b.cml"}).out, QByteArray("b.cml: valid\n"));
     }

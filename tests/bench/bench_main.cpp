@@ -26,7 +26,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/formats/units.h"
@@ -136,12 +136,13 @@ void benchmark(const std::string& name, const Case& c, int repeats)
     std::sort(seconds.begin(), seconds.end());
     const Summary& summary = trajectory.summary;
     const bool adaptive = !hasFixedStep(c.run.integrator);
-    const std::string setting = adaptive ? toText(c, *findField("run.tolerance")) : toText(c, *findField("run.step"));
+    const std::string setting =
+        adaptive ? toText(c, *findParameter("run.tolerance")) : toText(c, *findParameter("run.step"));
     double end = NAN;
     for (const auto& [quantity, value] : summary.final)
         if (quantity == "flying_height") end = value;
     std::printf("%s,%s,%s,%.4f,%.4f,%lld,%lld,%lld,%zu,%.3g,%.3g,%zu,%.5f,%s\n", name.c_str(),
-                toText(c, *findField("run.integrator")).c_str(), setting.c_str(), seconds.front() * 1e3,
+                toText(c, *findParameter("run.integrator")).c_str(), setting.c_str(), seconds.front() * 1e3,
                 seconds[seconds.size() / 2] * 1e3, summary.steps, summary.rejectedSteps, summary.evaluations,
                 summary.events.size(), count > 0 ? std::sqrt(sum / double(count)) * 1e9 : NAN, worst * 1e9,
                 count > 0 ? 2 * (count - 1) : 0, end * 1e9, std::string(touchdown::name(summary.status)).c_str());

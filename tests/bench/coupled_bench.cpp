@@ -10,7 +10,7 @@
 #include <fstream>
 #include <optional>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_settings.h"
 #include "core/simulation/run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include <QTest>
 
@@ -109,9 +109,9 @@ private slots:
         QFETCH(QString, part);
         Case c;
         for (const QString& setting : settings) {
-            const Field* field = findField(setting.section('=', 0, 0).toStdString());
-            QVERIFY(field != nullptr);
-            QCOMPARE(setFromText(c, *field, setting.section('=', 1).toStdString()).value_or(""), std::string());
+            const Parameter* parameter = findParameter(setting.section('=', 0, 0).toStdString());
+            QVERIFY(parameter != nullptr);
+            QCOMPARE(setFromText(c, *parameter, setting.section('=', 1).toStdString()).value_or(""), std::string());
         }
         const auto problems = checkCombinations(c);
         const auto found = std::ranges::find(problems, key.toStdString(), &CaseProblem::key);
@@ -182,11 +182,11 @@ private slots:
         QFETCH(QString, message);
         Case c;
         for (const QString& setting : settings)
-            QVERIFY(!setFromText(c, *findField(setting.section('=', 0, 0).toStdString()),
+            QVERIFY(!setFromText(c, *findParameter(setting.section('=', 0, 0).toStdString()),
                                  setting.section('=', 1).toStdString()));
-        const Field* field = findField(key.toStdString());
-        QVERIFY(field != nullptr);
-        QCOMPARE(QString::fromStdString(unusedMessage(c, *field)), message);
+        const Parameter* parameter = findParameter(key.toStdString());
+        QVERIFY(parameter != nullptr);
+        QCOMPARE(QString::fromStdString(unusedMessage(c, *parameter)), message);
     }
 
     void everyProblemIsReported()

@@ -102,9 +102,9 @@ private slots:
         QFETCH(QString, part);
         Case c = defaultsOf(ModelKind::Contact);
         for (const QString& setting : settings) {
-            const Field* field = findField(setting.section('=', 0, 0).toStdString());
-            QVERIFY(field != nullptr);
-            QCOMPARE(setFromText(c, *field, setting.section('=', 1).toStdString()).value_or(""), std::string());
+            const Parameter* parameter = findParameter(setting.section('=', 0, 0).toStdString());
+            QVERIFY(parameter != nullptr);
+            QCOMPARE(setFromText(c, *parameter, setting.section('=', 1).toStdString()).value_or(""), std::string());
         }
         const auto problems = checkCombinations(c);
         QVERIFY2(problems.empty() == key.isEmpty(), problems.empty() ? "" : problems.front().message.c_str());
@@ -127,8 +127,8 @@ private slots:
     {
         QFETCH(QString, setting);
         Case c = defaultsOf(ModelKind::Contact);
-        const Field& field = *findField(setting.section('=', 0, 0).toStdString());
-        const auto problem = setFromText(c, field, setting.section('=', 1).toStdString());
+        const Parameter& parameter = *findParameter(setting.section('=', 0, 0).toStdString());
+        const auto problem = setFromText(c, parameter, setting.section('=', 1).toStdString());
         QVERIFY(problem && problem->find("out of range") != std::string::npos);
     }
 

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_settings.h"
 #include "core/simulation/run.h"

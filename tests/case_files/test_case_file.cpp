@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_file.h"
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
 #include "tests/support/random_case.h"
@@ -383,11 +383,11 @@ private slots:
             const Case c = openCase(sample.name).value;
             QCOMPARE(c.model, ModelKind::Film);
             QCOMPARE(c.contact, ContactKind::OnoYamane);
-            for (const Field& field : fields())
+            for (const Parameter& parameter : parameters())
                 if (QStringList{"slider", "suspension", "abs", "air", "disk", "film", "steady"}.contains(
-                        QString::fromStdString(field.group())) &&
-                    field.key != "film.nodes") // more of them along the slider, for its motion
-                    QVERIFY2(field.get(c) == field.get(slider), (sample.name + ": " + field.key).c_str());
+                        QString::fromStdString(parameter.group())) &&
+                    parameter.key != "film.nodes") // more of them along the slider, for its motion
+                    QVERIFY2(parameter.get(c) == parameter.get(slider), (sample.name + ": " + parameter.key).c_str());
             QVERIFY2(c.surface == slider.surface, sample.name.c_str());
             // What all of them share of the contact, by the paper's section 4.
             QCOMPARE(c.onoYamane.contactStiffness, 5e6);
@@ -404,10 +404,10 @@ private slots:
             if (!sample.name.starts_with("fig02")) continue;
             ++figures;
             const Case c = openCase(sample.name).value;
-            for (const Field& field : fields())
+            for (const Parameter& parameter : parameters())
                 if (QStringList{"slider", "suspension", "abs", "air", "film", "steady"}.contains(
-                        QString::fromStdString(field.group())))
-                    QVERIFY2(field.get(c) == field.get(slider), (sample.name + ": " + field.key).c_str());
+                        QString::fromStdString(parameter.group())))
+                    QVERIFY2(parameter.get(c) == parameter.get(slider), (sample.name + ": " + parameter.key).c_str());
             QVERIFY2(c.surface == slider.surface, sample.name.c_str());
             // The paper: no roughness, or one of 0.2 nm that moves or does not.
             QCOMPARE(c.contact, ContactKind::Elastic);

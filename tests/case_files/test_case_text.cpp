@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_text.h"
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "tests/support/random_case.h"
@@ -207,11 +207,11 @@ private slots:
             const std::string text = formatCase(c);
             const CaseDocument document = parseCase(text, "");
             QVERIFY(document.valid());
-            for (const Field& field : fields()) {
-                const bool isText = field.kind == FieldKind::Text && field.key != "title"; // empty ones
-                const std::string name = '\n' + field.key.substr(field.key.rfind('.') + 1) + " = ";
-                if (field.used(c) && !isText)
-                    QVERIFY2(('\n' + text).find(name) != std::string::npos, field.key.c_str());
+            for (const Parameter& parameter : parameters()) {
+                const bool isText = parameter.kind == ParameterKind::Text && parameter.key != "title"; // empty ones
+                const std::string name = '\n' + parameter.key.substr(parameter.key.rfind('.') + 1) + " = ";
+                if (parameter.used(c) && !isText)
+                    QVERIFY2(('\n' + text).find(name) != std::string::npos, parameter.key.c_str());
             }
         }
         const std::string text = formatCase(Case{});

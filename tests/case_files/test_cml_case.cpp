@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/formats/quotation.h"
 #include "tests/support/cml_sample.h"

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/hdf5_file.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/test_program.h"

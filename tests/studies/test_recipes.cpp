@@ -3,7 +3,7 @@
 // Places that the recipes of core/README.md name, and that someone who follows one can forget.
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/physics/film/slip.h"
 #include "core/simulation/run.h"
@@ -34,7 +34,7 @@ class TestRecipes : public QObject {
 private slots:
     void slipModelsAreExplained()
     {
-        const std::string& help = findField("air.slip")->help;
+        const std::string& help = findParameter("air.slip")->help;
         for (const SlipLaw& law : slipLaws())
             QVERIFY2(help.find(std::string(law.name)) != std::string::npos, std::string(law.name).c_str());
     }
@@ -44,12 +44,12 @@ private slots:
         const QString table = sectionOf(textOf("core/README.md"), "Equations and methods"),
                       help = textOf("resources/help/equations.html");
         const std::string compared = studyTemplate("work-precision", Case{});
-        for (const std::string& name : findField("run.integrator")->choices) {
+        for (const std::string& name : findParameter("run.integrator")->choices) {
             const QString text = QString::fromStdString(name);
             QVERIFY2(table.contains("`" + text + "`"), name.c_str());
             QVERIFY2(help.contains("<b>" + text + "</b>"), name.c_str());
             Case c;
-            QVERIFY(!setFromText(c, *findField("run.integrator"), name));
+            QVERIFY(!setFromText(c, *findParameter("run.integrator"), name));
             const bool isCompared = compared.find('"' + name + '"') != std::string::npos;
             QVERIFY2(isCompared || !reasonNotToRun(c).empty(), name.c_str());
         }
@@ -59,9 +59,9 @@ private slots:
     void contactLawsRunOrAreRefused()
     {
         for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact})
-            for (const std::string& name : findField("contact")->choices) {
+            for (const std::string& name : findParameter("contact")->choices) {
                 Case c = defaultsOf(model);
-                QVERIFY(!setFromText(c, *findField("contact"), name));
+                QVERIFY(!setFromText(c, *findParameter("contact"), name));
                 const std::vector<CaseProblem> problems = checkCombinations(c);
                 const bool refused =
                     std::ranges::any_of(problems, [](const CaseProblem& problem) { return problem.key == "contact"; });

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 namespace touchdown::test {
 
@@ -19,47 +19,50 @@ public:
     /// Changes each value with the given probability.
     void change(Case& c, double probability)
     {
-        for (const Field& field : fields())
-            if (uniform(0.0, 1.0) < probability) field.set(c, value(field));
+        for (const Parameter& parameter : parameters())
+            if (uniform(0.0, 1.0) < probability) parameter.set(c, value(parameter));
     }
 
 private:
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
     int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(generator_); }
 
-    FieldValue value(const Field& field)
+    ParameterValue value(const Parameter& parameter)
     {
-        switch (field.kind) {
-        case FieldKind::Number: return number(field);
-        case FieldKind::Integer: return whole(static_cast<int>(field.minimum), static_cast<int>(field.maximum));
-        case FieldKind::Choice:
-            return field.choices[static_cast<std::size_t>(whole(0, static_cast<int>(field.choices.size()) - 1))];
-        case FieldKind::Boolean: return whole(0, 1) == 1;
-        case FieldKind::Text: return text();
-        case FieldKind::List: {
-            std::vector<double> values(static_cast<std::size_t>(whole(
-                static_cast<int>(field.minimumCount), static_cast<int>(std::min<std::size_t>(field.maximumCount, 7)))));
-            for (double& each : values) each = number(field);
+        switch (parameter.kind) {
+        case ParameterKind::Number: return number(parameter);
+        case ParameterKind::Integer:
+            return whole(static_cast<int>(parameter.minimum), static_cast<int>(parameter.maximum));
+        case ParameterKind::Choice:
+            return parameter
+                .choices[static_cast<std::size_t>(whole(0, static_cast<int>(parameter.choices.size()) - 1))];
+        case ParameterKind::Boolean: return whole(0, 1) == 1;
+        case ParameterKind::Text: return text();
+        case ParameterKind::List: {
+            std::vector<double> values(
+                static_cast<std::size_t>(whole(static_cast<int>(parameter.minimumCount),
+                                               static_cast<int>(std::min<std::size_t>(parameter.maximumCount, 7)))));
+            for (double& each : values) each = number(parameter);
             return values;
         }
         }
         return {};
     }
     /// Few digits or all of them, over the decades of the range.
-    double number(const Field& field)
+    double number(const Parameter& parameter)
     {
-        if (field.stride > 0) {
-            const int most = static_cast<int>(field.maximum - field.minimum) / field.stride;
-            return field.minimum + field.stride * whole(0, most);
+        if (parameter.stride > 0) {
+            const int most = static_cast<int>(parameter.maximum - parameter.minimum) / parameter.stride;
+            return parameter.minimum + parameter.stride * whole(0, most);
         }
-        const double low = std::max(field.minimum, -1e30);
-        const double high = std::min(field.maximum, 1e30);
+        const double low = std::max(parameter.minimum, -1e30);
+        const double high = std::min(parameter.maximum, 1e30);
         double value = uniform(-1.0, 1.0) * std::pow(10.0, uniform(-20.0, std::log10(high)));
         if (whole(0, 2) == 0) value = std::stod(std::to_string(whole(1, 99)) + "e" + std::to_string(whole(-15, 3)));
         if (value < low) value = std::abs(value);
-        return std::clamp(value, field.minimumAllowed ? low : std::nextafter(low, high), high);
+        return std::clamp(value, parameter.minimumAllowed ? low : std::nextafter(low, high), high);
     }
-    FieldValue text()
+    ParameterValue text()
     {
         static const std::string alphabet[] = {"a", "Z",  " ",  "7", "\"", "\\", "'", "#", "=", "[",
                                                "]", "\n", "\t", "µ", "π",  "𝛑",  "{", ".", ","};
@@ -75,8 +78,8 @@ private:
 /// The first key in which two cases differ; "" when they are the same.
 inline std::string firstDifference(const Case& a, const Case& b)
 {
-    for (const Field& field : fields())
-        if (field.get(a) != field.get(b)) return field.key;
+    for (const Parameter& parameter : parameters())
+        if (parameter.get(a) != parameter.get(b)) return parameter.key;
     return a.surface == b.surface ? std::string() : "abs";
 }
 

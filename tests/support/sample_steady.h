@@ -3,7 +3,7 @@
 // A static state whose numbers are made up and all different, for what tells and stores them.
 #pragma once
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown::test {

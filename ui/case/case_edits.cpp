@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -33,29 +33,29 @@ void CaseEdits::open(const Case& opened)
     apply({opened, {}});
 }
 
-void CaseEdits::enter(const Field& field, const QString& typed)
+void CaseEdits::enter(const Parameter& parameter, const QString& typed)
 {
-    const BadEntry* bad = badEntry(field);
-    if (bad ? typed == bad->text : typed == editorText(state_.value, field)) return;
+    const BadEntry* bad = badEntry(parameter);
+    if (bad ? typed == bad->text : typed == editorText(state_.value, parameter)) return;
 
     State after = state_;
-    after.bad.erase(field.key);
-    const std::optional<std::string> reason = setFromText(after.value, field, entryText(typed, field));
-    if (reason) after.bad[field.key] = {typed, sentence(*reason)};
+    after.bad.erase(parameter.key);
+    const std::optional<std::string> reason = setFromText(after.value, parameter, entryText(typed, parameter));
+    if (reason) after.bad[parameter.key] = {typed, sentence(*reason)};
     // The same number written in another way is no edit, but the editor shows it in its own way again.
-    if (!reason && !bad && field.get(after.value) == field.get(state_.value)) {
+    if (!reason && !bad && parameter.get(after.value) == parameter.get(state_.value)) {
         emit edited();
         return;
     }
-    push(tr("change %1").arg(QString::fromStdString(field.label)), std::move(after));
+    push(tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 
-void CaseEdits::reset(const Field& field)
+void CaseEdits::reset(const Parameter& parameter)
 {
     State after = state_;
-    after.bad.erase(field.key);
-    field.set(after.value, field.get(opened_));
-    push(tr("reset %1").arg(QString::fromStdString(field.label)), std::move(after));
+    after.bad.erase(parameter.key);
+    parameter.set(after.value, parameter.get(opened_));
+    push(tr("reset %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 
 void CaseEdits::resetAll()
@@ -65,33 +65,34 @@ void CaseEdits::resetAll()
 
 void CaseEdits::setAll(const Case& value, const QString& text) { push(text, {value, {}}); }
 
-bool CaseEdits::changed(const Field& field) const
+bool CaseEdits::changed(const Parameter& parameter) const
 {
-    return badEntry(field) != nullptr || field.get(state_.value) != field.get(opened_);
+    return badEntry(parameter) != nullptr || parameter.get(state_.value) != parameter.get(opened_);
 }
 
 bool CaseEdits::anyChanged() const
 {
-    return std::ranges::any_of(fields(), [this](const Field& field) { return changed(field); });
+    return std::ranges::any_of(parameters(), [this](const Parameter& parameter) { return changed(parameter); });
 }
 
-const BadEntry* CaseEdits::badEntry(const Field& field) const
+const BadEntry* CaseEdits::badEntry(const Parameter& parameter) const
 {
-    const auto found = state_.bad.find(field.key);
+    const auto found = state_.bad.find(parameter.key);
     return found == state_.bad.end() ? nullptr : &found->second;
 }
 
 QString CaseEdits::reasonNotToRun() const
 {
-    const auto named = [](const Field& field, const QString& reason) {
-        return tr("%1: %2").arg(sentence(field.label).chopped(1), reason);
+    const auto named = [](const Parameter& parameter, const QString& reason) {
+        return tr("%1: %2").arg(sentence(parameter.label).chopped(1), reason);
     };
-    for (const Field& field : fields())
-        if (const BadEntry* bad = badEntry(field); bad && field.used(state_.value)) return named(field, bad->reason);
+    for (const Parameter& parameter : parameters())
+        if (const BadEntry* bad = badEntry(parameter); bad && parameter.used(state_.value))
+            return named(parameter, bad->reason);
     if (problems_.empty()) return {};
     const CaseProblem& problem = problems_.front();
-    const Field* field = findField(problem.key);
-    return field ? named(*field, sentence(problem.message)) : sentence(problem.message);
+    const Parameter* parameter = findParameter(problem.key);
+    return parameter ? named(*parameter, sentence(problem.message)) : sentence(problem.message);
 }
 
 void CaseEdits::push(const QString& text, State after) { undo_.push(new Edit(*this, text, std::move(after))); }

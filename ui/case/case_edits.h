@@ -12,7 +12,7 @@
 
 #include <QUndoStack>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 namespace touchdown {
 
@@ -37,17 +37,17 @@ public:
     QUndoStack& undoStack() { return undo_; }
 
     /// Takes what was typed, or keeps it with the reason why not.
-    void enter(const Field& field, const QString& typed);
-    void reset(const Field& field);
+    void enter(const Parameter& parameter, const QString& typed);
+    void reset(const Parameter& parameter);
     void resetAll();
     /// All values at once, as one edit.
     void setAll(const Case& value, const QString& text);
 
-    bool changed(const Field& field) const;
+    bool changed(const Parameter& parameter) const;
     bool anyChanged() const;
 
     /// nullptr when the entry was taken.
-    const BadEntry* badEntry(const Field& field) const;
+    const BadEntry* badEntry(const Parameter& parameter) const;
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
     /// Why the case cannot be run, in a sentence; empty when it can.

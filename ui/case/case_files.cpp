@@ -185,8 +185,8 @@ bool CaseFiles::modified() const
 {
     if (edits_.undoStack().isClean()) return false;
     // Values that were changed and changed back leave nothing to save.
-    return std::ranges::any_of(fields(), [this](const Field& field) {
-        return edits_.badEntry(field) != nullptr || field.get(edits_.value()) != field.get(saved_);
+    return std::ranges::any_of(parameters(), [this](const Parameter& parameter) {
+        return edits_.badEntry(parameter) != nullptr || parameter.get(edits_.value()) != parameter.get(saved_);
     });
 }
 

@@ -98,7 +98,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
 CasePanel::~CasePanel()
 {
     // An editor that loses the focus while it is destroyed would end its edit without a receiver.
-    for (FieldEditor* editor : editors_) editor->disconnect(this);
+    for (ParameterEditor* editor : editors_) editor->disconnect(this);
 }
 
 void CasePanel::buildPresets()
@@ -126,15 +126,15 @@ void CasePanel::buildGroups(QWidget* page)
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(0);
-    for (const Field& field : fields()) {
-        const std::string name = field.group();
+    for (const Parameter& parameter : parameters()) {
+        const std::string name = parameter.group();
         if (name == "about") continue; // the description of the case has its own pane
         auto group = std::ranges::find(groups_, name, &Group::name);
         if (group == groups_.end()) group = addGroup(name, page);
-        auto* editor = new FieldEditor(field, group->body);
-        connect(editor, &FieldEditor::entered, this,
-                [this, &field](const QString& text) { edits_.enter(field, text); });
-        connect(editor, &FieldEditor::resetRequested, this, [this, &field] { edits_.reset(field); });
+        auto* editor = new ParameterEditor(parameter, group->body);
+        connect(editor, &ParameterEditor::entered, this,
+                [this, &parameter](const QString& text) { edits_.enter(parameter, text); });
+        connect(editor, &ParameterEditor::resetRequested, this, [this, &parameter] { edits_.reset(parameter); });
         group->body->layout()->addWidget(editor);
         editors_.push_back(editor);
     }
@@ -176,8 +176,8 @@ std::vector<CasePanel::Group>::iterator CasePanel::addGroup(const std::string& n
 void CasePanel::alignUnits()
 {
     int width = 0;
-    for (const FieldEditor* editor : editors_) width = std::max(width, editor->unitWidth());
-    for (FieldEditor* editor : editors_) editor->setUnitWidth(width);
+    for (const ParameterEditor* editor : editors_) width = std::max(width, editor->unitWidth());
+    for (ParameterEditor* editor : editors_) editor->setUnitWidth(width);
 }
 
 void CasePanel::setPreset(const QString& sampleName)
@@ -186,20 +186,21 @@ void CasePanel::setPreset(const QString& sampleName)
     refresh();
 }
 
-FieldEditor* CasePanel::editor(std::string_view key) const
+ParameterEditor* CasePanel::editor(std::string_view key) const
 {
-    const auto found = std::ranges::find(editors_, key, [](const FieldEditor* each) { return each->field().key; });
+    const auto found =
+        std::ranges::find(editors_, key, [](const ParameterEditor* each) { return each->parameter().key; });
     return found == editors_.end() ? nullptr : *found;
 }
 
 void CasePanel::showFirstProblem()
 {
-    const auto bad = std::ranges::find_if(editors_, [this](const FieldEditor* editor) {
-        return !editor->reason().isEmpty() && editor->field().used(edits_.value());
+    const auto bad = std::ranges::find_if(editors_, [this](const ParameterEditor* editor) {
+        return !editor->reason().isEmpty() && editor->parameter().used(edits_.value());
     });
     if (bad == editors_.end()) return;
     search_->clear();
-    std::ranges::find(groups_, (*bad)->field().group(), &Group::name)->open = true;
+    std::ranges::find(groups_, (*bad)->parameter().group(), &Group::name)->open = true;
     refreshVisibility();
     scroll_->ensureWidgetVisible(*bad);
     (*bad)->setFocus();
@@ -207,7 +208,7 @@ void CasePanel::showFirstProblem()
 
 void CasePanel::refresh()
 {
-    for (FieldEditor* editor : editors_) editor->show(edits_);
+    for (ParameterEditor* editor : editors_) editor->show(edits_);
     const bool changed = edits_.anyChanged();
     resetAll_->setEnabled(changed);
     preset_->setCurrentIndex(changed || presetName_.isEmpty() ? -1 : preset_->findData(presetName_));
@@ -219,9 +220,9 @@ void CasePanel::refreshVisibility()
     const QString search = search_->text();
     for (const Group& group : groups_) {
         bool any = false;
-        for (FieldEditor* editor : editors_) {
+        for (ParameterEditor* editor : editors_) {
             if (editor->parentWidget() != group.body) continue;
-            const bool wanted = editor->field().used(edits_.value()) && editor->matches(search);
+            const bool wanted = editor->parameter().used(edits_.value()) && editor->matches(search);
             editor->setVisible(wanted);
             any = any || wanted;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parameters of the case, generated from their description in core/case/fields.h: groups, search, the sample case
-// that they started from, reset. Parameters that the chosen model does not use are not shown.
+// The parameters of the case, generated from their description in core/case/parameters.h: groups, search, the sample
+// case that they started from, reset. Parameters that the chosen model does not use are not shown.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 #include <QScrollArea>
 
-#include "ui/case/field_editor.h"
+#include "ui/case/parameter_editor.h"
 
 namespace touchdown {
 
@@ -25,7 +25,7 @@ public:
     void setPreset(const QString& sampleName);
 
     /// nullptr for an unknown key.
-    FieldEditor* editor(std::string_view key) const;
+    ParameterEditor* editor(std::string_view key) const;
     QLineEdit* search() const { return search_; }
     /// Brings the first parameter that prevents a run into view.
     void showFirstProblem();
@@ -60,7 +60,7 @@ private:
     QScrollArea* scroll_;
     QLabel* legend_;
     std::vector<Group> groups_;
-    std::vector<FieldEditor*> editors_; // children of the bodies of the groups
+    std::vector<ParameterEditor*> editors_; // children of the bodies of the groups
 };
 
 } // namespace touchdown

@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
@@ -19,8 +19,8 @@ namespace {
 /// Nothing that a static solution depends on differs.
 bool sameFilm(const Case& a, const Case& b)
 {
-    return a.surface == b.surface && std::ranges::all_of(fields(), [&](const Field& field) {
-               return field.key == "title" || field.group() == "about" || field.get(a) == field.get(b);
+    return a.surface == b.surface && std::ranges::all_of(parameters(), [&](const Parameter& parameter) {
+               return parameter.key == "title" || parameter.group() == "about" || parameter.get(a) == parameter.get(b);
            });
 }
 

@@ -3,7 +3,7 @@
 
 #include <QVBoxLayout>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/run.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/plot/plot_group.h"
@@ -66,7 +66,7 @@ void RunView::setCase(const Case& c)
     model_ = c.model;
     // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
-    const bool disk = findField("disk.surface.kind")->used(c);
+    const bool disk = findParameter("disk.surface.kind")->used(c);
     const bool side = c.model == ModelKind::Film;
     tabs_->setTabVisible(static_cast<int>(Page::Side), side);
     tabs_->setTabVisible(static_cast<int>(Page::Maps), maps);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
@@ -102,10 +102,10 @@ AttitudeSection sensitivities(const SteadyResult& r, const QLocale& locale)
                             {tr("Height [nm]"), tr("Pitch [µrad]"), tr("Roll [µrad]"), tr("Minimum spacing [nm]")},
                             {}};
     for (const Sensitivity& s : r.sensitivities) {
-        const Field* field = findField(s.parameter);
-        const std::string unit = field && !field->displayUnit.empty() ? field->displayUnit : s.unit;
+        const Parameter* parameter = findParameter(s.parameter);
+        const std::string unit = parameter && !parameter->displayUnit.empty() ? parameter->displayUnit : s.unit;
         const double step = unit.empty() ? 1.0 : unitFactor(unit);
-        const QString name = field ? QString::fromStdString(field->label) : QString::fromStdString(s.parameter);
+        const QString name = parameter ? QString::fromStdString(parameter->label) : QString::fromStdString(s.parameter);
         section.rows.push_back({unit.empty() ? tr("%1, per 1").arg(name) : tr("%1, per %2").arg(name, unitText(unit)),
                                 plain(s.height * step / 1e-9, locale), plain(s.pitch * step / 1e-6, locale),
                                 plain(s.roll * step / 1e-6, locale), plain(s.minimumSpacing * step / 1e-9, locale)});

@@ -9,7 +9,7 @@
 
 #include "core/studies/study/study_file.h"
 #include "ui/calculation/progress_strip.h"
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/style/quantity_format.h"

@@ -6,8 +6,8 @@
 #include <QShortcut>
 #include <QSplitter>
 
-#include "core/case/fields.h"
-#include "ui/case/field_text.h"
+#include "core/case/parameters.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -20,23 +20,24 @@ QString resource(const QString& name)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// The reference of the parameters, from the one description of the fields.
+/// The reference of the parameters, from their one description.
 QString parameterTable()
 {
     const Case defaults;
     QString html = QStringLiteral("<h2>%1</h2><p>%2</p><table cellpadding='4' cellspacing='0' border='0'>")
                        .arg(HelpWindow::tr("Parameters"),
                             HelpWindow::tr("Every key of a case file, with its default and its allowed values."));
-    for (const Field& field : fields()) {
+    for (const Parameter& parameter : parameters()) {
         html += QStringLiteral(
                     "<tr><td><b>%1</b> "
                     "%2<br><code>%3</code></td><td>%4</td><td>%5<br><small>%6</small><br><small>%7</small></td></tr>")
-                    .arg(QString::fromStdString(field.label).toHtmlEscaped(),
-                         field.symbol.empty() ? QString() : symbolText(field.symbol),
-                         QString::fromStdString(field.key).toHtmlEscaped(), valueText(defaults, field).toHtmlEscaped(),
-                         QString::fromStdString(field.help).toHtmlEscaped(),
-                         QString::fromStdString(allowedRange(field)).toHtmlEscaped(),
-                         QString::fromStdString(field.source).toHtmlEscaped());
+                    .arg(QString::fromStdString(parameter.label).toHtmlEscaped(),
+                         parameter.symbol.empty() ? QString() : symbolText(parameter.symbol),
+                         QString::fromStdString(parameter.key).toHtmlEscaped(),
+                         valueText(defaults, parameter).toHtmlEscaped(),
+                         QString::fromStdString(parameter.help).toHtmlEscaped(),
+                         QString::fromStdString(allowedRange(parameter)).toHtmlEscaped(),
+                         QString::fromStdString(parameter.source).toHtmlEscaped());
     }
     return html + QStringLiteral("</table>");
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 namespace touchdown {
 
@@ -43,7 +43,7 @@ void readWaves(CmlPart& part, std::span<const CmlNumber> numbers)
     for (std::size_t at = 0; at < numbers.size(); at += waveNumbers) {
         const auto wave = numbers.subspan(at, waveNumbers);
         const std::string name = "wave " + std::to_string(at / waveNumbers + 1);
-        const Cover cover = coverOf(part.fields().value(), wave[7].value, wave[8].value);
+        const Cover cover = coverOf(part.parameters().value(), wave[7].value, wave[8].value);
         if (wave[0].value != 0.0) {
             part.leaveOut(name + ", which is not a sine (type " + std::string(wave[0].text) + ")");
         } else if (!(wave[3].value > 0.0) || wave[4].value != 0.0) {
@@ -58,9 +58,9 @@ void readWaves(CmlPart& part, std::span<const CmlNumber> numbers)
     }
     if (amplitudes.empty()) return;
     const int line = numbers.front().line;
-    part.fields().setNumbers("disk.surface.wave_amplitudes", amplitudes, line);
-    part.fields().setNumbers("disk.surface.wave_lengths", lengths, line);
-    part.fields().setNumbers("disk.surface.wave_angles", angles, line);
+    part.parameters().setNumbers("disk.surface.wave_amplitudes", amplitudes, line);
+    part.parameters().setNumbers("disk.surface.wave_lengths", lengths, line);
+    part.parameters().setNumbers("disk.surface.wave_angles", angles, line);
 }
 
 /// Type, amplitude [m], angle [deg], x, y, sizes x and y [m] of each.
@@ -90,25 +90,25 @@ void readAsperities(CmlPart& part, std::span<const CmlNumber> numbers)
         }
     }
     if (heights.empty()) return;
-    CmlFields& fields = part.fields();
+    CmlParameters& parameters = part.parameters();
     const int line = numbers.front().line;
-    fields.choose("disk.surface.bump_shape", type == 0.0 ? "cosine" : "ellipsoid", line);
-    fields.setNumbers("disk.surface.bump_heights", heights, line);
-    fields.setNumbers("disk.surface.bump_lengths", lengths, line);
-    fields.setNumbers("disk.surface.bump_widths", widths, line);
-    fields.setNumbers("disk.surface.bump_x", x, line);
-    fields.setNumbers("disk.surface.bump_y", y, line);
+    parameters.choose("disk.surface.bump_shape", type == 0.0 ? "cosine" : "ellipsoid", line);
+    parameters.setNumbers("disk.surface.bump_heights", heights, line);
+    parameters.setNumbers("disk.surface.bump_lengths", lengths, line);
+    parameters.setNumbers("disk.surface.bump_widths", widths, line);
+    parameters.setNumbers("disk.surface.bump_x", x, line);
+    parameters.setNumbers("disk.surface.bump_y", y, line);
     // The bumps return after one turn of the disk and do not repeat across the slider.
-    const Case& c = fields.value();
+    const Case& c = parameters.value();
     const double turn = 2.0 * std::numbers::pi * c.disk.radius;
-    fields.setNumber("disk.surface.track", std::min(turn, 1.0), line);
-    fields.setNumber("disk.surface.track_width", std::max(4.0 * c.slider.width, *std::ranges::max_element(widths)),
-                     line);
+    parameters.setNumber("disk.surface.track", std::min(turn, 1.0), line);
+    parameters.setNumber("disk.surface.track_width", std::max(4.0 * c.slider.width, *std::ranges::max_element(widths)),
+                         line);
     // Only plots and statistics of the surface look at its cells.
-    fields.setNumber("disk.surface.cell", *std::ranges::min_element(widths) / 8.0, line);
-    part.fields().addWarning(line,
-                             "Disk Surface: asperities are read with x from the leading edge at the start, y from the "
-                             "inner edge and full sizes");
+    parameters.setNumber("disk.surface.cell", *std::ranges::min_element(widths) / 8.0, line);
+    part.parameters().addWarning(
+        line, "Disk Surface: asperities are read with x from the leading edge at the start, y from the "
+              "inner edge and full sizes");
 }
 
 } // namespace
@@ -117,7 +117,7 @@ void readCmlTrackProfile(CmlPart& part)
 {
     if (!isOn(part)) return;
     const auto numbers = part.list(0);
-    part.fields().choose("disk.surface.file", "wave.def", numbers.front().line);
+    part.parameters().choose("disk.surface.file", "wave.def", numbers.front().line);
     if (numbers.size() > 2 && numbers[2].value != 0.0) part.leaveOut("where the profile starts (dinit)");
 }
 
@@ -151,13 +151,13 @@ void readCmlIntermolecular(CmlPart& part)
 {
     if (!isOn(part)) return;
     const auto numbers = part.numbers(0, 4, "the mode, A, B and the potential");
-    CmlFields& fields = part.fields();
+    CmlParameters& parameters = part.parameters();
     const int line = numbers.front().line;
-    fields.choose("contact", "elastic", line);
-    fields.choose("adhesion.kind", "van-der-waals", line);
-    fields.set("adhesion.hamaker_a", numbers[1]);
-    fields.set("adhesion.hamaker_b", numbers[2]);
-    fields.set("adhesion.voltage", numbers[3]);
+    parameters.choose("contact", "elastic", line);
+    parameters.choose("adhesion.kind", "van-der-waals", line);
+    parameters.set("adhesion.hamaker_a", numbers[1]);
+    parameters.set("adhesion.hamaker_b", numbers[2]);
+    parameters.set("adhesion.voltage", numbers[3]);
 }
 
 void readCmlAsperityContact(CmlPart& part)
@@ -166,32 +166,32 @@ void readCmlAsperityContact(CmlPart& part)
         part.leaveOut("contact of a statistical surface (icmod = " + std::string(part.list(0).front().text) + ")");
 }
 
-void settleCmlDisk(CmlFields& fields)
+void settleCmlDisk(CmlParameters& parameters)
 {
-    const DiskSurface& surface = fields.value().diskSurface;
+    const DiskSurface& surface = parameters.value().diskSurface;
     const bool file = !surface.file.empty(), waves = !surface.waveAmplitudes.empty(),
                bumps = !surface.bumpHeights.empty();
     if (file + waves + bumps > 1) {
-        fields.choose("disk.surface.kind", "combined",
-                      fields.lineOf(bumps ? "disk.surface.bump_heights" : "disk.surface.wave_amplitudes"));
-        fields.setNumber("disk.surface.rms", 0.0, 0); // a combined surface would have some roughness
+        parameters.choose("disk.surface.kind", "combined",
+                          parameters.lineOf(bumps ? "disk.surface.bump_heights" : "disk.surface.wave_amplitudes"));
+        parameters.setNumber("disk.surface.rms", 0.0, 0); // a combined surface would have some roughness
     } else if (file || waves || bumps) {
-        fields.choose("disk.surface.kind",
-                      file    ? "file"
-                      : waves ? "waves"
-                              : "bumps",
-                      fields.lineOf(file    ? "disk.surface.file"
-                                    : waves ? "disk.surface.wave_amplitudes"
-                                            : "disk.surface.bump_heights"));
+        parameters.choose("disk.surface.kind",
+                          file    ? "file"
+                          : waves ? "waves"
+                                  : "bumps",
+                          parameters.lineOf(file    ? "disk.surface.file"
+                                            : waves ? "disk.surface.wave_amplitudes"
+                                                    : "disk.surface.bump_heights"));
     }
-    if (fields.value().contact != ContactKind::Elastic) return;
-    const int line = fields.lineOf("adhesion.hamaker_a");
-    fields.setNumber("elastic.patch_pitch", fields.value().initial.pitch, fields.lineOf("initial.pitch"));
-    const auto problems = checkCombinations(fields.value());
+    if (parameters.value().contact != ContactKind::Elastic) return;
+    const int line = parameters.lineOf("adhesion.hamaker_a");
+    parameters.setNumber("elastic.patch_pitch", parameters.value().initial.pitch, parameters.lineOf("initial.pitch"));
+    const auto problems = checkCombinations(parameters.value());
     const auto ofPatch = std::ranges::find(problems, "elastic.patch_reach", &CaseProblem::key);
     if (ofPatch == problems.end()) return;
-    fields.choose("contact", "none", line);
-    fields.addWarning(line, "Intermolecular: not modelled: the forces, because " + ofPatch->message);
+    parameters.choose("contact", "none", line);
+    parameters.addWarning(line, "Intermolecular: not modelled: the forces, because " + ofPatch->message);
 }
 
 } // namespace touchdown

@@ -10,7 +10,7 @@
 //   intermolecular    van der Waals forces over the parts of the slider close to the disk at the initial pitch
 #pragma once
 
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
 
@@ -20,6 +20,6 @@ void readCmlIntermolecular(CmlPart& part);
 void readCmlAsperityContact(CmlPart& part);
 
 /// After all sections: one kind for all that the disk has; no forces where they would take too many cells.
-void settleCmlDisk(CmlFields& fields);
+void settleCmlDisk(CmlParameters& parameters);
 
 } // namespace touchdown

@@ -7,11 +7,11 @@
 
 #include <string_view>
 
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
 
 /// Puts the values of a dynamics.def into a film case that has the slider of its rail.dat.
-void readCmlDynamics(std::string_view text, CmlFields& fields);
+void readCmlDynamics(std::string_view text, CmlParameters& parameters);
 
 } // namespace touchdown

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_document.h"
 
@@ -22,19 +22,19 @@ struct KeptValue {
 };
 
 /// More than by the last digits, which units may change.
-bool differ(const FieldValue& a, const FieldValue& b)
+bool differ(const ParameterValue& a, const ParameterValue& b)
 {
     const auto* x = std::get_if<double>(&a);
     const auto* y = std::get_if<double>(&b);
     return x == nullptr || y == nullptr || std::abs(*x - *y) > 1e-12 * std::abs(*x);
 }
 
-std::map<std::string, KeptValue> readKeptValues(const std::string& toml, CmlFields& fields)
+std::map<std::string, KeptValue> readKeptValues(const std::string& toml, CmlParameters& parameters)
 {
     std::map<std::string, KeptValue> values;
     const TomlDocument document = readToml(toml);
     if (!document.problem.empty())
-        fields.addWarning(0, "the values that the comments keep cannot be read: " + document.problem);
+        parameters.addWarning(0, "the values that the comments keep cannot be read: " + document.problem);
     for (const TomlEntry& entry : document.entries) {
         const auto dot = entry.key.find_last_of('.');
         const auto* text = std::get_if<std::string>(&entry.value);
@@ -51,24 +51,24 @@ std::map<std::string, KeptValue> readKeptValues(const std::string& toml, CmlFiel
 CmlKeptValues keepValues(const Case& wanted, const Case& read)
 {
     CmlKeptValues kept;
-    for (const Field& field : fields()) {
-        if (field.get(wanted) == field.get(read)) continue;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.get(wanted) == parameter.get(read)) continue;
         kept.comments.append(mark)
-            .append(field.key)
-            .append(" = { was = " + tomlString(toText(read, field)))
-            .append(", is = " + tomlString(toText(wanted, field)) + " }\r\n");
-        if (differ(field.get(wanted), field.get(read)) && field.used(wanted) && field.key != "title" &&
-            field.group() != "about")
-            kept.keys.push_back(field.key);
+            .append(parameter.key)
+            .append(" = { was = " + tomlString(toText(read, parameter)))
+            .append(", is = " + tomlString(toText(wanted, parameter)) + " }\r\n");
+        if (differ(parameter.get(wanted), parameter.get(read)) && parameter.used(wanted) && parameter.key != "title" &&
+            parameter.group() != "about")
+            kept.keys.push_back(parameter.key);
     }
     return kept;
 }
 
-void applyKeptValues(CmlFields& fields)
+void applyKeptValues(CmlParameters& parameters)
 {
     std::string toml;
     std::string rest;
-    CmlText lines(fields.comments);
+    CmlText lines(parameters.comments);
     while (!lines.atEnd()) {
         const std::string_view line = lines.takeLine();
         if (line.starts_with(mark))
@@ -76,20 +76,20 @@ void applyKeptValues(CmlFields& fields)
         else
             rest.append(line).append("\n");
     }
-    fields.comments = rest;
+    parameters.comments = rest;
     if (toml.empty()) return;
 
-    const Case read = fields.value();
-    for (const auto& [key, kept] : readKeptValues(toml, fields)) {
-        const Field* const field = findField(key);
-        if (field == nullptr)
-            fields.addWarning(0, "the comments keep a value for " + inQuotes(key) + ", an unknown key");
-        else if (toText(read, *field) != kept.was)
-            fields.addWarning(0, "the comments keep " + inQuotes(kept.is) + " for " + key + " in place of " +
-                                     inQuotes(kept.was) + ", but the files now say " + inQuotes(toText(read, *field)) +
-                                     ", which holds");
+    const Case read = parameters.value();
+    for (const auto& [key, kept] : readKeptValues(toml, parameters)) {
+        const Parameter* const parameter = findParameter(key);
+        if (parameter == nullptr)
+            parameters.addWarning(0, "the comments keep a value for " + inQuotes(key) + ", an unknown key");
+        else if (toText(read, *parameter) != kept.was)
+            parameters.addWarning(0, "the comments keep " + inQuotes(kept.is) + " for " + key + " in place of " +
+                                         inQuotes(kept.was) + ", but the files now say " +
+                                         inQuotes(toText(read, *parameter)) + ", which holds");
         else
-            fields.choose(key, kept.is, fields.lineOf(key));
+            parameters.choose(key, kept.is, parameters.lineOf(key));
     }
 }
 

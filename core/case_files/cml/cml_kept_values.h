@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
 
@@ -25,6 +25,6 @@ struct CmlKeptValues {
 CmlKeptValues keepValues(const Case& wanted, const Case& read);
 
 /// Puts the values kept in the comments of a file into the case, and removes their lines from the comments.
-void applyKeptValues(CmlFields& fields);
+void applyKeptValues(CmlParameters& parameters);
 
 } // namespace touchdown

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
 
@@ -35,13 +35,13 @@ public:
         endList();
         for (int i = 1; i <= railCount; ++i) within("rail " + std::to_string(i), [&] { readRail(); });
         if (wallCount_ > 0) readWalls();
-        setField("abs.taper_length", "the taper length");
-        setField("abs.taper_angle", "the taper angle");
-        setField("abs.base_recess", "the base recess");
+        setParameter("abs.taper_length", "the taper length");
+        setParameter("abs.taper_angle", "the taper angle");
+        setParameter("abs.base_recess", "the base recess");
         endList();
-        setField("abs.crown", "the crown");
-        setField("abs.camber", "the camber");
-        setField("abs.twist", "the twist");
+        setParameter("abs.crown", "the crown");
+        setParameter("abs.camber", "the camber");
+        setParameter("abs.twist", "the twist");
         endList();
         readPointsOfInterest();
         takeFields();
@@ -60,30 +60,30 @@ private:
 
     void readSlider()
     {
-        setField("slider.length", "the slider's length");
-        setField("slider.width", "the slider's width");
-        setField("slider.thickness", "the slider's thickness");
+        setParameter("slider.length", "the slider's length");
+        setParameter("slider.width", "the slider's width");
+        setParameter("slider.thickness", "the slider's thickness");
         endList();
     }
 
-    /// A number that is a field of a case, checked as such.
-    void setField(std::string_view key, std::string_view what)
+    /// A number that is a parameter of a case, checked as such.
+    void setParameter(std::string_view key, std::string_view what)
     {
         const CmlNumber n = text_.number(what);
         lastLine_ = n.line;
         rails_.lines[std::string(key)] = n.line;
-        if (const auto problem = setFromNumber(fields_, *findField(key), n.value))
+        if (const auto problem = setFromNumber(parameters_, *findParameter(key), n.value))
             throw CmlError(n.line, std::string(what) + ": " + *problem);
     }
     void takeFields()
     {
-        rails_.length = fields_.slider.length;
-        rails_.width = fields_.slider.width;
-        rails_.thickness = fields_.slider.thickness;
-        fields_.surface.rails = std::move(rails_.surface.rails);
-        fields_.surface.walls = std::move(rails_.surface.walls);
-        fields_.surface.pointsOfInterest = std::move(rails_.surface.pointsOfInterest);
-        rails_.surface = std::move(fields_.surface);
+        rails_.length = parameters_.slider.length;
+        rails_.width = parameters_.slider.width;
+        rails_.thickness = parameters_.slider.thickness;
+        parameters_.surface.rails = std::move(rails_.surface.rails);
+        parameters_.surface.walls = std::move(rails_.surface.walls);
+        parameters_.surface.pointsOfInterest = std::move(rails_.surface.pointsOfInterest);
+        rails_.surface = std::move(parameters_.surface);
     }
 
     void readRail()
@@ -195,7 +195,7 @@ private:
     CmlText text_;
     const std::string& file_;
     CmlRails& rails_;
-    Case fields_; // takes the numbers that are fields
+    Case parameters_; // takes the numbers that are parameters
     int wallCount_ = 0;
     int pointCount_ = 0; // of all rails so far
     int lastLine_ = 0;   // of the last length

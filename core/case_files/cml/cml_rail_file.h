@@ -28,7 +28,7 @@ struct CmlRails {
     double width = 0.0;     // [m]
     double thickness = 0.0; // [m]
     AirBearingSurface surface;
-    std::map<std::string, int> lines;   // line of the file of each number that is a field of a case, by its key
+    std::map<std::string, int> lines;   // line of the file of each number that is a parameter of a case, by its key
     std::vector<int> railLines;         // line on which each rail begins
     std::vector<int> wallLines;         // and each profile's distances
     std::vector<InputProblem> problems; // the values are valid only if there are none

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 namespace touchdown {
 
@@ -26,11 +26,11 @@ void readRunSolution(CmlPart& part)
     const int solution = part.whole(0, 1, "isolv", 0, anyFlag);
     const int oldGrid = part.whole(0, 2, "ioldg", 0, anyFlag);
     const int adapt = part.whole(0, 3, "iadpt", 0, anyFlag);
-    CmlFields& fields = part.fields();
+    CmlParameters& parameters = part.parameters();
     const int line = part.list(0).front().line;
-    fields.choose("steady.stiffness", stiffness != 0 ? "true" : "false", line);
-    fields.choose("steady.fixed_attitude", solution == 0 ? "true" : "false", line);
-    fields.choose("film.grid", adapt != 0 ? "adapted" : "uniform", line);
+    parameters.choose("steady.stiffness", stiffness != 0 ? "true" : "false", line);
+    parameters.choose("steady.fixed_attitude", solution == 0 ? "true" : "false", line);
+    parameters.choose("film.grid", adapt != 0 ? "adapted" : "uniform", line);
     if (solution > 1) part.leaveOut("geometry only or its extrapolation (isolv = " + std::to_string(solution) + ")");
     if (oldGrid != 0) part.leaveOut("an existing grid (ioldg)");
 }
@@ -47,8 +47,8 @@ void setSeries(CmlPart& part, std::size_t list, int count, std::string_view what
                std::string_view series, std::string_view unit)
 {
     const auto numbers = part.numbers(list, static_cast<std::size_t>(count), what);
-    part.fields().set(scalar, numbers.front(), unit);
-    if (count > 1) part.fields().setList(series, numbers, unit);
+    part.parameters().set(scalar, numbers.front(), unit);
+    if (count > 1) part.parameters().setList(series, numbers, unit);
 }
 
 /// Altitudes wait for the section that says whether they count.
@@ -62,9 +62,9 @@ void readRuns(CmlPart& part)
     setSeries(part, 3, speeds, "a speed", "disk.speed", "steady.speeds", "rpm");
     const auto numbers = part.numbers(4, static_cast<std::size_t>(altitudes), "an altitude");
     if (altitudes > 1)
-        part.fields().setList("steady.altitudes", numbers);
+        part.parameters().setList("steady.altitudes", numbers);
     else if (altitudes == 1)
-        part.fields().set("air.altitude", numbers.front());
+        part.parameters().set("air.altitude", numbers.front());
 }
 
 void readRunAir(CmlPart& part)
@@ -86,7 +86,8 @@ void readLoad(CmlPart& part)
     part.set("suspension.static_pitch", 0, 3, "psa");
     part.set("suspension.static_roll", 0, 4, "rsa");
     const int useStiffness = part.whole(0, 5, "usestiff", 0, anyFlag);
-    part.fields().choose("suspension.holds_attitude", useStiffness != 0 ? "true" : "false", part.list(0).front().line);
+    part.parameters().choose("suspension.holds_attitude", useStiffness != 0 ? "true" : "false",
+                             part.list(0).front().line);
     part.set("suspension.pitch_stiffness", 1, 3, "skp");
     part.set("suspension.roll_stiffness", 1, 4, "skr");
 }
@@ -115,16 +116,16 @@ void readReynolds(CmlPart& part)
     static constexpr std::array<std::string_view, 4> models{"continuum", "first-order", "second-order", "fukui-kaneko"};
     const int scheme = part.whole(0, 0, "ischeme", 0, 2);
     const int model = part.whole(0, 1, "the slip model", 0, 3);
-    CmlFields& fields = part.fields();
+    CmlParameters& parameters = part.parameters();
     const int line = part.list(0).front().line;
-    fields.choose("film.scheme", schemes[static_cast<std::size_t>(scheme)], line);
+    parameters.choose("film.scheme", schemes[static_cast<std::size_t>(scheme)], line);
     if (scheme == 2) part.leaveOut("the power law as such; complete-flux is taken, film.scheme = power-law compares");
-    fields.choose("air.slip", models[static_cast<std::size_t>(model)], line);
+    parameters.choose("air.slip", models[static_cast<std::size_t>(model)], line);
     part.set("film.tolerance", 0, 2, "akmax");
     if (!part.has(0, 5)) return;
     const CmlNumber& accommodation = part.number(0, 5, "the accommodation coefficient");
     if (model == 1)
-        fields.set("air.accommodation", accommodation);
+        parameters.set("air.accommodation", accommodation);
     else if (accommodation.value != 1.0)
         part.leaveOut(shown("the accommodation coefficient", accommodation) + " with this slip model");
 }
@@ -144,7 +145,7 @@ void readSensitivities(CmlPart& part)
     bool wanted = false;
     for (std::size_t list = 0; list < 3; ++list)
         for (const CmlNumber& increment : part.numbers(list, 3, "an increment")) wanted |= increment.value != 0.0;
-    part.fields().choose("steady.sensitivities", wanted ? "true" : "false", part.line());
+    part.parameters().choose("steady.sensitivities", wanted ? "true" : "false", part.line());
 }
 
 /// Pairs of a line with names and a line with their values.
@@ -153,9 +154,9 @@ void readAdditional(CmlPart& part)
     for (const CmlNamedNumber& each : part.namedNumbers()) {
         const bool on = each.number.value != 0.0;
         if (each.name.starts_with("use_standard_air")) {
-            part.fields().choose("air.source", on ? "established-standard" : "given", each.number.line);
+            part.parameters().choose("air.source", on ? "established-standard" : "given", each.number.line);
         } else if (each.name.starts_with("temperature")) {
-            part.fields().set("air.temperature", each.number, "degC");
+            part.parameters().set("air.temperature", each.number, "degC");
         } else if (each.name.starts_with("use_imf")) {
             if (on) part.leaveOut("intermolecular forces (use_imf)");
         } else if (each.name.starts_with("do_humidity")) {
@@ -183,32 +184,32 @@ constexpr std::array<CmlSectionReader, 13> runSections{{
 }};
 
 /// The established program uses altitudes only with its standard air; a single altitude is then that of the atmosphere.
-void settleAir(CmlFields& fields)
+void settleAir(CmlParameters& parameters)
 {
-    const bool standard = fields.value().air.source == AirSource::EstablishedStandard;
-    const bool series = !fields.value().steady.altitudes.empty();
-    const int line = fields.lineOf(series ? "steady.altitudes" : "air.altitude");
-    if (!fields.wasSet("air.source") && fields.wasSet("air.pressure"))
-        fields.addWarning(
-            fields.lineOf("air.pressure"),
+    const bool standard = parameters.value().air.source == AirSource::EstablishedStandard;
+    const bool series = !parameters.value().steady.altitudes.empty();
+    const int line = parameters.lineOf(series ? "steady.altitudes" : "air.altitude");
+    if (!parameters.wasSet("air.source") && parameters.wasSet("air.pressure"))
+        parameters.addWarning(
+            parameters.lineOf("air.pressure"),
             "Air Parameters: the air of the file is used, because the file does not contain use_standard_air");
-    if (!series && fields.value().air.altitude == 0.0) return;
+    if (!series && parameters.value().air.altitude == 0.0) return;
     if (standard) {
-        if (!series) fields.choose("air.source", "atmosphere", line);
+        if (!series) parameters.choose("air.source", "atmosphere", line);
         return;
     }
-    fields.addWarning(line, "Runs: the altitudes do not count without use_standard_air; the file's air is taken");
-    fields.setNumbers("steady.altitudes", {}, line);
-    fields.setNumber("air.altitude", 0.0, line);
+    parameters.addWarning(line, "Runs: the altitudes do not count without use_standard_air; the file's air is taken");
+    parameters.setNumbers("steady.altitudes", {}, line);
+    parameters.setNumber("air.altitude", 0.0, line);
 }
 
 } // namespace
 
-void readCmlRun(std::string_view text, CmlFields& fields)
+void readCmlRun(std::string_view text, CmlParameters& parameters)
 {
-    fields.setNumber("steady.shear_arm", 1.0, 0);
-    readCmlSections(text, runSections, fields);
-    settleAir(fields);
+    parameters.setNumber("steady.shear_arm", 1.0, 0);
+    readCmlSections(text, runSections, parameters);
+    settleAir(parameters);
 }
 
 } // namespace touchdown

@@ -10,12 +10,12 @@
 #include <string>
 #include <string_view>
 
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
 
 /// Puts the values of a run.dat into a film case.
-void readCmlRun(std::string_view text, CmlFields& fields);
+void readCmlRun(std::string_view text, CmlParameters& parameters);
 
 /// A run.dat of the case. Values that it cannot hold are replaced by the nearest possible value or the default;
 /// `comments` are appended.

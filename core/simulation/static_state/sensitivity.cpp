@@ -11,17 +11,17 @@ namespace touchdown {
 namespace {
 
 /// A parameter: its name, its unit, a change that is small against everything, and how a case takes a change.
-struct Parameter {
+struct VariedParameter {
     std::string key, unit;
     double step; // [unit]
     std::function<void(Case&, double)> add;
     bool surface = false; // it changes the recess
 };
 
-std::vector<Parameter> parametersOf(const Case& c)
+std::vector<VariedParameter> parametersOf(const Case& c)
 {
     constexpr double length = 1e-12, place = 1e-11; // [m] of a recess, of a position
-    std::vector<Parameter> list{
+    std::vector<VariedParameter> list{
         {"abs.crown", "m", length, [](Case& v, double d) { v.surface.crown += d; }, true},
         {"abs.camber", "m", length, [](Case& v, double d) { v.surface.camber += d; }, true},
         {"abs.twist", "m", length, [](Case& v, double d) { v.surface.twist += d; }, true},
@@ -78,7 +78,7 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
     const PaddedGrid& pad = level.gaps.pad;
     std::vector<double> residual(pad.size());
     std::vector<Sensitivity> result;
-    for (const Parameter& parameter : parametersOf(c)) {
+    for (const VariedParameter& parameter : parametersOf(c)) {
         Vector3 attitudeChange = Vector3::Zero();
         double direct = 0.0;
         for (const double sign : {1.0, -1.0}) {

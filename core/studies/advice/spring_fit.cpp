@@ -8,7 +8,7 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/bounded_step.h"
 #include "core/simulation/static_state/steady_quantities.h"

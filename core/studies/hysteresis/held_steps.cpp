@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/simulation/equilibria/film_branches.h"
 #include "core/simulation/equilibria/film_equilibria.h"
@@ -239,9 +239,9 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
         reader.add("parameter", key + " belongs to the computation, not to the scene");
         return false;
     }
-    const Field* field = findField(key);
-    const double minimum = field ? field->minimum : -std::numeric_limits<double>::infinity();
-    const double maximum = field ? field->maximum : std::numeric_limits<double>::infinity();
+    const Parameter* parameter = findParameter(key);
+    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
+    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
     const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
         const bool given = reader.has(name);
         std::optional<double> value =
@@ -317,13 +317,13 @@ StudyPerformance planHysteresis(StudyReader& reader)
 StudyForm hysteresisForm(const Case& c)
 {
     const Range range = defaultRange(c);
-    const Field& field = *findField(range.key);
+    const Parameter& parameter = *findParameter(range.key);
     StudyForm form;
     form.keys = {
         textKey("parameter", range.key, "a key of the case in quotation marks", "the number of the case that moves"),
-        numberKey("from", range.from, field.unit, field.displayUnit, field.minimum, field.maximum,
+        numberKey("from", range.from, parameter.unit, parameter.displayUnit, parameter.minimum, parameter.maximum,
                   "the first value; it starts as the case says"),
-        numberKey("to", range.to, field.unit, field.displayUnit, field.minimum, field.maximum,
+        numberKey("to", range.to, parameter.unit, parameter.displayUnit, parameter.minimum, parameter.maximum,
                   "the last value, from which the way leads back"),
         integerKey("steps", range.steps, 1, mostValues - 1, "from one end to the other"),
         numberKey("hold", range.hold, "s", "us", 1e-7, 1.0, "time at each value; its last tenth is evaluated"),

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/studies/runs/design_key.h"
@@ -21,9 +21,9 @@ std::string ParameterText::of(double value) const { return fewDigits(value, disp
 ParameterText parameterText(const DesignKey& key)
 {
     ParameterText text{key.key, key.unit, key.displayUnit};
-    if (const Field* field = findField(key.key)) {
-        text.label = capitalized(field->label);
-        if (!field->symbol.empty()) text.label += " " + field->symbol;
+    if (const Parameter* parameter = findParameter(key.key)) {
+        text.label = capitalized(parameter->label);
+        if (!parameter->symbol.empty()) text.label += " " + parameter->symbol;
     }
     return text;
 }

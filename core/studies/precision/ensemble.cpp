@@ -7,7 +7,7 @@
 #include <numeric>
 #include <span>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/studies/runs/parallel.h"
@@ -18,7 +18,7 @@ namespace touchdown {
 
 namespace {
 
-EnsembleEnd runStart(const Case& c, const Field& key, double value, const GoOn& goOn)
+EnsembleEnd runStart(const Case& c, const Parameter& key, double value, const GoOn& goOn)
 {
     Case started = c;
     if (setFromNumber(started, key, value)) return {.state = {}, .failure = RunFailure::Other};
@@ -64,7 +64,7 @@ double workOf(const Case& c, const Summary& summary)
 
 std::vector<double> startsOf(const Case& c, const EnsembleTask& task)
 {
-    const double middle = std::get<double>(findField(task.key)->get(c));
+    const double middle = std::get<double>(findParameter(task.key)->get(c));
     std::vector<double> starts;
     for (int i = 0; i < task.starts; ++i)
         starts.push_back(middle + task.spread * ((2.0 * i + 1.0) / task.starts - 1.0));
@@ -75,7 +75,7 @@ bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, in
                   const std::function<bool(std::size_t)>& poll)
 {
     const auto count = static_cast<std::size_t>(task.starts);
-    const Field& key = *findField(task.key);
+    const Parameter& key = *findParameter(task.key);
     std::vector<std::vector<double>> starts;
     for (Ensemble& ensemble : ensembles) {
         ensemble.ends.assign(count, {});
@@ -207,9 +207,9 @@ StudyValue deviationOf(const std::vector<double>& values)
 /// "300 starts with FH(0) within 0.5 nm of 250 nm".
 std::string describeStarts(const Case& c, const EnsembleTask& task)
 {
-    const Field& field = *findField(task.key);
-    return std::to_string(task.starts) + " starts with " + field.label + " within " +
-           fewDigits(task.spread, field.displayUnit, 6) + " of " + toText(c, field);
+    const Parameter& parameter = *findParameter(task.key);
+    return std::to_string(task.starts) + " starts with " + parameter.label + " within " +
+           fewDigits(task.spread, parameter.displayUnit, 6) + " of " + toText(c, parameter);
 }
 
 class Teller {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
@@ -59,7 +59,8 @@ std::vector<MethodSpec> filmMethods(const Case& c, bool inTime)
     const std::vector<std::string> nodes = inTime
                                                ? std::vector<std::string>{"49", "97", "145", "193"}
                                                : std::vector<std::string>{"33", "49", "65", "97", "145", "193", "289"};
-    const std::string ownScheme = toText(c, *findField("film.scheme")), ownGrid = toText(c, *findField("film.grid"));
+    const std::string ownScheme = toText(c, *findParameter("film.scheme")),
+                      ownGrid = toText(c, *findParameter("film.grid"));
     std::vector<MethodSpec> methods;
     const auto add = [&](const std::string& scheme, const std::string& grid) {
         methods.push_back(
@@ -243,18 +244,18 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     ensemble.key = defaultEnsembleKey(task.start);
     if (const auto starts = reader.integer("ensemble.starts", 2, mostStarts)) ensemble.starts = *starts;
     if (const auto key = reader.text("ensemble.key")) {
-        const Field* field = findField(*key);
-        if (field == nullptr || field->kind != FieldKind::Number) {
+        const Parameter* parameter = findParameter(*key);
+        if (parameter == nullptr || parameter->kind != ParameterKind::Number) {
             reader.add("ensemble.key", inQuotes(*key) + " is no key of a number" + didYouMean(nearestKey(*key)));
-        } else if (const std::string unused = unusedMessage(task.start, *field); !unused.empty()) {
+        } else if (const std::string unused = unusedMessage(task.start, *parameter); !unused.empty()) {
             reader.add("ensemble.key", inQuotes(*key) + " " + unused);
         } else {
             ensemble.key = *key;
         }
     }
-    const Field& field = *findField(ensemble.key);
-    if (field.unit != "m") ensemble.spread = 0.01 * std::abs(std::get<double>(field.get(task.start)));
-    if (const auto spread = reader.number("ensemble.spread", field.unit, field.displayUnit, 0.0, INFINITY))
+    const Parameter& parameter = *findParameter(ensemble.key);
+    if (parameter.unit != "m") ensemble.spread = 0.01 * std::abs(std::get<double>(parameter.get(task.start)));
+    if (const auto spread = reader.number("ensemble.spread", parameter.unit, parameter.displayUnit, 0.0, INFINITY))
         ensemble.spread = *spread;
     const std::vector<CaseSetting> settings = reader.settings("ensemble.set");
     task.ensembleReference = ensembleReference(task.start);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/units.h"
 
@@ -95,13 +95,13 @@ std::variant<DesignKey, std::string> designKey(const Case& c, std::string_view n
 {
     const std::string key(name);
     if (name.starts_with("abs.rail[")) return railKey(c, key);
-    const Field* field = findField(name);
-    if (field == nullptr) return "unknown key" + didYouMean(nearestKey(name));
-    if (field->kind != FieldKind::Number) return std::string("is no number with a range to search");
-    if (!field->used(c)) return std::string("has no part in this case");
-    const auto get = [field](const Case& from) { return std::get<double>(field->get(from)); };
-    const auto set = [field](Case& target, double value) { return setFromNumber(target, *field, value); };
-    return DesignKey{key, field->unit, field->displayUnit, get, set};
+    const Parameter* parameter = findParameter(name);
+    if (parameter == nullptr) return "unknown key" + didYouMean(nearestKey(name));
+    if (parameter->kind != ParameterKind::Number) return std::string("is no number with a range to search");
+    if (!parameter->used(c)) return std::string("has no part in this case");
+    const auto get = [parameter](const Case& from) { return std::get<double>(parameter->get(from)); };
+    const auto set = [parameter](Case& target, double value) { return setFromNumber(target, *parameter, value); };
+    return DesignKey{key, parameter->unit, parameter->displayUnit, get, set};
 }
 
 } // namespace touchdown

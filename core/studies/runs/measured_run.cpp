@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/simulation/run.h"

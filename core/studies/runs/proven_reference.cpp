@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/cvode.h"
 #include "core/studies/runs/swept_method.h"
@@ -23,7 +23,7 @@ ReferenceCase springReference(Case c, IntegratorKind integrator, double toleranc
     c.run.integrator = integrator;
     c.run.tolerance = tolerance;
     c.run.step = step;
-    return {nameOf(toText(c, *findField("run.integrator")), setting), c};
+    return {nameOf(toText(c, *findParameter("run.integrator")), setting), c};
 }
 
 ReferenceCase filmReference(Case c, const std::string& label, std::optional<double> stepError)
@@ -83,8 +83,8 @@ std::vector<ReferenceCase> gridReferences(const Case& given, int nodes, std::opt
         c.film.grid = grid;
         families.push_back(filmReference(c,
                                          (grid == GridKind::Adapted ? "an " : "a ") +
-                                             toText(c, *findField("film.grid")) + " grid of " + std::to_string(nodes) +
-                                             " nodes",
+                                             toText(c, *findParameter("film.grid")) + " grid of " +
+                                             std::to_string(nodes) + " nodes",
                                          stepError));
     }
     return families;
@@ -98,7 +98,7 @@ std::vector<ReferenceCase> couplingReferences(const Case& given)
     for (const FilmCoupling coupling : {FilmCoupling::Monolithic, FilmCoupling::Staggered}) {
         c.film.coupling = coupling;
         const double stepError = given.run.stepError * (coupling == FilmCoupling::Monolithic ? share : shareInTurns);
-        families.push_back(filmReference(c, toText(c, *findField("film.coupling")), stepError));
+        families.push_back(filmReference(c, toText(c, *findParameter("film.coupling")), stepError));
     }
     return families;
 }

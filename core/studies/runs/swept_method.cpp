@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
@@ -27,22 +27,24 @@ int finenessOf(std::string_view key)
 }
 
 /// "97, 97" of "97" for a list of two.
-std::string fullValue(const Field& field, const std::string& value)
+std::string fullValue(const Parameter& parameter, const std::string& value)
 {
-    if (field.kind != FieldKind::List || field.minimumCount < 2 || field.minimumCount != field.maximumCount)
+    if (parameter.kind != ParameterKind::List || parameter.minimumCount < 2 ||
+        parameter.minimumCount != parameter.maximumCount)
         return value;
     if (listElements(value).size() != 1) return value;
     std::string list = value;
-    for (std::size_t i = 1; i < field.minimumCount; ++i) list += ", " + value;
+    for (std::size_t i = 1; i < parameter.minimumCount; ++i) list += ", " + value;
     return list;
 }
 
 /// "97" of "97, 97"; a number with no more figures than a person reads.
-std::string labelOf(const Field& field, const Case& c)
+std::string labelOf(const Parameter& parameter, const Case& c)
 {
-    if (field.kind == FieldKind::Number) return fewDigits(numberOf(field, c), field.displayUnit, labelDigits);
-    const std::string value = toText(c, field);
-    if (field.kind != FieldKind::List) return value;
+    if (parameter.kind == ParameterKind::Number)
+        return fewDigits(numberOf(parameter, c), parameter.displayUnit, labelDigits);
+    const std::string value = toText(c, parameter);
+    if (parameter.kind != ParameterKind::List) return value;
     const std::vector<std::string_view> elements = listElements(value);
     const bool alike = std::ranges::all_of(elements, [&](std::string_view each) { return each == elements.front(); });
     return elements.empty() || !alike ? value : std::string(elements.front());
@@ -78,16 +80,16 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
         if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
     if (std::string problem = changeCase(c, settings); !problem.empty()) return problem;
     for (const CaseSetting& setting : settings)
-        if (const std::string message = unusedMessage(c, *findField(setting.key)); !message.empty())
+        if (const std::string message = unusedMessage(c, *findParameter(setting.key)); !message.empty())
             return setting.key + ": " + message;
     return {};
 }
 
 } // namespace
 
-double numberOf(const Field& field, const Case& c)
+double numberOf(const Parameter& parameter, const Case& c)
 {
-    const FieldValue value = field.get(c);
+    const ParameterValue value = parameter.get(c);
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* whole = std::get_if<int>(&value)) return *whole;
     if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
@@ -153,31 +155,31 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
     Case base = start;
     if (std::string problem = apply(base, spec.set); !problem.empty()) return problem;
     const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
-        const Field& field = *findField(setting.key);
-        return toText(base, field) == toText(start, field);
+        const Parameter& parameter = *findParameter(setting.key);
+        return toText(base, parameter) == toText(start, parameter);
     });
     if (spec.key.empty()) {
         method.settings.push_back({.label = "", .c = base, .chosen = own, .inEnsemble = true});
         return {};
     }
-    const Field* field = findField(spec.key);
-    if (field == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
+    const Parameter* parameter = findParameter(spec.key);
+    if (parameter == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
     bool found = false;
     for (const std::string& value : spec.values) {
         MethodSetting setting{.label = value, .c = base};
-        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*field, value)}}); !problem.empty())
+        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*parameter, value)}}); !problem.empty())
             return problem;
-        setting.value = numberOf(*field, setting.c);
-        setting.chosen = own && toText(setting.c, *field) == toText(start, *field);
+        setting.value = numberOf(*parameter, setting.c);
+        setting.chosen = own && toText(setting.c, *parameter) == toText(start, *parameter);
         setting.inEnsemble = spec.ensemble.empty() || std::ranges::find(spec.ensemble, value) != spec.ensemble.end();
         found = found || setting.chosen;
-        if (field->kind == FieldKind::List) setting.label = labelOf(*field, setting.c);
+        if (parameter->kind == ParameterKind::List) setting.label = labelOf(*parameter, setting.c);
         method.settings.push_back(std::move(setting));
     }
     if (addOwn && own && !found)
-        method.settings.push_back({.label = labelOf(*field, base),
+        method.settings.push_back({.label = labelOf(*parameter, base),
                                    .c = base,
-                                   .value = numberOf(*field, base),
+                                   .value = numberOf(*parameter, base),
                                    .chosen = true,
                                    .inEnsemble = true});
     const int fineness = finenessOf(spec.key);

@@ -24,7 +24,7 @@
 namespace touchdown {
 
 class StudyReader;
-struct Field;
+struct Parameter;
 
 /// As a study's file writes it.
 struct MethodSpec {
@@ -55,8 +55,8 @@ struct SweptMethod {
     bool ordered = false; // its settings go from coarse to fine
     std::vector<MethodSetting> settings{};
 };
-/// The value of a number, the first one of a list [unit of the field]; NaN of others.
-double numberOf(const Field& field, const Case& c);
+/// The value of a number, the first one of a list [unit of the parameter]; NaN of others.
+double numberOf(const Parameter& parameter, const Case& c);
 
 /// "rk4 (10 ns)".
 std::string nameOf(const std::string& method, const std::string& setting);

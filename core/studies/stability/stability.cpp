@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
@@ -117,7 +117,7 @@ std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
     if (!key && values)
         reader.add("values", "are of no parameter; name it with parameter = \"ono_yamane.contact_stiffness\"");
     if (chosen.empty()) return {""};
-    task.parameter = findField(chosen);
+    task.parameter = findParameter(chosen);
     if (task.parameter == nullptr) {
         reader.add("parameter", inQuotes(chosen) + " is no key of a case" + didYouMean(nearestKey(chosen)));
         return {};
@@ -126,7 +126,8 @@ std::vector<std::string> readParameter(StudyReader& reader, StabilityTask& task)
         reader.add("parameter", inQuotes(chosen) + " " + unused);
     for (const char* fixed : {"model", "run.integrator", "run.sample_interval"})
         if (chosen == fixed) reader.add("parameter", inQuotes(chosen) + " cannot be varied here");
-    task.parameterIsNumber = task.parameter->kind == FieldKind::Number || task.parameter->kind == FieldKind::Integer;
+    task.parameterIsNumber =
+        task.parameter->kind == ParameterKind::Number || task.parameter->kind == ParameterKind::Integer;
     if (key && !values && chosen != otherwise.key) reader.add("parameter", "has no values");
     return values ? *values : otherwise.values;
 }

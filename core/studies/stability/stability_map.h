@@ -22,7 +22,7 @@
 
 namespace touchdown {
 
-struct Field;
+struct Parameter;
 
 /// One value of the parameter.
 struct StabilityRow {
@@ -36,7 +36,7 @@ struct StabilityTask {
     Case start;
     bool picture = true;
     bool map = true;
-    const Field* parameter = nullptr; // null: none is varied
+    const Parameter* parameter = nullptr; // null: none is varied
     bool parameterIsNumber = false;
     std::vector<MethodSpec> methods;
     std::vector<StabilityRow> rows;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/studies/stability/stability_map.h"
@@ -19,11 +19,11 @@ constexpr double paperStep = 1e-8;      // the coarser one [s]
 constexpr double logarithmicFrom = 9.0; // largest of an axis against its smallest
 
 /// An axis of a key's numbers.
-ChartAxis axisOf(const Field& field, const std::vector<double>& values)
+ChartAxis axisOf(const Parameter& parameter, const std::vector<double>& values)
 {
-    ChartAxis axis{.label = capitalized(field.label.empty() ? field.key : field.label),
-                   .unit = field.unit,
-                   .displayUnit = field.displayUnit};
+    ChartAxis axis{.label = capitalized(parameter.label.empty() ? parameter.key : parameter.label),
+                   .unit = parameter.unit,
+                   .displayUnit = parameter.displayUnit};
     if (axis.unit.empty() || axis.unit == "1") axis.unit = axis.displayUnit = "";
     const auto [least, most] = std::ranges::minmax(values);
     axis.logarithmic = least > 0.0 && most >= logarithmicFrom * least;
@@ -64,7 +64,8 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
     for (const StabilityRow& row : task.rows) ys.push_back(row.value);
 
     ChartPanel panel;
-    panel.x = numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key} : axisOf(*findField(first.key), xs);
+    panel.x =
+        numbered ? ChartAxis{.label = first.key.empty() ? "run" : first.key} : axisOf(*findParameter(first.key), xs);
     panel.x.label = first.name + ": " + panel.x.label;
     panel.y = task.parameter != nullptr && task.parameterIsNumber
                   ? axisOf(*task.parameter, ys)

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml_case.h"
@@ -22,16 +22,16 @@ namespace fs = std::filesystem;
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
-    CmlFields fields{value};
+    CmlParameters parameters{value};
     explicit Reading(const std::string& text)
     {
         value.slider.length = 1.25e-3;
         value.slider.width = 1e-3;
         value.slider.thickness = 0.3e-3;
-        fields.beginFile("dynamics.def");
-        readCmlDynamics(text, fields);
+        parameters.beginFile("dynamics.def");
+        readCmlDynamics(text, parameters);
     }
-    QByteArray warnings() const { return joined(fields.warnings); }
+    QByteArray warnings() const { return joined(parameters.warnings); }
 };
 
 std::string withValues(std::string_view heading, std::string_view values)
@@ -109,9 +109,9 @@ private slots:
         c.surface.rails.resize(1);
         c.surface.rails[0].points = {
             {1.2e-3, 0.48e-3, 0}, {1.24e-3, 0.48e-3, 0}, {1.24e-3, 0.52e-3, 0}, {1.2e-3, 0.52e-3, 0}};
-        CmlFields fields(c);
-        readCmlDynamics(text, fields);
-        QCOMPARE(joined(fields.warnings), QByteArray());
+        CmlParameters parameters(c);
+        readCmlDynamics(text, parameters);
+        QCOMPARE(joined(parameters.warnings), QByteArray());
         QCOMPARE(c.contact, ContactKind::Elastic);
         QCOMPARE(c.adhesion.kind, AdhesionKind::VanDerWaals);
         QCOMPARE(c.adhesion.hamakerA, 1e-19);
@@ -175,7 +175,7 @@ private slots:
               "suspension.stiffness", "suspension.damping", "suspension.roll_damping", "slider.mass",
               "disk.surface.kind", "disk.surface.wave_amplitudes", "disk.surface.wave_lengths",
               "disk.surface.wave_angles"})
-            QVERIFY2(toText(back.value, *findField(key)) == toText(document.value, *findField(key)), key);
+            QVERIFY2(toText(back.value, *findParameter(key)) == toText(document.value, *findParameter(key)), key);
     }
 
 private:

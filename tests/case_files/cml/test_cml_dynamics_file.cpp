@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
@@ -19,17 +19,17 @@ namespace test_cml_dynamics_file {
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
-    CmlFields fields{value};
+    CmlParameters parameters{value};
     explicit Reading(const std::string& text)
     {
         value.slider.length = 1.25e-3;
         value.slider.width = 1e-3;
         value.slider.thickness = 0.3e-3;
-        fields.beginFile("dynamics.def");
-        readCmlDynamics(text, fields);
+        parameters.beginFile("dynamics.def");
+        readCmlDynamics(text, parameters);
     }
-    QByteArray problems() const { return joined(fields.problems); }
-    QByteArray warnings() const { return joined(fields.warnings); }
+    QByteArray problems() const { return joined(parameters.problems); }
+    QByteArray warnings() const { return joined(parameters.warnings); }
 };
 
 std::string withValues(std::string_view heading, std::string_view values)
@@ -199,8 +199,8 @@ private slots:
         const int needed = lineOf(text, "iadapt") + 1;
         for (int count = 1; count < lines; ++count) {
             const Reading r(firstLines(text, count));
-            QCOMPARE(r.fields.problems.empty(), count >= needed);
-            for (const InputProblem& problem : r.fields.problems)
+            QCOMPARE(r.parameters.problems.empty(), count >= needed);
+            for (const InputProblem& problem : r.parameters.problems)
                 QVERIFY2(problem.line > 0 && problem.line <= count, problem.text().c_str());
         }
     }
@@ -214,8 +214,8 @@ private slots:
             std::string damaged = text;
             for (int i = 0; i < 5; ++i) damaged[place(generator)] = static_cast<char>(byte(generator));
             const Reading r(damaged);
-            for (const Field& field : fields()) {
-                const FieldValue value = field.get(r.value);
+            for (const Parameter& parameter : parameters()) {
+                const ParameterValue value = parameter.get(r.value);
                 if (const auto* number = std::get_if<double>(&value)) QVERIFY(std::isfinite(*number));
             }
         }

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
 
@@ -17,12 +17,12 @@ Case film() { return defaultsOf(ModelKind::Film); }
 /// The case that comments make of another one; what is left of the comments goes to `rest`.
 Case applied(Case c, const std::string& comments, QByteArray& warnings, QByteArray& rest)
 {
-    CmlFields fields(c);
-    fields.comments = comments;
-    applyKeptValues(fields);
-    for (const InputProblem& each : fields.warnings) warnings += QByteArray::fromStdString(each.text()) + '\n';
-    for (const InputProblem& each : fields.problems) warnings += QByteArray::fromStdString(each.text()) + '\n';
-    rest = QByteArray::fromStdString(fields.comments);
+    CmlParameters parameters(c);
+    parameters.comments = comments;
+    applyKeptValues(parameters);
+    for (const InputProblem& each : parameters.warnings) warnings += QByteArray::fromStdString(each.text()) + '\n';
+    for (const InputProblem& each : parameters.problems) warnings += QByteArray::fromStdString(each.text()) + '\n';
+    rest = QByteArray::fromStdString(parameters.comments);
     return c;
 }
 

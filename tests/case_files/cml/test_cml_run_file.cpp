@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
@@ -19,14 +19,14 @@ namespace test_cml_run_file {
 
 struct Reading {
     Case value = defaultsOf(ModelKind::Film);
-    CmlFields fields{value};
+    CmlParameters parameters{value};
     explicit Reading(const std::string& text)
     {
-        fields.beginFile("run.dat");
-        readCmlRun(text, fields);
+        parameters.beginFile("run.dat");
+        readCmlRun(text, parameters);
     }
-    QByteArray problems() const { return joined(fields.problems); }
-    QByteArray warnings() const { return joined(fields.warnings); }
+    QByteArray problems() const { return joined(parameters.problems); }
+    QByteArray warnings() const { return joined(parameters.warnings); }
 };
 
 /// The line below the first one that begins with a heading.
@@ -84,7 +84,8 @@ private slots:
         QCOMPARE(c.film.tolerance, 1e-8);
         QCOMPARE(c.steady.sensitivities, true);
         QCOMPARE(c.steady.shearArm, 1.0); // what the established program does
-        QCOMPARE(QByteArray::fromStdString(r.fields.comments).trimmed(), QByteArray("drawn for tests, pad of 5 \xb5m"));
+        QCOMPARE(QByteArray::fromStdString(r.parameters.comments).trimmed(),
+                 QByteArray("drawn for tests, pad of 5 \xb5m"));
     }
 
     void otherSpellings_data()
@@ -151,7 +152,7 @@ private slots:
         QFETCH(QByteArray, value);
         const Reading r(withValues(heading.toStdString(), values.toStdString()));
         QCOMPARE(r.problems(), QByteArray());
-        QCOMPARE(QByteArray::fromStdString(toText(r.value, *findField(key.toStdString()))), value);
+        QCOMPARE(QByteArray::fromStdString(toText(r.value, *findParameter(key.toStdString()))), value);
     }
 
     void severalRuns()
@@ -331,9 +332,9 @@ private slots:
         const int needed = lineOf(text, "ischeme") + 1; // what comes below may be missing
         for (int count = 1; count < lines; ++count) {
             const Reading r(firstLines(text, count));
-            QCOMPARE(r.fields.problems.empty(), count >= needed && !r.problems().contains("section ends"));
+            QCOMPARE(r.parameters.problems.empty(), count >= needed && !r.problems().contains("section ends"));
             if (count < needed) QVERIFY2(r.problems().contains("ends "), r.problems());
-            for (const InputProblem& problem : r.fields.problems) {
+            for (const InputProblem& problem : r.parameters.problems) {
                 QVERIFY2(problem.line > 0 && problem.line <= count, problem.text().c_str());
                 QCOMPARE(problem.file, std::string("run.dat"));
             }
@@ -349,9 +350,9 @@ private slots:
             std::string damaged = text;
             for (int i = 0; i < 5; ++i) damaged[place(generator)] = static_cast<char>(byte(generator));
             const Reading r(damaged);
-            for (const InputProblem& problem : r.fields.problems) QVERIFY(problem.line > 0);
-            for (const Field& field : fields()) {
-                const FieldValue value = field.get(r.value);
+            for (const InputProblem& problem : r.parameters.problems) QVERIFY(problem.line > 0);
+            for (const Parameter& parameter : parameters()) {
+                const ParameterValue value = parameter.get(r.value);
                 if (const auto* number = std::get_if<double>(&value)) QVERIFY(std::isfinite(*number));
             }
         }

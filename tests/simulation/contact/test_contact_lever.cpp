@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -7,7 +7,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/physics/contact/asperity_contact.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "tests/support/test_program.h"

@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "tests/support/test_program.h"
 

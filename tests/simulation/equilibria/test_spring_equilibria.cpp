@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -16,11 +16,11 @@ namespace test_spring_equilibria {
 
 using Mode = SpringModel::Mode;
 
-CaseAt byField(const Case& c, const char* key)
+CaseAt byParameter(const Case& c, const char* key)
 {
-    return [c, field = findField(key)](double value) -> std::optional<Case> {
+    return [c, parameter = findParameter(key)](double value) -> std::optional<Case> {
         Case changed = c;
-        if (setFromNumber(changed, *field, value) || !checkCombinations(changed).empty()) return {};
+        if (setFromNumber(changed, *parameter, value) || !checkCombinations(changed).empty()) return {};
         return changed;
     };
 }
@@ -170,7 +170,7 @@ private slots:
         const Case c = oneSpring();
         const double z = (26.0 - std::sqrt(116.0)) / 4.0 * 1e-9;
         const double pull = 1e6 * 49e-18 * (7e-9 - z) / (z * z) * (5e-9 - 2e-9) / (5e-9 - z);
-        const CaseAt at = byField(c, "ono_yamane.meniscus_force");
+        const CaseAt at = byParameter(c, "ono_yamane.meniscus_force");
         const EquilibriumBranches all = traceSpringEquilibria(at, 0.2 * pull, 1.7 * pull, 9);
         QCOMPARE(all.endsLost, 0);
         int folds = 0;
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(hurwitz(low) > 0.0 && hurwitz(high) < 0.0);
         for (int i = 0; i < 100; ++i) (hurwitz(0.5 * (low + high)) > 0.0 ? low : high) = 0.5 * (low + high);
 
-        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "ono_yamane.friction"), 0.5, 0.7, 9);
+        const EquilibriumBranches all = traceSpringEquilibria(byParameter(c, "ono_yamane.friction"), 0.5, 0.7, 9);
         std::vector<double> onsets;
         for (const MarkedEquilibrium& mark : all.marks)
             if (mark.kind == EquilibriumMark::Hopf) onsets.push_back(mark.at.parameter);
@@ -241,7 +241,7 @@ private slots:
         // The default slider, set lower and lower: it touches down where its static height is d_s; caught, it takes off
         // where the pad has risen to d_e.
         const Case c;
-        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "springs.flying_height"), 14e-9, 1e-9, 9);
+        const EquilibriumBranches all = traceSpringEquilibria(byParameter(c, "springs.flying_height"), 14e-9, 1e-9, 9);
         const auto mark = [&](const char* title) {
             return std::ranges::find_if(all.marks, [&](const MarkedEquilibrium& m) { return m.name == title; });
         };
@@ -258,7 +258,8 @@ private slots:
         Case c;
         c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.0;
         c.suspension.dampingRatio = c.suspension.pitchDampingRatio = 0.0;
-        const EquilibriumBranches all = traceSpringEquilibria(byField(c, "ono_yamane.meniscus_force"), 0.0, 50e-3, 5);
+        const EquilibriumBranches all =
+            traceSpringEquilibria(byParameter(c, "ono_yamane.meniscus_force"), 0.0, 50e-3, 5);
         for (const MarkedEquilibrium& mark : all.marks) QVERIFY(mark.kind != EquilibriumMark::Hopf);
         for (const EquilibriumBranch& branch : all.branches)
             for (const Equilibrium& point : branch.points) QCOMPARE(point.stability, Stability::Neutral);
@@ -267,8 +268,8 @@ private slots:
     void stopsWhenAsked()
     {
         int asked = 0;
-        const EquilibriumBranches all = traceSpringEquilibria(byField(Case{}, "springs.flying_height"), 14e-9, 1e-9, 9,
-                                                              [&](double) { return ++asked < 20; });
+        const EquilibriumBranches all = traceSpringEquilibria(byParameter(Case{}, "springs.flying_height"), 14e-9, 1e-9,
+                                                              9, [&](double) { return ++asked < 20; });
         QVERIFY(all.stopped);
         QCOMPARE(asked, 20);
     }

@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"
 #include "tests/support/test_program.h"

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"

@@ -5,7 +5,7 @@
 
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/contact/slider_contact.h"
 #include "tests/support/test_program.h"
 

@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/steady.h"
 
 #include <QTest>
@@ -25,7 +25,8 @@ private slots:
         QCOMPARE(series[0].speed, 600.0);
         QVERIFY(!series[0].altitude);
         const Case at = caseAt(c, series[0]);
-        for (const Field& field : fields()) QVERIFY2(field.get(at) == field.get(c), field.key.c_str());
+        for (const Parameter& parameter : parameters())
+            QVERIFY2(parameter.get(at) == parameter.get(c), parameter.key.c_str());
     }
     /// Altitudes outermost, then speeds, then radii, each radius with its skew.
     void allCombinationsInOrder()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/spring_fit.h"
 #include "core/studies/runs/measured_run.h"

@@ -11,7 +11,7 @@
 #include "tests/ui/named_widget.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_panel.h"
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 
 using namespace touchdown;
 
@@ -58,7 +58,7 @@ private slots:
     void takesLists_data();
     void takesLists();
     void saysWhyAListIsBad();
-    void showsEveryUsedField();
+    void showsEveryUsedParameter();
     void hidesFieldsThatTheModelDoesNotUse();
     void showsWhyAnEntryIsBad_data();
     void showsWhyAnEntryIsBad();
@@ -154,14 +154,14 @@ void TestCasePanel::saysWhyAListIsBad()
     QCOMPARE(f.edits.value().film.nodes, (std::array<int, 2>{97, 129}));
 }
 
-void TestCasePanel::showsEveryUsedField()
+void TestCasePanel::showsEveryUsedParameter()
 {
     const Fixture f;
-    for (const Field& field : fields()) {
-        if (field.group() == "about") continue;
-        const FieldEditor* editor = f.panel.editor(field.key);
-        QVERIFY2(editor, field.key.c_str());
-        QCOMPARE(editor->isVisible(), field.used(f.edits.value()));
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.group() == "about") continue;
+        const ParameterEditor* editor = f.panel.editor(parameter.key);
+        QVERIFY2(editor, parameter.key.c_str());
+        QCOMPARE(editor->isVisible(), parameter.used(f.edits.value()));
     }
 }
 
@@ -171,13 +171,13 @@ void TestCasePanel::hidesFieldsThatTheModelDoesNotUse()
     // dopri5 has a tolerance, rk4 a step.
     QVERIFY(f.panel.editor("run.tolerance")->isVisible());
     QVERIFY(!f.panel.editor("run.step")->isVisible());
-    f.edits.enter(*findField("run.integrator"), QStringLiteral("rk4"));
+    f.edits.enter(*findParameter("run.integrator"), QStringLiteral("rk4"));
     QVERIFY(!f.panel.editor("run.tolerance")->isVisible());
     QVERIFY(f.panel.editor("run.step")->isVisible());
     QCOMPARE(qobject_cast<QComboBox*>(f.panel.editor("run.integrator")->input())->currentText(), QStringLiteral("rk4"));
 
     QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->isVisible());
-    f.edits.enter(*findField("contact"), QStringLiteral("none"));
+    f.edits.enter(*findParameter("contact"), QStringLiteral("none"));
     QVERIFY(!f.panel.editor("ono_yamane.meniscus_force")->isVisible());
 }
 
@@ -214,13 +214,13 @@ void TestCasePanel::showsWhyAnEntryIsBad()
     QTest::keyClicks(line, typed);
     QTest::keyClick(line, Qt::Key_Return);
 
-    const FieldEditor* editor = f.panel.editor(name);
+    const ParameterEditor* editor = f.panel.editor(name);
     QVERIFY2(editor->reason().contains(part, Qt::CaseInsensitive), qPrintable(editor->reason()));
     QVERIFY(editor->reason().endsWith(QLatin1Char('.')));
     // The entry stays to be mended, and the value is what it was.
     QCOMPARE(line->text(), typed);
-    const Field& field = *findField(name);
-    QCOMPARE(toText(f.edits.value(), field), toText(f.edits.opened(), field));
+    const Parameter& parameter = *findParameter(name);
+    QCOMPARE(toText(f.edits.value(), parameter), toText(f.edits.opened(), parameter));
     QVERIFY(f.edits.reasonNotToRun().contains(editor->reason()));
 }
 
@@ -292,7 +292,7 @@ void TestCasePanel::resetsOneAndAll()
     reset->click();
     QCOMPARE(f.edits.value().springs.flyingHeight, 7e-9);
     QVERIFY(!reset->isVisible());
-    QVERIFY(f.edits.changed(*findField("slider.mass")));
+    QVERIFY(f.edits.changed(*findParameter("slider.mass")));
     f.edits.resetAll();
     QVERIFY(!f.edits.anyChanged());
     QVERIFY(f.edits.reasonNotToRun().isEmpty());
@@ -434,11 +434,11 @@ void TestCasePanel::marksStandIns()
 void TestCasePanel::namesEveryInput()
 {
     const Fixture f;
-    for (const Field& field : fields()) {
-        if (field.group() == "about") continue;
-        const QWidget* input = f.panel.editor(field.key)->input();
-        QCOMPARE(input->accessibleName(), QString::fromStdString(field.label));
-        QVERIFY2(input->toolTip().contains(QString::fromStdString(field.key)), field.key.c_str());
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.group() == "about") continue;
+        const QWidget* input = f.panel.editor(parameter.key)->input();
+        QCOMPARE(input->accessibleName(), QString::fromStdString(parameter.label));
+        QVERIFY2(input->toolTip().contains(QString::fromStdString(parameter.key)), parameter.key.c_str());
     }
 }
 

@@ -11,7 +11,7 @@
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 #include "ui/runs/run_delegate.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"

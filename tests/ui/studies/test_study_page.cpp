@@ -252,7 +252,7 @@ void TestStudyPage::saysWhenTheCaseHasChanged()
     const auto* mark = f.results().findChild<QLabel*>(QStringLiteral("stale"));
     f.perform();
     QVERIFY(mark && !mark->isVisible());
-    f.window.edits().enter(*findField("springs.flying_height"), QStringLiteral("6"));
+    f.window.edits().enter(*findParameter("springs.flying_height"), QStringLiteral("6"));
     QTRY_VERIFY(mark->isVisible());
     f.window.actions().undo->trigger();
     QTRY_VERIFY(!mark->isVisible());

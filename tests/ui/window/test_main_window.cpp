@@ -48,7 +48,7 @@ struct Fixture {
         window.files().openNow(QString::fromLatin1(sample));
     }
 
-    void edit(const char* key, const QString& text) { window.edits().enter(*findField(key), text); }
+    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
     void choosePace(double simulatedPerWallSecond)
     {
         QComboBox* pace = window.actions().pace;
@@ -78,7 +78,7 @@ private slots:
     void runsEverySampleCase_data();
     void runsEverySampleCase();
     void opensWithTheDefaultCase();
-    void disablesRunForABadField();
+    void disablesRunForABadParameter();
     void takesWhatWasTypedWhenRunning();
     void overlaysASecondRun();
     void hidesEarlierRunsWithoutOverlay();
@@ -164,7 +164,7 @@ void TestMainWindow::opensWithTheDefaultCase()
     QVERIFY(!window.actions().exportCsv->isEnabled());
 }
 
-void TestMainWindow::disablesRunForABadField()
+void TestMainWindow::disablesRunForABadParameter()
 {
     Fixture f;
     f.edit("springs.flying_height", QStringLiteral("7 mN"));
@@ -536,8 +536,8 @@ void TestMainWindow::opensHelp()
     help->open(HelpWindow::Page::Equations);
     QVERIFY(help->text().contains(QStringLiteral("M z″")));
     help->open(HelpWindow::Page::Parameters);
-    for (const Field& field : fields())
-        QVERIFY2(help->text().contains(QString::fromStdString(field.key)), field.key.c_str());
+    for (const Parameter& parameter : parameters())
+        QVERIFY2(help->text().contains(QString::fromStdString(parameter.key)), parameter.key.c_str());
     help->open(HelpWindow::Page::Shortcuts);
     QVERIFY(help->text().contains(QStringLiteral("F5")));
     help->open(HelpWindow::Page::About);

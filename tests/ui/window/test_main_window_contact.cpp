@@ -52,7 +52,7 @@ struct Fixture {
         edit("run.field_snapshots", QStringLiteral("11"));
     }
 
-    void edit(const char* key, const QString& text) { window.edits().enter(*findField(key), text); }
+    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
     const RunRecord& run()
     {
         const QSignalSpy ended(&window, &MainWindow::calculationEnded);
@@ -110,7 +110,8 @@ void TestMainWindowContact::runsTheSampleCases()
     Fixture f;
     f.window.files().openNow(name);
     // Few and coarse states: what the window shows of them is the question here.
-    if (findField("elastic.cell")->used(f.window.edits().value())) f.edit("elastic.cell", QStringLiteral("0.25 um"));
+    if (findParameter("elastic.cell")->used(f.window.edits().value()))
+        f.edit("elastic.cell", QStringLiteral("0.25 um"));
     f.edit("run.sample_interval", QString::number(f.window.edits().value().run.duration / 20.0) + QStringLiteral(" s"));
     QCOMPARE(f.window.edits().reasonNotToRun(), QString());
     const RunRecord& run = f.run();

@@ -58,7 +58,7 @@ struct Fixture {
         edit("film.nodes", QStringLiteral("33, 33"));
     }
 
-    void edit(const char* key, const QString& text) { window.edits().enter(*findField(key), text); }
+    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
     const SteadyResult& solve()
     {
         const QSignalSpy ended(&window, &MainWindow::calculationEnded);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 
 #include <array>
 #include <utility>
 
 #include <QRegularExpression>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "ui/style/quantity_format.h"
 
@@ -17,7 +17,7 @@ namespace {
 bool separatesByComma(const QLocale& locale) { return locale.decimalPoint() != QLatin1String(","); }
 
 /// A number as it may be typed, as the core reads it.
-QString numberEntry(QString text, const Field& field, const QLocale& locale)
+QString numberEntry(QString text, const Parameter& parameter, const QLocale& locale)
 {
     // Minus sign, space that does not break, micro sign, Greek mu, and what unitText writes.
     static const std::array<std::pair<QString, QString>, 7> spellings{
@@ -29,60 +29,61 @@ QString numberEntry(QString text, const Field& field, const QLocale& locale)
 
     // In a form, a bare number is in the unit beside it; in a case file it is in SI.
     static const QRegularExpression bareNumber(QStringLiteral("^[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?$"));
-    if (!field.displayUnit.empty() && bareNumber.match(text).hasMatch())
-        text += QLatin1Char(' ') + QString::fromStdString(field.displayUnit);
+    if (!parameter.displayUnit.empty() && bareNumber.match(text).hasMatch())
+        text += QLatin1Char(' ') + QString::fromStdString(parameter.displayUnit);
     return text;
 }
 
 } // namespace
 
-QString editorText(const Case& c, const Field& field, const QLocale& locale)
+QString editorText(const Case& c, const Parameter& parameter, const QLocale& locale)
 {
-    const FieldValue value = field.get(c);
+    const ParameterValue value = parameter.get(c);
     const auto number = [&](double each) {
-        return QString::fromStdString(formatNumber(each, field.displayUnit))
+        return QString::fromStdString(formatNumber(each, parameter.displayUnit))
             .replace(QLatin1Char('.'), locale.decimalPoint());
     };
-    if (field.kind == FieldKind::Number) return number(std::get<double>(value));
-    if (field.kind == FieldKind::List) {
+    if (parameter.kind == ParameterKind::Number) return number(std::get<double>(value));
+    if (parameter.kind == ParameterKind::List) {
         QStringList elements;
         for (const double each : std::get<std::vector<double>>(value)) elements << number(each);
         return elements.join(separatesByComma(locale) ? QStringLiteral(", ") : QStringLiteral("; "));
     }
-    return QString::fromStdString(toText(c, field));
+    return QString::fromStdString(toText(c, parameter));
 }
 
-std::string entryText(const QString& typed, const Field& field, const QLocale& locale)
+std::string entryText(const QString& typed, const Parameter& parameter, const QLocale& locale)
 {
     const QString text = typed.trimmed();
-    if (field.kind == FieldKind::Number) return numberEntry(text, field, locale).toStdString();
-    if (field.kind != FieldKind::List) return text.toStdString();
+    if (parameter.kind == ParameterKind::Number) return numberEntry(text, parameter, locale).toStdString();
+    if (parameter.kind != ParameterKind::List) return text.toStdString();
     // Where the comma is the decimal point, a comma with a blank after it still separates two numbers.
     static const QRegularExpression commas(QStringLiteral("[,;]"));
     static const QRegularExpression semicolons(QStringLiteral(";|,\\s"));
     QStringList elements;
     if (!text.isEmpty())
         for (const QString& element : text.split(separatesByComma(locale) ? commas : semicolons))
-            elements << numberEntry(element.trimmed(), field, locale);
+            elements << numberEntry(element.trimmed(), parameter, locale);
     return elements.join(QStringLiteral(", ")).toStdString();
 }
 
-QString valueText(const Case& c, const Field& field, const QLocale& locale)
+QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale)
 {
-    const QString text = editorText(c, field, locale);
-    const bool numbers = field.kind == FieldKind::Number || field.kind == FieldKind::List;
-    if (!numbers || field.displayUnit.empty() || text.isEmpty()) return text;
-    return text + QChar(0x00A0) + unitText(field.displayUnit);
+    const QString text = editorText(c, parameter, locale);
+    const bool numbers = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::List;
+    if (!numbers || parameter.displayUnit.empty() || text.isEmpty()) return text;
+    return text + QChar(0x00A0) + unitText(parameter.displayUnit);
 }
 
 QStringList caseDifference(const Case& before, const Case& after)
 {
     QStringList changes;
-    for (const Field& field : fields()) {
-        if (field.kind == FieldKind::Text || field.get(before) == field.get(after)) continue;
-        if (!field.used(before) && !field.used(after)) continue;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.kind == ParameterKind::Text || parameter.get(before) == parameter.get(after)) continue;
+        if (!parameter.used(before) && !parameter.used(after)) continue;
         changes << QStringLiteral("%1 %2 → %3")
-                       .arg(QString::fromStdString(field.label), valueText(before, field), valueText(after, field));
+                       .arg(QString::fromStdString(parameter.label), valueText(before, parameter),
+                            valueText(after, parameter));
     }
     return changes;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case_files/cml/cml_fields.h"
+#include "core/case_files/cml/cml_parameters.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cctype>
 #include <cmath>
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 #include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
@@ -16,21 +16,21 @@ namespace touchdown {
 
 namespace {
 
-const Field& fieldOf(std::string_view key)
+const Parameter& parameterOf(std::string_view key)
 {
-    const Field* field = findField(key);
-    assert(field != nullptr && "the readers of CML files name fields that exist");
-    return *field;
+    const Parameter* parameter = findParameter(key);
+    assert(parameter != nullptr && "the readers of CML files name fields that exist");
+    return *parameter;
 }
 
 /// In SI. The file's unit is one of the program's own, so that only the number can be wrong.
-double inSi(const CmlNumber& number, const Field& field, std::string_view unit)
+double inSi(const CmlNumber& number, const Parameter& parameter, std::string_view unit)
 {
     if (unit.empty()) return number.value;
     // Loads are shown in grams of force: 0.8e-3 kg has to be 0.8 gf to the last digit.
     const std::string quantity =
         unit == "kgf" ? decimalText(number.value, 3) + " gf" : *plainDecimal(number.text) + ' ' + std::string(unit);
-    const auto value = parseQuantity(quantity, field.unit);
+    const auto value = parseQuantity(quantity, parameter.unit);
     if (const auto* problem = std::get_if<UnitProblem>(&value)) throw CmlError(number.line, problem->message);
     return std::get<double>(value);
 }
@@ -40,20 +40,20 @@ std::string titleOf(const CmlSection& section)
     return section.name.empty() ? "a section without a name" : section.name;
 }
 
-void readSection(const CmlSection& section, const CmlSectionReader& reader, CmlFields& fields)
+void readSection(const CmlSection& section, const CmlSectionReader& reader, CmlParameters& parameters)
 {
-    CmlPart part(section, fields);
+    CmlPart part(section, parameters);
     try {
         reader.read(part);
     } catch (const CmlError& error) {
-        fields.addProblem(error.line(), titleOf(section) + ": " + error.what());
+        parameters.addProblem(error.line(), titleOf(section) + ": " + error.what());
     }
     part.finish();
 }
 
 } // namespace
 
-void CmlFields::setSurface(const CmlRails& rails)
+void CmlParameters::setSurface(const CmlRails& rails)
 {
     value_.slider.length = rails.length;
     value_.slider.width = rails.width;
@@ -67,47 +67,47 @@ void CmlFields::setSurface(const CmlRails& rails)
     rememberAll("abs.wall", rails.wallLines);
 }
 
-void CmlFields::set(std::string_view key, const CmlNumber& number, std::string_view unit)
+void CmlParameters::set(std::string_view key, const CmlNumber& number, std::string_view unit)
 {
-    setNumber(key, inSi(number, fieldOf(key), unit), number.line);
+    setNumber(key, inSi(number, parameterOf(key), unit), number.line);
 }
 
-void CmlFields::setNumber(std::string_view key, double value, int line)
+void CmlParameters::setNumber(std::string_view key, double value, int line)
 {
     remember(key, line);
-    if (auto problem = setFromNumber(value_, fieldOf(key), value))
+    if (auto problem = setFromNumber(value_, parameterOf(key), value))
         problems.push_back({file_, line, std::string(key), std::move(*problem)});
 }
 
-void CmlFields::setList(std::string_view key, std::span<const CmlNumber> numbers, std::string_view unit)
+void CmlParameters::setList(std::string_view key, std::span<const CmlNumber> numbers, std::string_view unit)
 {
-    const Field& field = fieldOf(key);
+    const Parameter& parameter = parameterOf(key);
     std::vector<double> values;
-    for (const CmlNumber& number : numbers) values.push_back(inSi(number, field, unit));
+    for (const CmlNumber& number : numbers) values.push_back(inSi(number, parameter, unit));
     setNumbers(key, values, numbers.empty() ? 0 : numbers.front().line);
 }
 
-void CmlFields::setNumbers(std::string_view key, const std::vector<double>& values, int line)
+void CmlParameters::setNumbers(std::string_view key, const std::vector<double>& values, int line)
 {
     remember(key, line);
-    if (auto problem = setFromNumbers(value_, fieldOf(key), values))
+    if (auto problem = setFromNumbers(value_, parameterOf(key), values))
         problems.push_back({file_, line, std::string(key), std::move(*problem)});
 }
 
-void CmlFields::choose(std::string_view key, std::string_view name, int line)
+void CmlParameters::choose(std::string_view key, std::string_view name, int line)
 {
     remember(key, line);
-    if (auto problem = setFromText(value_, fieldOf(key), name))
+    if (auto problem = setFromText(value_, parameterOf(key), name))
         problems.push_back({file_, line, std::string(key), std::move(*problem)});
 }
 
-int CmlFields::lineOf(std::string_view key) const
+int CmlParameters::lineOf(std::string_view key) const
 {
     const auto place = places_.find(std::string(key));
     return place == places_.end() ? 0 : place->second.line;
 }
 
-void CmlFields::checkCombinations()
+void CmlParameters::checkCombinations()
 {
     for (const CaseProblem& problem : touchdown::checkCombinations(value_)) {
         const auto place = places_.find(problem.key);
@@ -166,7 +166,7 @@ std::span<const CmlNumber> CmlPart::numbers(std::size_t list, std::size_t count,
 void CmlPart::set(std::string_view key, std::size_t list, std::size_t index, std::string_view what,
                   std::string_view unit)
 {
-    fields_.set(key, number(list, index, what), unit);
+    parameters_.set(key, number(list, index, what), unit);
 }
 
 std::vector<CmlNamedNumber> CmlPart::namedNumbers() const
@@ -184,16 +184,16 @@ std::vector<CmlNamedNumber> CmlPart::namedNumbers() const
 
 void CmlPart::finish()
 {
-    if (!leftOut_.empty()) fields_.addWarning(section_.line, titleOf(section_) + ": not modelled: " + leftOut_);
+    if (!leftOut_.empty()) parameters_.addWarning(section_.line, titleOf(section_) + ": not modelled: " + leftOut_);
 }
 
-void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlFields& fields)
+void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlParameters& parameters)
 {
     CmlSections all;
     try {
         all = splitCmlSections(text);
     } catch (const CmlError& error) {
-        fields.addProblem(error.line(), error.what());
+        parameters.addProblem(error.line(), error.what());
         return;
     }
     std::vector<bool> found(readers.size());
@@ -202,39 +202,39 @@ void readCmlSections(std::string_view text, std::span<const CmlSectionReader> re
         const auto reader = std::ranges::find_if(
             readers, [&](const CmlSectionReader& each) { return name.find(each.name) != std::string::npos; });
         if (name.starts_with("comment")) {
-            fields.comments.append(section.body);
+            parameters.comments.append(section.body);
         } else if (reader != readers.end()) {
             const auto index = static_cast<std::size_t>(reader - readers.begin());
             if (found[index] && !reader->name.empty())
-                fields.addWarning(section.line, titleOf(section) + ": is there twice; the last one counts");
+                parameters.addWarning(section.line, titleOf(section) + ": is there twice; the last one counts");
             found[index] = true;
-            readSection(section, *reader, fields);
+            readSection(section, *reader, parameters);
         } else if (!section.lists.empty()) {
-            fields.addWarning(section.line, titleOf(section) + ": an unknown section, which is not used");
+            parameters.addWarning(section.line, titleOf(section) + ": an unknown section, which is not used");
         }
     }
     for (std::size_t i = 0; i < readers.size(); ++i)
         if (readers[i].needed && !found[i])
-            fields.addProblem(all.lastLine, "the file ends without the section " + inQuotes(readers[i].title));
+            parameters.addProblem(all.lastLine, "the file ends without the section " + inQuotes(readers[i].title));
 }
 
 void setCmlNodes(CmlPart& part, const CmlNumber& nx, const CmlNumber& ny, int extra)
 {
     constexpr double most = 1e6;
-    const Field& field = fieldOf("film.nodes");
+    const Parameter& parameter = parameterOf("film.nodes");
     std::vector<double> nodes;
     for (const CmlNumber& n : {nx, ny}) {
         if (!(n.value >= 2.0 && n.value <= most) || n.value != std::trunc(n.value))
             throw CmlError(n.line, "the number of grid lines must be a whole number from 2 to 1000000, not " +
                                        inQuotes(n.text));
         const double fitting =
-            field.minimum + field.stride * std::round((n.value - extra - field.minimum) / field.stride);
-        nodes.push_back(std::clamp(fitting, field.minimum, field.maximum));
+            parameter.minimum + parameter.stride * std::round((n.value - extra - parameter.minimum) / parameter.stride);
+        nodes.push_back(std::clamp(fitting, parameter.minimum, parameter.maximum));
     }
     if (nodes[0] != nx.value - extra || nodes[1] != ny.value - extra)
         part.leaveOut(std::string(nx.text) + " x " + std::string(ny.text) + " grid lines; " + formatNumber(nodes[0]) +
                       " x " + formatNumber(nodes[1]) + " are taken");
-    part.fields().setNumbers("film.nodes", nodes, nx.line);
+    part.parameters().setNumbers("film.nodes", nodes, nx.line);
 }
 
 } // namespace touchdown

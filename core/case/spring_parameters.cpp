@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The lumped air bearing of Ono & Yamane.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
-std::vector<Field> springFields()
+std::vector<Parameter> springParameters()
 {
     return {
         number("springs.front_stiffness", "front stiffness", "k_f0", newtonsPerMetre, notNegative(1e12),

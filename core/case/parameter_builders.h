@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rows of the field tables. A row names, in this order: key, label, symbol, dimension, range, the member of Case
-// that holds the value, the condition under which the value is used, help text, source. Only for the files that list
-// fields.
+// The rows of the parameter tables. A row names, in this order: key, label, symbol, dimension, range, the member of
+// Case that holds the value, the condition under which the value is used, help text, source. Only for the files that
+// list parameters.
 #pragma once
 
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -14,24 +14,24 @@
 
 namespace touchdown {
 
-/// The parts of fields(), in the order of a case file.
-std::vector<Field> descriptionFields();
-std::vector<Field> sliderFields();
-std::vector<Field> springFields();
-std::vector<Field> suspensionFields();
-std::vector<Field> padFields();
-std::vector<Field> contactFields();
-std::vector<Field> elasticFields();
-std::vector<Field> asperityFields();
-std::vector<Field> surfaceFields();
-std::vector<Field> airFields();
-std::vector<Field> diskFields();
-std::vector<Field> diskSurfaceFields();
-std::vector<Field> filmFields();
-std::vector<Field> steadyFields();
-std::vector<Field> runFields();
+/// The parts of parameters(), in the order of a case file.
+std::vector<Parameter> descriptionParameters();
+std::vector<Parameter> sliderParameters();
+std::vector<Parameter> springParameters();
+std::vector<Parameter> suspensionParameters();
+std::vector<Parameter> padParameters();
+std::vector<Parameter> contactParameters();
+std::vector<Parameter> elasticParameters();
+std::vector<Parameter> asperityParameters();
+std::vector<Parameter> surfaceParameters();
+std::vector<Parameter> airParameters();
+std::vector<Parameter> diskParameters();
+std::vector<Parameter> diskSurfaceParameters();
+std::vector<Parameter> filmParameters();
+std::vector<Parameter> steadyParameters();
+std::vector<Parameter> runParameters();
 
-namespace field_builders {
+namespace parameter_builders {
 
 /// Where a default comes from.
 inline constexpr const char* none = "ours: none";
@@ -122,101 +122,103 @@ template <typename Member>
 using ValueAt = std::remove_reference_t<std::invoke_result_t<Member, Case&>>;
 
 /// For all rows: the description without its value.
-inline Field described(FieldKind kind, const char* key, const char* label, Condition used, const char* help,
-                       const char* source)
+inline Parameter described(ParameterKind kind, const char* key, const char* label, Condition used, const char* help,
+                           const char* source)
 {
     return {.key = key, .label = label, .kind = kind, .help = help, .source = source, .used = used};
 }
-inline void limit(Field& field, Dimension dimension, Range range)
+inline void limit(Parameter& parameter, Dimension dimension, Range range)
 {
-    field.unit = dimension.unit;
-    field.displayUnit = dimension.displayUnit;
-    field.minimum = range.minimum;
-    field.maximum = range.maximum;
-    field.minimumAllowed = range.minimumAllowed;
-    field.stride = range.stride;
+    parameter.unit = dimension.unit;
+    parameter.displayUnit = dimension.displayUnit;
+    parameter.minimum = range.minimum;
+    parameter.maximum = range.maximum;
+    parameter.minimumAllowed = range.minimumAllowed;
+    parameter.stride = range.stride;
 }
 /// The member has the type of the value.
 template <typename Member>
-Field plain(Field field, Member member)
+Parameter plain(Parameter parameter, Member member)
 {
-    field.get = [member](const Case& c) { return FieldValue(member(c)); };
-    field.set = [member](Case& c, const FieldValue& value) { member(c) = std::get<ValueAt<Member>>(value); };
-    return field;
+    parameter.get = [member](const Case& c) { return ParameterValue(member(c)); };
+    parameter.set = [member](Case& c, const ParameterValue& value) { member(c) = std::get<ValueAt<Member>>(value); };
+    return parameter;
 }
 
 template <typename Member>
-Field number(const char* key, const char* label, const char* symbol, Dimension dimension, Range range, Member member,
-             Condition used, const char* help, const char* source)
+Parameter number(const char* key, const char* label, const char* symbol, Dimension dimension, Range range,
+                 Member member, Condition used, const char* help, const char* source)
 {
-    Field field = plain(described(FieldKind::Number, key, label, used, help, source), member);
-    field.symbol = symbol;
-    limit(field, dimension, range);
+    Parameter parameter = plain(described(ParameterKind::Number, key, label, used, help, source), member);
+    parameter.symbol = symbol;
+    limit(parameter, dimension, range);
     // Adding zero turns -0 into 0, which has one spelling.
-    field.set = [member](Case& c, const FieldValue& value) { member(c) = std::get<double>(value) + 0.0; };
-    return field;
+    parameter.set = [member](Case& c, const ParameterValue& value) { member(c) = std::get<double>(value) + 0.0; };
+    return parameter;
 }
 
 template <typename Member>
-Field integer(const char* key, const char* label, Range range, Member member, Condition used, const char* help,
-              const char* source)
+Parameter integer(const char* key, const char* label, Range range, Member member, Condition used, const char* help,
+                  const char* source)
 {
-    Field field = plain(described(FieldKind::Integer, key, label, used, help, source), member);
-    limit(field, noUnit, range);
-    return field;
+    Parameter parameter = plain(described(ParameterKind::Integer, key, label, used, help, source), member);
+    limit(parameter, noUnit, range);
+    return parameter;
 }
 
 template <typename Member>
-Field boolean(const char* key, const char* label, Member member, Condition used, const char* help, const char* source)
+Parameter boolean(const char* key, const char* label, Member member, Condition used, const char* help,
+                  const char* source)
 {
-    return plain(described(FieldKind::Boolean, key, label, used, help, source), member);
+    return plain(described(ParameterKind::Boolean, key, label, used, help, source), member);
 }
 
 template <typename Member>
-Field text(const char* key, const char* label, Member member, Condition used, const char* help, const char* source = "")
+Parameter text(const char* key, const char* label, Member member, Condition used, const char* help,
+               const char* source = "")
 {
-    return plain(described(FieldKind::Text, key, label, used, help, source), member);
+    return plain(described(ParameterKind::Text, key, label, used, help, source), member);
 }
 
 /// `choices` are the names of the enumerators, in their order.
 template <typename Member>
-Field choice(const char* key, const char* label, std::vector<std::string> choices, Member member, Condition used,
-             const char* help, const char* source)
+Parameter choice(const char* key, const char* label, std::vector<std::string> choices, Member member, Condition used,
+                 const char* help, const char* source)
 {
-    Field field = described(FieldKind::Choice, key, label, used, help, source);
-    field.choices = std::move(choices);
-    field.get = [member, names = field.choices](const Case& c) {
-        return FieldValue(names.at(static_cast<std::size_t>(member(c))));
+    Parameter parameter = described(ParameterKind::Choice, key, label, used, help, source);
+    parameter.choices = std::move(choices);
+    parameter.get = [member, names = parameter.choices](const Case& c) {
+        return ParameterValue(names.at(static_cast<std::size_t>(member(c))));
     };
-    field.set = [member, names = field.choices](Case& c, const FieldValue& value) {
+    parameter.set = [member, names = parameter.choices](Case& c, const ParameterValue& value) {
         const auto found = std::ranges::find(names, std::get<std::string>(value));
         if (found != names.end()) member(c) = static_cast<ValueAt<Member>>(found - names.begin());
     };
-    return field;
+    return parameter;
 }
 
 /// The member is a vector or an array of numbers.
 template <typename Member>
-Field list(const char* key, const char* label, Dimension dimension, Range range, Count count, Member member,
-           Condition used, const char* help, const char* source)
+Parameter list(const char* key, const char* label, Dimension dimension, Range range, Count count, Member member,
+               Condition used, const char* help, const char* source)
 {
     using Number = typename ValueAt<Member>::value_type;
-    Field field = described(FieldKind::List, key, label, used, help, source);
-    limit(field, dimension, range);
-    field.minimumCount = count.minimum;
-    field.maximumCount = count.maximum;
-    field.get = [member](const Case& c) {
+    Parameter parameter = described(ParameterKind::List, key, label, used, help, source);
+    limit(parameter, dimension, range);
+    parameter.minimumCount = count.minimum;
+    parameter.maximumCount = count.maximum;
+    parameter.get = [member](const Case& c) {
         const auto& values = member(c);
-        return FieldValue(std::vector<double>(values.begin(), values.end()));
+        return ParameterValue(std::vector<double>(values.begin(), values.end()));
     };
-    field.set = [member](Case& c, const FieldValue& value) {
+    parameter.set = [member](Case& c, const ParameterValue& value) {
         const auto& values = std::get<std::vector<double>>(value);
         if constexpr (requires(ValueAt<Member> & v) { v.resize(1); }) member(c).resize(values.size());
         std::ranges::transform(values, member(c).begin(), [](double v) { return static_cast<Number>(v + 0.0); });
     };
-    return field;
+    return parameter;
 }
 
-} // namespace field_builders
+} // namespace parameter_builders
 
 } // namespace touchdown

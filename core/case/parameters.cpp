@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 #include "core/formats/nearest_name.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@ namespace touchdown {
 
 namespace {
 
-std::vector<Field> allFields()
+std::vector<Parameter> allParameters()
 {
-    std::vector<Field> all;
-    for (auto part :
-         {descriptionFields, sliderFields, springFields, suspensionFields, padFields, contactFields, elasticFields,
-          asperityFields, surfaceFields, airFields, diskFields, diskSurfaceFields, filmFields, steadyFields, runFields})
-        for (Field& field : part()) all.push_back(std::move(field));
+    std::vector<Parameter> all;
+    for (auto part : {descriptionParameters, sliderParameters, springParameters, suspensionParameters, padParameters,
+                      contactParameters, elasticParameters, asperityParameters, surfaceParameters, airParameters,
+                      diskParameters, diskSurfaceParameters, filmParameters, steadyParameters, runParameters})
+        for (Parameter& parameter : part()) all.push_back(std::move(parameter));
     return all;
 }
 
@@ -24,7 +24,7 @@ std::string_view leaf(std::string_view key) { return key.substr(key.find_last_of
 
 } // namespace
 
-std::string Field::group() const
+std::string Parameter::group() const
 {
     const auto dot = key.find_last_of('.');
     return dot == std::string::npos ? std::string() : key.substr(0, dot);
@@ -44,7 +44,7 @@ InputProblem CaseProblem::in(const std::string& file, int line) const
     return {file, line, key, message, ProblemKind::Combination};
 }
 
-std::string_view Field::leaf() const { return touchdown::leaf(key); }
+std::string_view Parameter::leaf() const { return touchdown::leaf(key); }
 
 Case defaultsOf(ModelKind model)
 {
@@ -62,27 +62,27 @@ Case defaultsOf(ModelKind model)
     return c;
 }
 
-bool usesSliderSurface(const Case& c) { return field_builders::withSliderSurface(c); }
+bool usesSliderSurface(const Case& c) { return parameter_builders::withSliderSurface(c); }
 
-std::span<const Field> fields()
+std::span<const Parameter> parameters()
 {
-    static const std::vector<Field> all = allFields();
+    static const std::vector<Parameter> all = allParameters();
     return all;
 }
 
-const Field* findField(std::string_view key)
+const Parameter* findParameter(std::string_view key)
 {
-    const auto all = fields();
-    const auto found = std::ranges::find(all, key, &Field::key);
+    const auto all = parameters();
+    const auto found = std::ranges::find(all, key, &Parameter::key);
     return found == all.end() ? nullptr : &*found;
 }
 
 std::string nearestKey(std::string_view key)
 {
     std::vector<std::string> keys, leaves;
-    for (const Field& field : fields()) {
-        keys.push_back(field.key);
-        leaves.emplace_back(leaf(field.key));
+    for (const Parameter& parameter : parameters()) {
+        keys.push_back(parameter.key);
+        leaves.emplace_back(leaf(parameter.key));
     }
     const auto withLeaf = [&](std::string_view name) {
         const auto found = std::ranges::find(leaves, name);

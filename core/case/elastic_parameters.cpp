@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Elastic contact and adhesion of surfaces that are given point by point.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -21,7 +21,7 @@ bool withShift(const Case& c) { return withLennardJones(c) || (withSurfaces(c) &
 
 } // namespace
 
-std::vector<Field> elasticFields()
+std::vector<Parameter> elasticParameters()
 {
     return {
         number("elastic.modulus", "disk modulus", "E_1", gigapascals, positive(stiffest),

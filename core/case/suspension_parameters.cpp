@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The suspension: about the static state of the springs, or with the load that the film carries.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -19,7 +19,7 @@ bool withStaticRoll(const Case& c) { return withRoll(c) && withStaticAttitude(c)
 
 } // namespace
 
-std::vector<Field> suspensionFields()
+std::vector<Parameter> suspensionParameters()
 {
     return {
         number("suspension.stiffness", "suspension stiffness", "k", newtonsPerMetre, notNegative(1e12),

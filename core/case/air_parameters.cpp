@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The air around the slider, its slip at the walls, and the disk that drags it along.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -36,7 +36,7 @@ std::vector<std::string> slipNames()
 
 } // namespace
 
-std::vector<Field> airFields()
+std::vector<Parameter> airParameters()
 {
     return {
         choice("air.source", "air", {"given", "atmosphere", "established-standard"}, at(&Case::air, &AirCase::source),
@@ -84,7 +84,7 @@ std::vector<Field> airFields()
     };
 }
 
-std::vector<Field> diskFields()
+std::vector<Parameter> diskParameters()
 {
     return {
         number("disk.speed", "disk speed", "omega", turnsPerMinute, notNegative(1e5),

@@ -11,14 +11,14 @@
 namespace touchdown {
 
 struct Case;
-struct Field;
+struct Parameter;
 
 /// Text for the editor of a parameter: a number in the display unit without the unit, or the text.
-QString editorText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+QString editorText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 /// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
-std::string entryText(const QString& typed, const Field& field, const QLocale& locale = QLocale());
+std::string entryText(const QString& typed, const Parameter& parameter, const QLocale& locale = QLocale());
 /// The value with its unit, for a sentence: "7 nm".
-QString valueText(const Case& c, const Field& field, const QLocale& locale = QLocale());
+QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 
 /// "Take-off height 5 nm → 8 nm" for each parameter that differs and that one of the cases uses.
 QStringList caseDifference(const Case& before, const Case& after);

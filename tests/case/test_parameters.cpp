@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include "core/formats/units.h"
 
@@ -11,93 +11,97 @@
 
 using namespace touchdown;
 
-namespace test_fields {
+namespace test_parameters {
 
-void addFieldRows()
+void addParameterRows()
 {
     QTest::addColumn<QString>("key");
-    for (const Field& field : fields()) QTest::newRow(field.key.c_str()) << QString::fromStdString(field.key);
+    for (const Parameter& parameter : parameters())
+        QTest::newRow(parameter.key.c_str()) << QString::fromStdString(parameter.key);
 }
 
 /// A value other than the default; nothing where there is none.
-std::optional<FieldValue> another(const Field& field, const Case& c)
+std::optional<ParameterValue> another(const Parameter& parameter, const Case& c)
 {
-    const FieldValue old = field.get(c);
-    switch (field.kind) {
-    case FieldKind::Number: return std::get<double>(old) == 0.5 ? 0.25 : 0.5;
-    case FieldKind::Boolean: return !std::get<bool>(old);
-    case FieldKind::Text: return std::string("other");
-    case FieldKind::Choice:
-        for (const std::string& name : field.choices)
-            if (FieldValue(name) != old) return name;
+    const ParameterValue old = parameter.get(c);
+    switch (parameter.kind) {
+    case ParameterKind::Number: return std::get<double>(old) == 0.5 ? 0.25 : 0.5;
+    case ParameterKind::Boolean: return !std::get<bool>(old);
+    case ParameterKind::Text: return std::string("other");
+    case ParameterKind::Choice:
+        for (const std::string& name : parameter.choices)
+            if (ParameterValue(name) != old) return name;
         break;
-    case FieldKind::Integer: return static_cast<int>(field.maximum);
-    case FieldKind::List:
-        return std::vector<double>(std::max<std::size_t>(field.minimumCount, 1),
-                                   field.stride > 0 ? field.maximum : 0.25);
+    case ParameterKind::Integer: return static_cast<int>(parameter.maximum);
+    case ParameterKind::List:
+        return std::vector<double>(std::max<std::size_t>(parameter.minimumCount, 1),
+                                   parameter.stride > 0 ? parameter.maximum : 0.25);
     }
     return {};
 }
 
-class TestFields : public QObject {
+class TestParameters : public QObject {
     Q_OBJECT
 
 private slots:
-    void isDescribed_data() { addFieldRows(); }
+    void isDescribed_data() { addParameterRows(); }
     void isDescribed()
     {
         QFETCH(QString, key);
-        const Field& field = *findField(key.toStdString());
-        QVERIFY(!field.label.empty());
-        QVERIFY(field.help.ends_with('.'));
-        if (field.kind == FieldKind::Number || field.kind == FieldKind::List) {
-            QVERIFY(!field.source.empty());
-            QCOMPARE(field.unit.empty(), field.displayUnit.empty());
+        const Parameter& parameter = *findParameter(key.toStdString());
+        QVERIFY(!parameter.label.empty());
+        QVERIFY(parameter.help.ends_with('.'));
+        if (parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::List) {
+            QVERIFY(!parameter.source.empty());
+            QCOMPARE(parameter.unit.empty(), parameter.displayUnit.empty());
             // The display unit measures what the SI unit does, and the SI unit is one.
             QVERIFY(std::holds_alternative<double>(
-                parseQuantity("1 " + (field.unit.empty() ? "%" : field.displayUnit), field.unit)));
-            QVERIFY(unitFactor(field.unit) == 1.0);
+                parseQuantity("1 " + (parameter.unit.empty() ? "%" : parameter.displayUnit), parameter.unit)));
+            QVERIFY(unitFactor(parameter.unit) == 1.0);
         }
-        if (field.kind == FieldKind::Choice) QVERIFY(!field.choices.empty());
-        if (field.kind == FieldKind::List) QVERIFY(field.maximumCount > 0 && field.maximumCount >= field.minimumCount);
+        if (parameter.kind == ParameterKind::Choice) QVERIFY(!parameter.choices.empty());
+        if (parameter.kind == ParameterKind::List)
+            QVERIFY(parameter.maximumCount > 0 && parameter.maximumCount >= parameter.minimumCount);
     }
 
-    void defaultIsAllowed_data() { addFieldRows(); }
+    void defaultIsAllowed_data() { addParameterRows(); }
     void defaultIsAllowed()
     {
         QFETCH(QString, key);
-        const Field& field = *findField(key.toStdString());
+        const Parameter& parameter = *findParameter(key.toStdString());
         Case c;
-        QCOMPARE(setFromText(c, field, toText(c, field)).value_or(""), std::string());
-        QVERIFY(field.get(c) == field.get(Case{}));
+        QCOMPARE(setFromText(c, parameter, toText(c, parameter)).value_or(""), std::string());
+        QVERIFY(parameter.get(c) == parameter.get(Case{}));
     }
 
-    void setReachesOneMemberAlone_data() { addFieldRows(); }
+    void setReachesOneMemberAlone_data() { addParameterRows(); }
     void setReachesOneMemberAlone()
     {
         QFETCH(QString, key);
-        const Field& field = *findField(key.toStdString());
+        const Parameter& parameter = *findParameter(key.toStdString());
         Case c;
-        const auto value = another(field, c);
+        const auto value = another(parameter, c);
         QVERIFY(value.has_value());
-        field.set(c, *value);
-        for (const Field& other : fields()) QCOMPARE(other.get(c) == other.get(Case{}), other.key != field.key);
-        QVERIFY(field.get(c) == *value);
+        parameter.set(c, *value);
+        for (const Parameter& other : parameters())
+            QCOMPARE(other.get(c) == other.get(Case{}), other.key != parameter.key);
+        QVERIFY(parameter.get(c) == *value);
     }
 
     void keysAreUnique()
     {
         std::set<std::string> keys;
-        for (const Field& field : fields()) QVERIFY2(keys.insert(field.key).second, field.key.c_str());
+        for (const Parameter& parameter : parameters())
+            QVERIFY2(keys.insert(parameter.key).second, parameter.key.c_str());
     }
     /// A case file writes each table once.
     void groupsAreContiguous()
     {
         std::set<std::string> done;
         std::string group;
-        for (const Field& field : fields()) {
-            if (field.group() == group) continue;
-            group = field.group();
+        for (const Parameter& parameter : parameters()) {
+            if (parameter.group() == group) continue;
+            group = parameter.group();
             QVERIFY2(done.insert(group).second, group.c_str());
         }
         QCOMPARE(done, (std::set<std::string>{"about",    "slider",     "springs", "suspension", "pad",
@@ -108,21 +112,21 @@ private slots:
     void choicesFollowTheEnumerators()
     {
         Case c;
-        findField("run.integrator")->set(c, std::string("rk4-events"));
+        findParameter("run.integrator")->set(c, std::string("rk4-events"));
         QCOMPARE(c.run.integrator, IntegratorKind::Rk4Events);
-        findField("run.integrator")->set(c, std::string("cvode"));
+        findParameter("run.integrator")->set(c, std::string("cvode"));
         QCOMPARE(c.run.integrator, IntegratorKind::Cvode);
-        findField("spectrum.window")->set(c, std::string("flat-top"));
+        findParameter("spectrum.window")->set(c, std::string("flat-top"));
         QCOMPARE(c.spectrum.window, SpectrumWindow::FlatTop);
-        findField("springs.potential")->set(c, std::string("as-printed"));
+        findParameter("springs.potential")->set(c, std::string("as-printed"));
         QCOMPARE(c.springs.potential, PotentialBelowCutoff::AsPrinted);
-        findField("initial.branch")->set(c, std::string("take-off"));
+        findParameter("initial.branch")->set(c, std::string("take-off"));
         QCOMPARE(c.initial.branch, ContactBranch::TakeOff);
-        findField("contact")->set(c, std::string("none"));
+        findParameter("contact")->set(c, std::string("none"));
         QCOMPARE(c.contact, ContactKind::None);
-        findField("model")->set(c, std::string("film"));
+        findParameter("model")->set(c, std::string("film"));
         QCOMPARE(c.model, ModelKind::Film);
-        findField("air.source")->set(c, std::string("established-standard"));
+        findParameter("air.source")->set(c, std::string("established-standard"));
         QCOMPARE(c.air.source, AirSource::EstablishedStandard);
         for (const auto& [name, model] :
              {std::pair{"continuum", SlipModel::Continuum}, std::pair{"first-order", SlipModel::FirstOrder},
@@ -132,56 +136,56 @@ private slots:
               std::pair{"new-first-order", SlipModel::NewFirstOrder},
               std::pair{"new-second-order", SlipModel::NewSecondOrder},
               std::pair{"combination", SlipModel::Combination}}) {
-            findField("air.slip")->set(c, std::string(name));
+            findParameter("air.slip")->set(c, std::string(name));
             QCOMPARE(c.air.slip.model, model);
         }
         for (const auto& [name, contact] :
              {std::pair{"none", ContactKind::None}, std::pair{"ono-yamane", ContactKind::OnoYamane},
               std::pair{"elastic", ContactKind::Elastic}, std::pair{"asperity", ContactKind::Asperity},
               std::pair{"multi-asperity", ContactKind::MultiAsperity}}) {
-            findField("contact")->set(c, std::string(name));
+            findParameter("contact")->set(c, std::string(name));
             QCOMPARE(c.contact, contact);
         }
-        findField("model")->set(c, std::string("contact"));
+        findParameter("model")->set(c, std::string("contact"));
         QCOMPARE(c.model, ModelKind::Contact);
-        findField("pad.shape")->set(c, std::string("slider"));
+        findParameter("pad.shape")->set(c, std::string("slider"));
         QCOMPARE(c.pad.shape, PadShape::Slider);
-        findField("adhesion.kind")->set(c, std::string("van-der-waals"));
+        findParameter("adhesion.kind")->set(c, std::string("van-der-waals"));
         QCOMPARE(c.adhesion.kind, AdhesionKind::VanDerWaals);
-        findField("asperity.model")->set(c, std::string("elastic-plastic"));
+        findParameter("asperity.model")->set(c, std::string("elastic-plastic"));
         QCOMPARE(c.asperity.model, AsperityModel::ElasticPlastic);
         for (const auto& [name, kind] :
              {std::pair{"flat", DiskSurfaceKind::Flat}, std::pair{"waves", DiskSurfaceKind::Waves},
               std::pair{"rough", DiskSurfaceKind::Rough}, std::pair{"file", DiskSurfaceKind::File},
               std::pair{"bumps", DiskSurfaceKind::Bumps}, std::pair{"combined", DiskSurfaceKind::Combined}}) {
-            findField("disk.surface.kind")->set(c, std::string(name));
+            findParameter("disk.surface.kind")->set(c, std::string(name));
             QCOMPARE(c.diskSurface.kind, kind);
         }
-        findField("disk.surface.motion")->set(c, std::string("still"));
+        findParameter("disk.surface.motion")->set(c, std::string("still"));
         QCOMPARE(c.diskSurface.motion, SurfaceMotion::Still);
-        findField("disk.surface.spectrum")->set(c, std::string("self-affine"));
+        findParameter("disk.surface.spectrum")->set(c, std::string("self-affine"));
         QCOMPARE(c.diskSurface.spectrum, RoughnessSpectrum::SelfAffine);
-        findField("disk.surface.bump_shape")->set(c, std::string("cosine"));
+        findParameter("disk.surface.bump_shape")->set(c, std::string("cosine"));
         QCOMPARE(c.diskSurface.bumpShape, BumpShape::Cosine);
-        findField("disk.velocity_field")->set(c, std::string("uniform"));
+        findParameter("disk.velocity_field")->set(c, std::string("uniform"));
         QCOMPARE(c.disk.field, VelocityField::Uniform);
-        findField("film.grid")->set(c, std::string("graded"));
+        findParameter("film.grid")->set(c, std::string("graded"));
         QCOMPARE(c.film.grid, GridKind::Graded);
         for (const auto& [name, scheme] :
              {std::pair{"upwind", ConvectionScheme::Upwind}, std::pair{"hybrid", ConvectionScheme::Hybrid},
               std::pair{"power-law", ConvectionScheme::PowerLaw},
               std::pair{"exponential", ConvectionScheme::Exponential},
               std::pair{"complete-flux", ConvectionScheme::CompleteFlux}}) {
-            findField("film.scheme")->set(c, std::string(name));
+            findParameter("film.scheme")->set(c, std::string(name));
             QCOMPARE(c.film.scheme, scheme);
         }
-        findField("film.solver")->set(c, std::string("line-multigrid"));
+        findParameter("film.solver")->set(c, std::string("line-multigrid"));
         QCOMPARE(c.film.solver, FilmSolver::LineMultigrid);
-        findField("film.coupling")->set(c, std::string("staggered"));
+        findParameter("film.coupling")->set(c, std::string("staggered"));
         QCOMPARE(c.film.coupling, FilmCoupling::Staggered);
-        findField("run.steps")->set(c, std::string("fixed"));
+        findParameter("run.steps")->set(c, std::string("fixed"));
         QCOMPARE(c.run.steps, StepControl::Fixed);
-        findField("initial.state")->set(c, std::string("static"));
+        findParameter("initial.state")->set(c, std::string("static"));
         QCOMPARE(c.initial.state, InitialState::Static);
     }
     /// What a case has where nobody says otherwise.
@@ -192,26 +196,27 @@ private slots:
         QCOMPARE(defaultsOf(ModelKind::Film).contact, ContactKind::None);
         QCOMPARE(defaultsOf(ModelKind::Film).degreesOfFreedom, 3);
         QVERIFY(checkCombinations(defaultsOf(ModelKind::Film)).empty());
-        for (const Field& field : fields()) {
-            const bool differs = field.get(defaultsOf(ModelKind::Film)) != field.get(Case{});
-            QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "degrees_of_freedom" ||
-                                  field.key == "run.duration");
+        for (const Parameter& parameter : parameters()) {
+            const bool differs = parameter.get(defaultsOf(ModelKind::Film)) != parameter.get(Case{});
+            QCOMPARE(differs, parameter.key == "model" || parameter.key == "contact" ||
+                                  parameter.key == "degrees_of_freedom" || parameter.key == "run.duration");
         }
         QCOMPARE(defaultsOf(ModelKind::Contact).contact, ContactKind::Elastic);
         QVERIFY(checkCombinations(defaultsOf(ModelKind::Contact)).empty());
-        for (const Field& field : fields()) {
-            const bool differs = field.get(defaultsOf(ModelKind::Contact)) != field.get(Case{});
-            QCOMPARE(differs, field.key == "model" || field.key == "contact" || field.key == "run.sample_interval");
+        for (const Parameter& parameter : parameters()) {
+            const bool differs = parameter.get(defaultsOf(ModelKind::Contact)) != parameter.get(Case{});
+            QCOMPARE(differs,
+                     parameter.key == "model" || parameter.key == "contact" || parameter.key == "run.sample_interval");
         }
     }
     void listsFillArraysAndVectors()
     {
         Case c;
-        findField("film.nodes")->set(c, std::vector<double>{33, 65});
+        findParameter("film.nodes")->set(c, std::vector<double>{33, 65});
         QCOMPARE(c.film.nodes, (std::array<int, 2>{33, 65}));
-        findField("steady.radii")->set(c, std::vector<double>{0.02, 0.03, 0.04});
+        findParameter("steady.radii")->set(c, std::vector<double>{0.02, 0.03, 0.04});
         QCOMPARE(c.steady.radii, (std::vector<double>{0.02, 0.03, 0.04}));
-        findField("steady.radii")->set(c, std::vector<double>{});
+        findParameter("steady.radii")->set(c, std::vector<double>{});
         QVERIFY(c.steady.radii.empty());
     }
 
@@ -395,11 +400,11 @@ private slots:
         QFETCH(bool, used);
         Case c;
         for (const QString& each : choice.split(' '))
-            QCOMPARE(
-                setFromText(c, *findField(each.section('=', 0, 0).toStdString()), each.section('=', 1).toStdString())
-                    .value_or(""),
-                std::string());
-        QCOMPARE(findField(key.toStdString())->used(c), used);
+            QCOMPARE(setFromText(c, *findParameter(each.section('=', 0, 0).toStdString()),
+                                 each.section('=', 1).toStdString())
+                         .value_or(""),
+                     std::string());
+        QCOMPARE(findParameter(key.toStdString())->used(c), used);
     }
 
     void nearest_data()
@@ -429,11 +434,11 @@ private slots:
         QFETCH(QString, nearest);
         QCOMPARE(QString::fromStdString(nearestKey(key.toStdString())), nearest);
     }
-    void unknownKeysAreNotFound() { QVERIFY(findField("springs.cutof") == nullptr); }
+    void unknownKeysAreNotFound() { QVERIFY(findParameter("springs.cutof") == nullptr); }
 };
 
-TOUCHDOWN_TEST(TestFields)
+TOUCHDOWN_TEST(TestParameters)
 
-} // namespace test_fields
+} // namespace test_parameters
 
 #include "test_fields.moc"

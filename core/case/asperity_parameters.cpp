@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Contact of a statistical rough surface, and the menisci on its summits.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -16,7 +16,7 @@ bool withMenisci(const Case& c) { return withContactModel(c) && c.contact == Con
 
 } // namespace
 
-std::vector<Field> asperityFields()
+std::vector<Parameter> asperityParameters()
 {
     return {
         choice("asperity.model", "model", {"greenwood-williamson", "elastic-plastic"},

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The pad of the model "contact", and how it moves.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -18,7 +18,7 @@ bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == Pad
 
 } // namespace
 
-std::vector<Field> padFields()
+std::vector<Parameter> padParameters()
 {
     return {
         choice("pad.shape", "shape", {"flat", "sphere", "slider"}, at(&Case::pad, &PadCase::shape), withPadSurfaces,

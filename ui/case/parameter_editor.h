@@ -13,18 +13,18 @@
 namespace touchdown {
 
 class CaseEdits;
-struct Field;
+struct Parameter;
 
-class FieldEditor : public QWidget {
+class ParameterEditor : public QWidget {
     Q_OBJECT
 
 public:
-    /// `field` must outlive the editor, as those of `fields()` do.
-    explicit FieldEditor(const Field& field, QWidget* parent = nullptr);
+    /// `parameter` must outlive the editor, as those of `parameters()` do.
+    explicit ParameterEditor(const Parameter& parameter, QWidget* parent = nullptr);
     /// Blocks the signals: an input loses its focus while it is destroyed.
-    ~FieldEditor() override { input()->disconnect(this); }
+    ~ParameterEditor() override { input()->disconnect(this); }
 
-    const Field& field() const { return field_; }
+    const Parameter& parameter() const { return parameter_; }
     /// Shows the value of the case.
     void show(const CaseEdits& edits);
     /// Whether key, label, symbol and help contain all words of `search`.
@@ -52,7 +52,7 @@ private:
     int inputWidth() const;
     void commitLine();
 
-    const Field& field_;
+    const Parameter& parameter_;
     QLabel* label_;
     QLineEdit* line_ = nullptr;   // Number, Integer, List, Text
     QComboBox* choice_ = nullptr; // Choice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/case/field_editor.h"
+#include "ui/case/parameter_editor.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 #include <QKeyEvent>
 
 #include "ui/case/case_edits.h"
-#include "ui/case/field_text.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -18,36 +18,39 @@ namespace {
 constexpr int inputCharacters = 9; // wide enough for "0.0032 um"
 constexpr int spacing = 4;         // [px]
 
-bool isStandIn(const Field& field)
+bool isStandIn(const Parameter& parameter)
 {
-    return QString::fromStdString(field.source).contains(QLatin1String("assumed"), Qt::CaseInsensitive);
+    return QString::fromStdString(parameter.source).contains(QLatin1String("assumed"), Qt::CaseInsensitive);
 }
 
 /// Under the heading of its group, "suspension stiffness" is a stiffness.
-QString labelOf(const Field& field)
+QString labelOf(const Parameter& parameter)
 {
-    QString text = QString::fromStdString(field.label).toHtmlEscaped();
-    const QString group = QString::fromStdString(field.group()) + QLatin1Char(' ');
+    QString text = QString::fromStdString(parameter.label).toHtmlEscaped();
+    const QString group = QString::fromStdString(parameter.group()) + QLatin1Char(' ');
     if (text.startsWith(group)) text.remove(0, group.size());
     if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return field.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(field.symbol);
+    return parameter.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(parameter.symbol);
 }
 
 /// Texts and lists have a line of their own below their label.
-bool isWide(const Field& field) { return field.kind == FieldKind::Text || field.kind == FieldKind::List; }
+bool isWide(const Parameter& parameter)
+{
+    return parameter.kind == ParameterKind::Text || parameter.kind == ParameterKind::List;
+}
 
 } // namespace
 
-FieldEditor::FieldEditor(const Field& field, QWidget* parent)
+ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
     : QWidget(parent),
-      field_(field),
-      label_(new QLabel(labelOf(field), this)),
-      unit_(new QLabel(unitText(field.displayUnit), this)),
+      parameter_(parameter),
+      label_(new QLabel(labelOf(parameter), this)),
+      unit_(new QLabel(unitText(parameter.displayUnit), this)),
       assumed_(new QLabel(QStringLiteral("≈"), this)),
       reset_(new QToolButton(this)),
       reason_(new QLabel(this))
 {
-    setObjectName(QString::fromStdString(field.key));
+    setObjectName(QString::fromStdString(parameter.key));
     buildInput();
 
     label_->setBuddy(input());
@@ -59,7 +62,7 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     reset_->setText(QStringLiteral("↺"));
     reset_->setAutoRaise(true);
     reset_->setFocusPolicy(Qt::NoFocus);
-    reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(field.label)));
+    reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.label)));
     for (QWidget* mark : std::initializer_list<QWidget*>{assumed_, reset_}) {
         QSizePolicy policy = mark->sizePolicy();
         policy.setRetainSizeWhenHidden(true);
@@ -73,11 +76,11 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     grid->setContentsMargins(4, 1, 0, 1);
     grid->setHorizontalSpacing(spacing);
     grid->setVerticalSpacing(1);
-    const bool wide = isWide(field);
+    const bool wide = isWide(parameter);
     grid->addWidget(label_, 0, 0, 1, wide ? 4 : 1);
     if (wide) {
         grid->addWidget(input(), 1, 0, 1, 3);
-        if (field.kind == FieldKind::List) grid->addWidget(unit_, 1, 3);
+        if (parameter.kind == ParameterKind::List) grid->addWidget(unit_, 1, 3);
         grid->addWidget(reset_, 1, 4);
     } else {
         grid->addWidget(assumed_, 0, 1);
@@ -93,108 +96,108 @@ FieldEditor::FieldEditor(const Field& field, QWidget* parent)
     grid->addWidget(reason_, 2, 0, 1, 5);
     grid->setColumnStretch(0, 1);
 
-    connect(reset_, &QToolButton::clicked, this, &FieldEditor::resetRequested);
+    connect(reset_, &QToolButton::clicked, this, &ParameterEditor::resetRequested);
     describe();
     colour();
 }
 
-QWidget* FieldEditor::input() const
+QWidget* ParameterEditor::input() const
 {
     if (choice_) return choice_;
     if (check_) return check_;
     return line_;
 }
 
-void FieldEditor::buildInput()
+void ParameterEditor::buildInput()
 {
-    if (field_.kind == FieldKind::Choice) {
+    if (parameter_.kind == ParameterKind::Choice) {
         choice_ = new QComboBox(this);
-        for (const std::string& name : field_.choices) choice_->addItem(QString::fromStdString(name));
+        for (const std::string& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
         choice_->setFocusPolicy(Qt::StrongFocus);
         connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentText()); });
-    } else if (field_.kind == FieldKind::Boolean) {
+    } else if (parameter_.kind == ParameterKind::Boolean) {
         check_ = new QCheckBox(this);
         connect(check_, &QCheckBox::clicked, this,
                 [this](bool on) { emit entered(on ? QStringLiteral("true") : QStringLiteral("false")); });
     } else {
         line_ = new QLineEdit(this);
-        if (!isWide(field_)) {
+        if (!isWide(parameter_)) {
             line_->setAlignment(Qt::AlignRight);
             line_->setFixedWidth(inputWidth());
         }
-        connect(line_, &QLineEdit::editingFinished, this, &FieldEditor::commitLine);
+        connect(line_, &QLineEdit::editingFinished, this, &ParameterEditor::commitLine);
     }
     input()->installEventFilter(this);
-    input()->setAccessibleName(QString::fromStdString(field_.label));
+    input()->setAccessibleName(QString::fromStdString(parameter_.label));
     setFocusProxy(input());
 }
 
-int FieldEditor::inputWidth() const { return fontMetrics().averageCharWidth() * inputCharacters + 14; }
+int ParameterEditor::inputWidth() const { return fontMetrics().averageCharWidth() * inputCharacters + 14; }
 
-void FieldEditor::setUnitWidth(int width)
+void ParameterEditor::setUnitWidth(int width)
 {
     unit_->setFixedWidth(width);
     // As wide as a number and its unit, so that the column is even; a longer name takes room from its label.
     if (choice_) choice_->setFixedWidth(std::max(inputWidth() + spacing + width, choice_->sizeHint().width()));
 }
 
-void FieldEditor::describe()
+void ParameterEditor::describe()
 {
-    QString tip = QStringLiteral("<b>%1</b>").arg(labelOf(field_));
+    QString tip = QStringLiteral("<b>%1</b>").arg(labelOf(parameter_));
     const auto paragraph = [&tip](const QString& text) {
         if (!text.isEmpty()) tip += QStringLiteral("<p style='margin:4px 0 0 0'>%1</p>").arg(text.toHtmlEscaped());
     };
-    paragraph(QString::fromStdString(field_.help));
-    if (const std::string range = allowedRange(field_); !range.empty())
+    paragraph(QString::fromStdString(parameter_.help));
+    if (const std::string range = allowedRange(parameter_); !range.empty())
         paragraph(tr("Allowed: %1").arg(QString::fromStdString(range)));
-    if (!field_.source.empty()) paragraph(tr("Source: %1").arg(QString::fromStdString(field_.source)));
-    paragraph(tr("Key: %1").arg(QString::fromStdString(field_.key)));
+    if (!parameter_.source.empty()) paragraph(tr("Source: %1").arg(QString::fromStdString(parameter_.source)));
+    paragraph(tr("Key: %1").arg(QString::fromStdString(parameter_.key)));
     label_->setToolTip(tip);
     input()->setToolTip(tip);
-    input()->setAccessibleDescription(QString::fromStdString(field_.help));
-    assumed_->setToolTip(tr("Assumed: %1").arg(QString::fromStdString(field_.source)));
+    input()->setAccessibleDescription(QString::fromStdString(parameter_.help));
+    assumed_->setToolTip(tr("Assumed: %1").arg(QString::fromStdString(parameter_.source)));
 }
 
-void FieldEditor::show(const CaseEdits& edits)
+void ParameterEditor::show(const CaseEdits& edits)
 {
     const Case& value = edits.value();
-    const BadEntry* bad = edits.badEntry(field_);
+    const BadEntry* bad = edits.badEntry(parameter_);
 
     if (choice_) {
-        choice_->setCurrentText(QString::fromStdString(toText(value, field_)));
+        choice_->setCurrentText(QString::fromStdString(toText(value, parameter_)));
     } else if (check_) {
-        check_->setChecked(std::get<bool>(field_.get(value)));
+        check_->setChecked(std::get<bool>(parameter_.get(value)));
     } else {
-        shown_ = bad ? bad->text : editorText(value, field_);
+        shown_ = bad ? bad->text : editorText(value, parameter_);
         if (line_->text() != shown_) line_->setText(shown_);
         line_->setModified(false);
-        if (isWide(field_)) line_->setCursorPosition(0);
+        if (isWide(parameter_)) line_->setCursorPosition(0);
     }
 
     QString reason = bad ? bad->reason : QString();
     for (const CaseProblem& problem : edits.combinationProblems())
-        if (!bad && problem.key == field_.key) reason = sentence(problem.message);
+        if (!bad && problem.key == parameter_.key) reason = sentence(problem.message);
     reason_->setText(reason);
     reason_->setVisible(!reason.isEmpty());
 
-    changed_ = edits.changed(field_);
+    changed_ = edits.changed(parameter_);
     reset_->setVisible(changed_);
-    reset_->setToolTip(tr("Back to %1").arg(valueText(edits.opened(), field_)));
+    reset_->setToolTip(tr("Back to %1").arg(valueText(edits.opened(), parameter_)));
     // The mark of an assumed value disappears when the value is changed.
-    assumed_->setVisible(isStandIn(field_) && field_.get(value) == field_.get(Case{}));
+    assumed_->setVisible(isStandIn(parameter_) && parameter_.get(value) == parameter_.get(Case{}));
     colour();
 }
 
-bool FieldEditor::matches(const QString& search) const
+bool ParameterEditor::matches(const QString& search) const
 {
-    const QString text =
-        QString::fromStdString(field_.key + ' ' + field_.label + ' ' + field_.symbol + ' ' + field_.help);
+    const QString text = QString::fromStdString(parameter_.key + ' ' + parameter_.label + ' ' + parameter_.symbol +
+                                                ' ' + parameter_.help);
     const QStringList words = search.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     return std::ranges::all_of(words,
                                [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
 
-bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
+bool ParameterEditor::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != input()) return QWidget::eventFilter(watched, event);
     // The wheel scrolls the panel unless this input has the focus.
@@ -218,14 +221,14 @@ bool FieldEditor::eventFilter(QObject* watched, QEvent* event)
     return QWidget::eventFilter(watched, event);
 }
 
-void FieldEditor::changeEvent(QEvent* event)
+void ParameterEditor::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colour();
-    if (event->type() == QEvent::FontChange && line_ && !isWide(field_)) line_->setFixedWidth(inputWidth());
+    if (event->type() == QEvent::FontChange && line_ && !isWide(parameter_)) line_->setFixedWidth(inputWidth());
 }
 
-void FieldEditor::commitLine()
+void ParameterEditor::commitLine()
 {
     // Enter and loss of focus both end an edit; the second must not repeat it.
     if (line_->text() == shown_) return;
@@ -234,7 +237,7 @@ void FieldEditor::commitLine()
     emit entered(shown_);
 }
 
-void FieldEditor::colour()
+void ParameterEditor::colour()
 {
     const MeaningColours colours = meaningColours(palette());
     const bool bad = !reason_->isHidden();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a case says about itself, and the choice of its models.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
-std::vector<Field> descriptionFields()
+std::vector<Parameter> descriptionParameters()
 {
     return {
         text("title", "title", at(&Case::title), always, "What the case shows, in one line."),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How a run starts, how it is integrated, and how its spectra are estimated.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -20,7 +20,7 @@ bool withSnapshots(const Case& c) { return withFilm(c) || withSurfaces(c); }
 
 } // namespace
 
-std::vector<Field> runFields()
+std::vector<Parameter> runParameters()
 {
     return {
         number("initial.flying_height", "initial flying height", "FH(0)", nanometres, within(1),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The slider as a rigid body.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -15,7 +15,7 @@ bool withThickness(const Case& c) { return withFilm(c) || withContactModel(c) ||
 
 } // namespace
 
-std::vector<Field> sliderFields()
+std::vector<Parameter> sliderParameters()
 {
     return {
         number("slider.length", "length", "L", millimetres, positive(0.1), at(&Case::slider, &SliderCase::length),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The numbers of CML files put into a case by the keys of its fields, so that ranges and units are checked as in a case
-// file and every problem names its line.
+// The numbers of CML files put into a case by the keys of its parameters, so that ranges and units are checked as in a
+// case file and every problem names its line.
 #pragma once
 
 #include <map>
@@ -17,10 +17,10 @@
 namespace touchdown {
 
 /// A case that CML files fill, with the problems and the warnings about values that are not modelled.
-class CmlFields {
+class CmlParameters {
 public:
     /// `value` outlives this.
-    explicit CmlFields(Case& value) : value_(value) {}
+    explicit CmlParameters(Case& value) : value_(value) {}
 
     const Case& value() const { return value_; }
     /// The file of the following values.
@@ -28,7 +28,7 @@ public:
 
     /// The slider's size and its surface.
     void setSurface(const CmlRails& rails);
-    /// Sets a field; `unit` is that of the file where it is not SI.
+    /// Sets a parameter; `unit` is that of the file where it is not SI.
     void set(std::string_view key, const CmlNumber& number, std::string_view unit = {});
     void setNumber(std::string_view key, double value, int line);
     void setList(std::string_view key, std::span<const CmlNumber> numbers, std::string_view unit = {});
@@ -65,9 +65,9 @@ struct CmlNamedNumber {
 /// One section while it is read. Throws CmlError where a number is missing or wrong.
 class CmlPart {
 public:
-    CmlPart(const CmlSection& section, CmlFields& fields) : section_(section), fields_(fields) {}
+    CmlPart(const CmlSection& section, CmlParameters& parameters) : section_(section), parameters_(parameters) {}
 
-    CmlFields& fields() { return fields_; }
+    CmlParameters& parameters() { return parameters_; }
     int line() const { return section_.line; }
     std::string name() const; // in lower case
     /// The numbers of a list, counted from 0; none if there is no such list.
@@ -92,7 +92,7 @@ public:
 
 private:
     const CmlSection& section_;
-    CmlFields& fields_;
+    CmlParameters& parameters_;
     std::string leftOut_;
 };
 
@@ -106,7 +106,7 @@ struct CmlSectionReader {
 
 /// Reads all sections of a text, each by the first reader whose name fits; unknown ones get a warning. Problems of a
 /// section do not keep the others from being read.
-void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlFields& fields);
+void readCmlSections(std::string_view text, std::span<const CmlSectionReader> readers, CmlParameters& parameters);
 
 /// Sets film.nodes to the nearest possible number of grid lines, with a warning if it differs; the established program
 /// has `extra` additional lines.

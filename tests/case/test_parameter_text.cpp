@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/case/fields.h"
+#include "core/case/parameters.h"
 
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
@@ -8,9 +8,9 @@
 
 using namespace touchdown;
 
-namespace test_field_text {
+namespace test_parameter_text {
 
-class TestFieldText : public QObject {
+class TestParameterText : public QObject {
     Q_OBJECT
 
 private slots:
@@ -91,10 +91,10 @@ private slots:
         QFETCH(QString, key);
         QFETCH(QString, text);
         QFETCH(QString, written);
-        const Field& field = *findField(key.toStdString());
+        const Parameter& parameter = *findParameter(key.toStdString());
         Case c;
-        QCOMPARE(QString::fromStdString(setFromText(c, field, text.toStdString()).value_or("")), QString());
-        QCOMPARE(QString::fromStdString(toText(c, field)), written);
+        QCOMPARE(QString::fromStdString(setFromText(c, parameter, text.toStdString()).value_or("")), QString());
+        QCOMPARE(QString::fromStdString(toText(c, parameter)), written);
     }
 
     void refuses_data()
@@ -190,7 +190,7 @@ private slots:
         QFETCH(QString, says);
         Case c;
         QCOMPARE(QString::fromStdString(
-                     setFromText(c, *findField(key.toStdString()), text.toStdString()).value_or("accepted")),
+                     setFromText(c, *findParameter(key.toStdString()), text.toStdString()).value_or("accepted")),
                  says);
         QCOMPARE(test::firstDifference(c, Case{}), std::string());
     }
@@ -198,17 +198,18 @@ private slots:
     void numbersAreCheckedToo()
     {
         Case c;
-        QVERIFY(!setFromNumber(c, *findField("slider.mass"), 2e-6).has_value());
+        QVERIFY(!setFromNumber(c, *findParameter("slider.mass"), 2e-6).has_value());
         QVERIFY(c.slider.mass == 2e-6);
-        QVERIFY(setFromNumber(c, *findField("slider.mass"), -1.0).has_value());
-        QVERIFY(setFromNumber(c, *findField("slider.mass"), std::numeric_limits<double>::quiet_NaN()).has_value());
-        QCOMPARE(setFromNumber(c, *findField("contact"), 1.0).value_or(""),
+        QVERIFY(setFromNumber(c, *findParameter("slider.mass"), -1.0).has_value());
+        QVERIFY(setFromNumber(c, *findParameter("slider.mass"), std::numeric_limits<double>::quiet_NaN()).has_value());
+        QCOMPARE(setFromNumber(c, *findParameter("contact"), 1.0).value_or(""),
                  std::string("is a number; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity"));
-        QVERIFY(!setFromNumber(c, *findField("steady.radii"), 0.02).has_value());
+        QVERIFY(!setFromNumber(c, *findParameter("steady.radii"), 0.02).has_value());
         QCOMPARE(c.steady.radii, std::vector<double>{0.02});
-        QCOMPARE(setFromNumbers(c, *findField("slider.mass"), {1.0}).value_or(""),
+        QCOMPARE(setFromNumbers(c, *findParameter("slider.mass"), {1.0}).value_or(""),
                  std::string("is a list; allowed is greater than 0 mg, at most 10 kg"));
-        QCOMPARE(setFromNumber(c, *findField("title"), 1.0).value_or(""), std::string("is a number; text is needed"));
+        QCOMPARE(setFromNumber(c, *findParameter("title"), 1.0).value_or(""),
+                 std::string("is a number; text is needed"));
         QVERIFY(c.slider.mass == 2e-6);
     }
 
@@ -239,7 +240,7 @@ private slots:
     {
         QFETCH(QString, key);
         QFETCH(QString, range);
-        QCOMPARE(QString::fromStdString(allowedRange(*findField(key.toStdString()))), range);
+        QCOMPARE(QString::fromStdString(allowedRange(*findParameter(key.toStdString()))), range);
     }
 
     /// Bit for bit, for any value in range.
@@ -250,15 +251,15 @@ private slots:
             Case c;
             random.change(c, 1.0);
             Case back;
-            for (const Field& field : fields())
-                QCOMPARE(setFromText(back, field, toText(c, field)).value_or(""), std::string());
+            for (const Parameter& parameter : parameters())
+                QCOMPARE(setFromText(back, parameter, toText(c, parameter)).value_or(""), std::string());
             QCOMPARE(test::firstDifference(back, c), std::string());
         }
     }
 };
 
-TOUCHDOWN_TEST(TestFieldText)
+TOUCHDOWN_TEST(TestParameterText)
 
-} // namespace test_field_text
+} // namespace test_parameter_text
 
 #include "test_field_text.moc"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Discretisation and solution of the film, and options of its static state.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -17,7 +17,7 @@ bool withFreeAttitude(const Case& c) { return withFilm(c) && !c.steady.fixedAtti
 
 } // namespace
 
-std::vector<Field> filmFields()
+std::vector<Parameter> filmParameters()
 {
     return {
         list("film.nodes", "nodes", noUnit, Range{17, 2049, true, 16}, Count{2, 2}, at(&Case::film, &FilmCase::nodes),
@@ -54,7 +54,7 @@ std::vector<Field> filmFields()
     };
 }
 
-std::vector<Field> steadyFields()
+std::vector<Parameter> steadyParameters()
 {
     return {
         boolean("steady.fixed_attitude", "fixed attitude", at(&Case::steady, &SteadyCase::fixedAttitude), withFilm,

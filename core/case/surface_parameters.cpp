@@ -2,11 +2,11 @@
 //
 // The numbers of the air bearing surface. Its rails, walls and points of interest are tables and lists of a case file:
 // see core/case_files/surface_text.h.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr const char* flat = "ours: a flat surface";
 
 } // namespace
 
-std::vector<Field> surfaceFields()
+std::vector<Parameter> surfaceParameters()
 {
     return {
         number("abs.base_recess", "base recess", "", micrometres, within(1e-3),

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The surface of the disk.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
 namespace {
 
@@ -27,7 +27,7 @@ bool selfAffine(const Case& c) { return withRough(c) && c.diskSurface.spectrum =
 
 } // namespace
 
-std::vector<Field> diskSurfaceFields()
+std::vector<Parameter> diskSurfaceParameters()
 {
     return {
         choice("disk.surface.kind", "surface", {"flat", "waves", "rough", "file", "bumps", "combined"},

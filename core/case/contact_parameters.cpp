@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The parameters of the contact characteristic of Ono & Yamane.
-#include "core/case/field_builders.h"
+#include "core/case/parameter_builders.h"
 
 namespace touchdown {
 
-using namespace field_builders;
+using namespace parameter_builders;
 
-std::vector<Field> contactFields()
+std::vector<Parameter> contactParameters()
 {
     return {
         number("ono_yamane.meniscus_force", "maximum meniscus force", "f_m", millinewtons, notNegative(1e6),
