@@ -262,4 +262,4 @@ TOUCHDOWN_TEST(TestParameterText)
 
 } // namespace test_parameter_text
 
-#include "test_field_text.moc"
+#include "test_parameter_text.moc"

@@ -441,4 +441,4 @@ TOUCHDOWN_TEST(TestParameters)
 
 } // namespace test_parameters
 
-#include "test_fields.moc"
+#include "test_parameters.moc"
