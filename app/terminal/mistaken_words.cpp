@@ -101,7 +101,7 @@ std::string mistakenWord(const Words& arguments, const CommandWords& known)
         return {};
     const std::string sentence = inQuotes(arguments[at]) + (isStudy ? " is no kind of study" : " is no command");
     const Words meant = likelyMeant(arguments, known);
-    if (meant.empty()) return sentence;
+    if (meant.empty()) return isStudy ? sentence + ": allowed is one of " + joined(known.kinds, ", ") : sentence;
     Words inPlace = arguments;
     inPlace[at] = meant[at];
     return sentence + didYouMean(inPlace == meant ? meant[at] : asTyped(meant));

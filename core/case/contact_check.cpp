@@ -91,7 +91,7 @@ void checkMemory(const Case& c, double values, const std::string& what, Problems
 }
 
 /// Fields of a contact patch: gap and contact pressure, adhesion if it acts, and the disk's surface if it is not flat.
-double patchParameters(const Case& c)
+double patchFields(const Case& c)
 {
     return 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
 }
@@ -120,7 +120,7 @@ void checkElasticPad(const Case& c, Problems& problems)
     checkPeriodic(c, problems);
     if (c.pad.shape == PadShape::Slider) return;
     const double cells = c.pad.length / c.elastic.cell * (c.pad.width / c.elastic.cell);
-    checkMemory(c, cells * patchParameters(c), inMillions(cells), problems);
+    checkMemory(c, cells * patchFields(c), inMillions(cells), problems);
 }
 
 /// Counts the cells of the patches where a slider on its film can touch; false where they are too many.
@@ -211,7 +211,7 @@ void checkFilmContact(const Case& c, Problems& problems)
                             {"model"}});
         break;
     }
-    const double values = mapsOfFilm * filmCells + patchParameters(c) * patchCells;
+    const double values = mapsOfFilm * filmCells + patchFields(c) * patchCells;
     const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";
     checkMemory(c, values, "the film's " + inMillions(filmCells) + patch, problems);
 }

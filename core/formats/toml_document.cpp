@@ -197,10 +197,14 @@ TomlDocument readToml(std::string_view text)
         // "Error while parsing key-value pair: expected value, saw '\n'"
         if (const auto colon = what.find(": "); what.starts_with("Error") && colon != std::string::npos)
             what.erase(0, colon + 2);
+        const std::string_view line = places.line(error.source().begin.line);
+        const std::string lineEnd = ", saw '\\n'";
+        if (std::ranges::count(line, '"') % 2 == 1) what = "a quotation mark is missing";
+        if (what.ends_with(lineEnd)) what.replace(what.size() - lineEnd.size(), lineEnd.size(), ", but the line ends");
         document = {};
         document.problem = "is not TOML: " + what;
         document.problemLine = static_cast<int>(error.source().begin.line);
-        if (lacksQuotationMarks(places.line(error.source().begin.line)))
+        if (lacksQuotationMarks(line))
             document.problem += "; write a value with a unit in quotation marks, as \"7 nm\"";
         return document;
     }

@@ -42,10 +42,10 @@ void writeCaseGroup(const Hdf5Group& file, const Case& c, const std::string& tex
 {
     const Hdf5Group group = file.create("case");
     group.put("text", text, "1", "The case as it was given");
-    const Hdf5Group parameters = group.create("parameters");
-    for (const Parameter& parameter : touchdown::parameters()) {
+    const Hdf5Group values = group.create("parameters");
+    for (const Parameter& parameter : parameters()) {
         if (parameter.used && !parameter.used(c)) continue;
-        const Hdf5Dataset dataset = putParameter(parameters, c, parameter);
+        const Hdf5Dataset dataset = putParameter(values, c, parameter);
         dataset.describe(parameter.unit, parameter.label);
         if (!parameter.symbol.empty()) dataset.set("symbol", parameter.symbol);
     }

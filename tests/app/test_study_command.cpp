@@ -155,6 +155,7 @@ private slots:
             "\"fig10a\" is no kind of study; did you mean `touchdown study hysteresis fig10a`?");
         row("a misspelt kind", {"study", "hysteresys", "fig10a"},
             "\"hysteresys\" is no kind of study; did you mean hysteresis?");
+        row("no kind at all", {"study", "bogus", "fig10a"}, "\"bogus\" is no kind of study: allowed is one of ");
         row("a study without its kind", {"study", "a.toml", "--json"},
             "did you mean `touchdown study hysteresis a.toml --json`?");
         row("a misspelt option", {"study", "hysteresis", "fig10a", "--option", "steps=3", "--jsom"},

@@ -152,7 +152,7 @@ private slots:
         row("a list for a choice", "contact = ['none']",
             "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane, elastic, asperity, "
             "multi-asperity");
-        row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, saw '\\n'");
+        row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, but the line ends");
         row("Latin-1", "# \xb5", "a.toml:1: is not valid UTF-8 text");
     }
     /// One sentence for each problem, with file, line and key.

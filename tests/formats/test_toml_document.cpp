@@ -162,7 +162,10 @@ private slots:
                                      << "is not TOML: cannot redefine existing integer 'a'" << 2;
         QTest::newRow("a table twice") << QByteArray("[a]\n\n[a]\n")
                                        << "is not TOML: cannot redefine existing table 'a'" << 3;
-        QTest::newRow("a missing value") << QByteArray("a = 1\nb =\n") << "is not TOML: expected value, saw '\\n'" << 2;
+        QTest::newRow("a missing value") << QByteArray("a = 1\nb =\n")
+                                         << "is not TOML: expected value, but the line ends" << 2;
+        QTest::newRow("a missing quotation mark")
+            << QByteArray("a = 1\nb = \"x\nc = 2\n") << "is not TOML: a quotation mark is missing" << 2;
         QTest::newRow("a unit without quotation marks") << QByteArray("\n\na = 7 nm\n")
                                                         << "is not TOML: expected a comment or whitespace, saw 'n'; "
                                                            "write a value with a unit in quotation marks, as \"7 nm\""

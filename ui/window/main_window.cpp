@@ -171,7 +171,7 @@ void MainWindow::updateRunActions()
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
-        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the field"));
+        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the parameter"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
         messages_->clear();
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);

@@ -19,7 +19,7 @@ namespace {
 const Parameter& parameterOf(std::string_view key)
 {
     const Parameter* parameter = findParameter(key);
-    assert(parameter != nullptr && "the readers of CML files name fields that exist");
+    assert(parameter != nullptr && "the readers of CML files name parameters that exist");
     return *parameter;
 }
 

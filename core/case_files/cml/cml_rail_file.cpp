@@ -44,7 +44,7 @@ public:
         setParameter("abs.twist", "the twist");
         endList();
         readPointsOfInterest();
-        takeFields();
+        takeParameters();
     }
 
 private:
@@ -75,7 +75,7 @@ private:
         if (const auto problem = setFromNumber(parameters_, *findParameter(key), n.value))
             throw CmlError(n.line, std::string(what) + ": " + *problem);
     }
-    void takeFields()
+    void takeParameters()
     {
         rails_.length = parameters_.slider.length;
         rails_.width = parameters_.slider.width;

@@ -16,7 +16,7 @@ inline constexpr std::size_t mostWaves = 1000;
 inline constexpr std::size_t mostBumps = 10000;
 
 struct DiskSurfaceProblem {
-    std::string key;      // the field's name under [disk.surface]: "correlation_length"
+    std::string key;      // the key's name under [disk.surface]: "correlation_length"
     std::string sentence; // follows the key: "must be at least 0.25 um, one cell of the map"
 };
 

@@ -147,6 +147,7 @@ StudyReport perform(const Case& start, const DesignTask& task, const StudyCallba
             return goOn();
         });
     };
+    // Also where the search ended by itself before it was told to stop.
     const bool whole = runParallel(1, 1, search, [&](std::size_t) { return !callback || callback(progress.now()); });
     if (!whole && study.status != StudyStatus::Completed) study.status = StudyStatus::Cancelled;
     return designReport(task, study);

@@ -33,7 +33,8 @@ double meanBetween(const std::vector<double>& time, const std::vector<double>& c
     return count > 0.0 ? sum / count : 0.0;
 }
 
-/// The branch on which the pad ends: forces tell it, but for asperities that have let go and menisci that pull nothing.
+/// The branch on which the pad ends: forces tell it, but for asperities that have let go and menisci that pull nothing;
+/// there the last switch of the law tells it, or the start.
 ContactBranch branchAfter(const HeldEnd& before)
 {
     const Summary& end = before.summary;

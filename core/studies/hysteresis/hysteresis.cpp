@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/case/parameters.h"
+#include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/simulation/equilibria/film_branches.h"
 #include "core/simulation/equilibria/film_equilibria.h"
@@ -231,12 +232,12 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
     const bool named = reader.has("parameter");
     const auto found = designKey(c, key);
     if (const auto* problem = std::get_if<std::string>(&found)) {
-        reader.add("parameter", key + " " + *problem);
+        reader.add("parameter", inQuotes(key) + " " + *problem);
         return false;
     }
     steps.parameter = std::get<DesignKey>(found);
     if (key.starts_with("run.") || key.starts_with("spectrum.")) {
-        reader.add("parameter", key + " belongs to the computation, not to the scene");
+        reader.add("parameter", inQuotes(key) + " belongs to the computation, not to the scene");
         return false;
     }
     const Parameter* parameter = findParameter(key);

@@ -335,11 +335,12 @@ private:
         const double slack = 1e-6 * std::abs(each.after - each.before); // rounding of the held values
         const double low = std::min(each.before, each.after) - slack, high = std::max(each.before, each.after) + slack;
         const std::string left = each.down ? "; the flying equilibrium" : "; the equilibrium in contact";
-        const ContactBranch entered = each.down ? ContactBranch::TakeOff : ContactBranch::TouchDown;
+        using enum ContactRegion;
+        const std::string ending = each.down ? switchName(Apart, Pressed) : switchName(Bridged, Apart);
         std::string beyond;
         for (const StudiedMark& mark : result_.marks) {
             if (mark.kind == EquilibriumMark::Kink || mark.kind == EquilibriumMark::Hopf || mark.outside) continue;
-            if (mark.kind == EquilibriumMark::Switch && branchAfterSwitch(mark.name) != entered) continue;
+            if (mark.kind == EquilibriumMark::Switch && mark.name != ending) continue;
             // A fold of another branch may lie in the same step: the one that was left folds nearer to the state left.
             if (mark.kind == EquilibriumMark::Fold &&
                 std::abs(mark.at.spacing - each.left) >= std::abs(mark.at.spacing - each.reached))

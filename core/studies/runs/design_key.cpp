@@ -96,7 +96,7 @@ std::variant<DesignKey, std::string> designKey(const Case& c, std::string_view n
     const std::string key(name);
     if (name.starts_with("abs.rail[")) return railKey(c, key);
     const Parameter* parameter = findParameter(name);
-    if (parameter == nullptr) return "unknown key" + didYouMean(nearestKey(name));
+    if (parameter == nullptr) return "is no key of a case" + didYouMean(nearestKey(name));
     if (parameter->kind != ParameterKind::Number) return std::string("is no number with a range to search");
     if (!parameter->used(c)) return std::string("has no part in this case");
     const auto get = [parameter](const Case& from) { return std::get<double>(parameter->get(from)); };

@@ -179,7 +179,7 @@ private slots:
         row("no targets", good.substr(0, good.find("[[target]]")),
             "a.toml: target: is missing; write one [[target]] or more");
         row("a key that is none", with("abs.rail[4].width", "abs.base_reces"),
-            "a.toml:5: parameter[1].key: \"abs.base_reces\" unknown key; did you mean abs.base_recess?");
+            "a.toml:5: parameter[1].key: \"abs.base_reces\" is no key of a case; did you mean abs.base_recess?");
         row("a rail that is not there", with("abs.rail[4].width", "abs.rail[9].width"),
             "a.toml:5: parameter[1].key: \"abs.rail[9].width\" there is no rail 9; the case has 4");
         row("no key", with("key = \"abs.rail[4].width\"\n", ""),
