@@ -80,7 +80,7 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("says");
         QTest::newRow("a slip of the pen") << "suspension.ofset_x"
-                                           << "unknown key; did you mean suspension.offset_x?";
+                                           << "is no key of a case; did you mean suspension.offset_x?";
         QTest::newRow("a choice") << "film.grid"
                                   << "is no number with a range to search";
         QTest::newRow("of another model") << "springs.cutoff"
