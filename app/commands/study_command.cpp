@@ -13,6 +13,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
+#include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/words.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <new>
+#include <vector>
 
 #include "core/numerics/fourier.h"
 #include "core/numerics/vector_clones.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSplitter>
