@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Run by ctest: cmake -D SOURCE_DIR=<root> -D PROGRAM=<path of touchdown> -P check_layers.cmake
-# Fails when a file includes a file of a higher room, when the core includes Qt, when the command line links Qt, and when
-# a folder or a file outgrows its limit.
+# Fails when a file includes a file of a higher room, when the core includes Qt, when the command line links Qt, and
+# when a folder or a file outgrows its limit.
 
 cmake_minimum_required(VERSION 3.25)
 

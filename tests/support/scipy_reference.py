@@ -3,7 +3,8 @@
 """An independent integration of the 2-DOF spring model with located switches (SciPy's DOP853).
 
 In nm, us and urad; forces in SI. Writes tests/simulation/springs/scipy_reference_<name>.csv: time [us], flying
-height [nm], pitch [urad] and, as comments, the switches. Run from the project's folder; needs python3-scipy. The tests compare with the stored files.
+height [nm], pitch [urad] and, as comments, the switches. Run from the project's folder; needs python3-scipy. The tests
+compare with the stored files.
 """
 import sys
 

@@ -47,9 +47,10 @@ QString unitText(std::string_view unit)
 
 QString symbolText(std::string_view symbol)
 {
-    static const QHash<QString, QString> greek{
-        {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"dgamma", "Δγ"}, {"eta", "η"}, {"theta", "θ"}, {"lambda", "λ"},
-        {"mu", "μ"},    {"nu", "ν"},   {"xi", "ξ"},    {"sigma", "σ"},   {"phi", "φ"}, {"omega", "ω"}};
+    static const QHash<QString, QString> greek{{"dgamma", "Δγ"}, // the work of adhesion
+                                               {"alpha", "α"},   {"beta", "β"},   {"gamma", "γ"}, {"eta", "η"},
+                                               {"theta", "θ"},   {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},
+                                               {"xi", "ξ"},      {"sigma", "σ"},  {"phi", "φ"},   {"omega", "ω"}};
     const QString text = QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
     const auto letters = [](const QString& name) {
         // "theta(0)": the letter, then its argument.

@@ -58,10 +58,10 @@ void WindowActions::buildFile(QMainWindow& window)
         add(menu, tr("&Save"), QKeySequence::Save, QStringLiteral("save"), tr("Save the case; its comments are kept"));
     saveAs = add(menu, tr("Save &as…"), QKeySequence::SaveAs);
     menu->addSeparator();
-    importCml =
-        add(menu, tr("&Import CML case…"), {}, {}, tr("Read rail.dat with run.dat or dynamics.def, or a .cml archive"));
-    exportCml =
-        add(menu, tr("Export as C&ML case…"), {}, {}, tr("Write rail.dat and run.dat, in a folder or a .cml archive"));
+    importCml = add(menu, tr("&Import CML case…"), {}, {},
+                    tr("Read rail.dat with run.dat or dynamics.def, or from a .cml archive"));
+    exportCml = add(menu, tr("Export as C&ML case…"), {}, {},
+                    tr("Write rail.dat and run.dat into a folder or into a .cml archive"));
     exportCml->setVisible(false);
     menu->addSeparator();
     openResults = add(menu, tr("Open saved r&un…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
