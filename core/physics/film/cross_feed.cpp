@@ -37,7 +37,7 @@ struct CellConduction {
         for (const CutPlace& place : faces.cut) {
             isCut[place.at] = true;
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
-                for (std::uint32_t k = gaps.rows[r].pieces; k < gaps.rows[r].pieceEnd; ++k) {
+                for (std::uint32_t k = gaps.rows[r].pieces; gaps.rows[r].isFed && k < gaps.rows[r].pieceEnd; ++k) {
                     const GapPiece& piece = gaps.pieces[k];
                     add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent,
                         piece.recess);
@@ -72,6 +72,7 @@ void FilmGaps::setCrossFeed()
         const std::size_t step = pad.step(axis);
         for (const CutPlace& place : faces[static_cast<std::size_t>(axis)].cut)
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
+                if (!rows[r].isFed) continue;
                 const auto setFeed = [&](GapPiece& piece, std::size_t cell) {
                     const double share = conduction(piece.recess) * cells.area[cell] / cells.sum[cell];
                     piece.feed = piece.extent * std::min(share, mostShare);

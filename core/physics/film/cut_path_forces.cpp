@@ -42,6 +42,7 @@ struct ForceLanes {
 struct LoadLanes {
     const double *gap, *mobility, *byProduct, *byGap, *mean, *x, *y, *extent, *speed;
     double length, halfWidth; // of the slider [m]
+    double least;             // gap [m]
 };
 
 template <bool layers, typename Number>
@@ -57,9 +58,10 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const Load
         const bool passes = gap[k] > closedGap;
         Number h(passes ? gap[k] : 1.0), mobility(G[k]);
         if constexpr (derivatives<Number> == 4) {
-            h.by = {0.0, 1.0, length - x[k], halfWidth - y[k]};
+            const double free = gap[k] > piece.least ? 1.0 : 0.0;
+            h.by = {0.0, free, free * (length - x[k]), free * (halfWidth - y[k])};
             const double slope = byProduct[k] * mean[k] + byGap[k];
-            mobility.by = {byProduct[k] * gap[k], slope, slope * h.by[2], slope * h.by[3]};
+            mobility.by = {byProduct[k] * gap[k], slope * h.by[1], slope * h.by[2], slope * h.by[3]};
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility), hr = h * r;
         if constexpr (layers) {
@@ -137,7 +139,7 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
             const LoadLanes piece{&work.gap_[in],   &work.mobility_[in], &work.mobilityBy_[in],
                                   &work.byGap_[in], work.mean_.data(),   &x_[from],
                                   &y_[from],        &extent_[from],      &speed_[group.row],
-                                  gaps_->length,    0.5 * gaps_->width};
+                                  gaps_->length,    0.5 * gaps_->width,  leastGap_};
             if (layers)
                 addPieces<true, Sum>(path, piece, work.open_.data(), rows, viscosity);
             else

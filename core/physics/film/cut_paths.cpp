@@ -35,17 +35,18 @@ struct PathLanes {
 struct PieceLanes {
     const double *gap, *mobility, *mobilityBy, *x, *y, *extent, *lead, *feed, *speed;
     double length, halfWidth; // of the slider [m]
+    double least;             // gap [m]
 };
 
 /// Gaps, and their products with the mean pressure; any number where they are closed.
 TOUCHDOWN_VECTOR_CLONES void setGaps(const Attitude& attitude, std::size_t rows, const double* lift,
                                      const double* recess, const double* x, const double* y, const double* mean,
-                                     double* gap, double* product)
+                                     double least, double* gap, double* product)
 {
     const double pitch = attitude.pitch, roll = attitude.roll;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
-        const double h = recess[k] + (lift[k] - pitch * x[k] - roll * y[k]);
+        const double h = std::max(least, recess[k] + (lift[k] - pitch * x[k] - roll * y[k]));
         gap[k] = h;
         product[k] = mean[k] * (h > closedGap ? h : 1e-6);
     }
@@ -64,7 +65,8 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const Piece
         Number h(passes ? gap[k] : 1.0), mobility(G[k]);
         if constexpr (derivatives<Number> == 1) mobility.by[0] = by[k];
         if constexpr (derivatives<Number> == 3) {
-            h.by = {1.0, length - x[k], halfWidth - y[k]};
+            const double free = gap[k] > piece.least ? 1.0 : 0.0;
+            h.by = {free, free * (length - x[k]), free * (halfWidth - y[k])};
             for (std::size_t n = 0; n < 3; ++n) mobility.by[n] = by[k] * h.by[n];
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility);
@@ -115,7 +117,8 @@ CutPaths::Work::Work(const FilmGaps& gaps)
     path_.resize(6 * Lanes<Dual<4>>::parts * pieces);
 }
 
-CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed) : gaps_(&gaps), axis_(axis)
+CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, double leastGap)
+    : gaps_(&gaps), axis_(axis), leastGap_(leastGap)
 {
     const std::vector<CutPlace>& cut = gaps.faces[axis].cut;
     struct Entry {
@@ -175,7 +178,7 @@ void CutPaths::setMobilities(const Group& group, std::span<const double> p, cons
     }
     for (std::size_t n = 0; n < group.depth; ++n) {
         const std::size_t in = n * rows, from = group.piece + in;
-        setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(),
+        setGaps(attitude, rows, work.lift_.data(), &recess_[from], &x_[from], &y_[from], work.mean_.data(), leastGap_,
                 &work.gap_[in], &work.product_[in]);
     }
     table.at({work.product_.data(), rows * group.depth}, work.gap_, work.mobility_, work.mobilityBy_);
@@ -206,7 +209,7 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
             addPieces<Number>(path,
                               {&work.gap_[in], &work.mobility_[in], &work.mobilityBy_[in], &x_[from], &y_[from],
                                &extent_[from], &lead_[from], &feed_[from], &speed_[group.row], gaps_->length,
-                               0.5 * gaps_->width},
+                               0.5 * gaps_->width, leastGap_},
                               work.open_.data(), rows, viscosity);
         }
         finish<Number>(path, work.open_.data(), &width_[group.row], &share_[group.row], &direction_[group.row], rows);

@@ -2,8 +2,9 @@
 //
 // The recess of a surface on the film's cells. A path runs from one cell centre to the next, across their face; the
 // gaps along it act in series, and neighbouring paths in parallel. Where the recess is smooth, one sample in the middle
-// represents the face. Where an edge or a wall meets it, the face is divided into rows, and each row at its breaks into
-// pieces, exactly where the recess jumps: so the load converges also on grids that ignore the rails.
+// represents the face. Where an edge or a wall meets it, the face has rows (core/physics/film/cut_rows.h), each divided
+// at its breaks into pieces, exactly where the recess jumps: so the load converges also on grids that ignore the rails.
+// The air in a cell is that under its centre's side of an edge.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 
 namespace touchdown {
 
+class CutRowArranger;
 class Recess;
 
 /// Gaps of flying sliders are some ten nanometres above the recess [m].
@@ -31,14 +33,15 @@ struct GapPiece {
     double lead = 0.0, feed = 0.0; // of the flow across: between face and start, along the piece; as lengths [m]
 };
 
-/// A face that an edge or a wall meets, or such a cell (whose pieces are one row).
+/// A face that an edge or a wall meets, or such a cell, whose pieces are one row and count for shear alone.
 struct CutPlace {
     std::size_t at;             // padded index
     std::uint32_t rows, rowEnd; // in `rows`
 };
 struct GapRow {
-    double width;                   // [m]
+    double width;                   // [m]; below zero where the row already counts at another face
     std::uint32_t pieces, pieceEnd; // in `pieces`
+    bool isFed;                     // takes part in the flow across (cross_feed.cpp)
 };
 
 struct FilmGaps {
@@ -59,7 +62,8 @@ struct FilmGaps {
         std::vector<CutPlace> cut;
     };
     std::array<Faces, 2> faces;
-    std::vector<double> meanRecess; // of each cell, padded [m]
+    std::vector<double> centreRecess; // at the centres of the cells, padded [m]
+    std::vector<double> meanRecess;   // of each cell, padded [m]
     std::vector<CutPlace> cutCells;
     std::vector<std::size_t> steppedCells; // cut cells in which a vertical step stands, padded indices
     std::vector<GapRow> rows;
@@ -72,7 +76,7 @@ struct FilmGaps {
     }
 
 private:
-    void setCutCells();
+    void setCutCells(const CutRowArranger& sampled);
     /// Sets lead and feed of the pieces of paths (cross_feed.cpp).
     void setCrossFeed();
 };

@@ -12,21 +12,22 @@ namespace touchdown {
 
 namespace {
 
-/// Gaps at a row of places, none below zero, where the lift is base - pitch x.
-TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, std::size_t count, const double* x,
+/// Gaps at a row of places, none below the least, where the lift is base - pitch x.
+TOUCHDOWN_VECTOR_CLONES void setGaps(double base, double pitch, double least, std::size_t count, const double* x,
                                      const double* recess, double* gap)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(0.0, recess[k] + (base - pitch * x[k]));
+    for (std::size_t k = 0; k < count; ++k) gap[k] = std::max(least, recess[k] + (base - pitch * x[k]));
 }
 
-/// Change of the gap along each path of a row against the gap; lift falls by slope times length.
-TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const double* length, const double* rise,
-                                      const double* gap, double* tilt)
+/// Change of the gap along each path of a row against the gap; lift falls by slope times length. None where the gap is
+/// not above the least.
+TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, double least, std::size_t count, const double* length,
+                                      const double* rise, const double* gap, double* tilt)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        const bool open = gap[k] > closedGap;
+        const bool open = gap[k] > least;
         const double change = (rise[k] - slope * length[k]) / (open ? gap[k] : 1.0);
         tilt[k] = open ? std::min(1.0, std::max(-1.0, change)) : 0.0;
     }
@@ -34,7 +35,8 @@ TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, std::size_t count, const dou
 
 } // namespace
 
-FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk) : gaps_(gaps)
+FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double leastGap)
+    : gaps_(gaps), leastGap_(leastGap)
 {
     const PaddedGrid& pad = gaps_.pad;
     const CellGrid& grid = gaps_.grid;
@@ -53,7 +55,8 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk) : gaps_
     for (int j = 0; j <= pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i)
             axes_[1].speed[pad.at(i, j)] = 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).y;
-    for (std::size_t axis = 0; axis < 2; ++axis) axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed, leastGap_);
     const Velocity v = velocity(0.5 * gaps_.length, 0.5 * gaps_.width);
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
@@ -64,21 +67,6 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk) : gaps_
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) area_[pad.at(i, j)] = grid.widthX(i) * grid.widthY(j);
     for (int i = 0; i < pad.nx; ++i) centreX_.push_back(grid.centreX(i));
-    for (const CutPlace& place : gaps_.cutCells) {
-        CutCell& cell = cutCells_.emplace_back();
-        for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k) {
-            const GapPiece& piece = gaps_.pieces[k];
-            cell.area += piece.extent;
-            cell.recess += piece.extent * piece.recess;
-            cell.x += piece.extent * piece.x;
-            cell.y += piece.extent * piece.y;
-            cell.lowest = std::min(cell.lowest, piece.recess);
-            cell.x0 = std::min(cell.x0, piece.x);
-            cell.x1 = std::max(cell.x1, piece.x);
-            cell.y0 = std::min(cell.y0, piece.y);
-            cell.y1 = std::max(cell.y1, piece.y);
-        }
-    }
     setAttitude({});
 }
 
@@ -134,9 +122,10 @@ void FilmGeometry::setFaceGaps(std::size_t axis)
         const double y = axis == 0 ? gaps_.grid.centreY(j) : faces.pathMid[line];
         if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
         if (!surface_.empty()) setRowOverSurface(axis, j);
-        setGaps(base - attitude_.roll * y, attitude_.pitch, count, axis == 0 ? faces.pathMid.data() : centreX_.data(),
+        setGaps(base - attitude_.roll * y, attitude_.pitch, leastGap_, count,
+                axis == 0 ? faces.pathMid.data() : centreX_.data(),
                 surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
-        setTilts(axis == 0 ? attitude_.pitch : attitude_.roll, count,
+        setTilts(axis == 0 ? attitude_.pitch : attitude_.roll, std::max(leastGap_, closedGap), count,
                  axis == 0 ? faces.pathLength.data() : rowLength_.data(),
                  surface_.empty() ? &faces.rise[at] : rowRise_.data(), &a.gap[at], &a.tilt[at]);
     }
@@ -151,30 +140,14 @@ void FilmGeometry::setVolumes()
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        const double* recess = &gaps_.meanRecess[at];
+        const double* recess = &gaps_.centreRecess[at];
         if (!surface_.empty()) {
             for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
             recess = rowRecess_.data();
         }
-        setGaps(base - attitude_.roll * gaps_.grid.centreY(j), attitude_.pitch, nx, centreX_.data(), recess,
+        setGaps(base - attitude_.roll * gaps_.grid.centreY(j), attitude_.pitch, 0.0, nx, centreX_.data(), recess,
                 &volume_[at]);
         for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
-    }
-    // Where part of a cut cell is closed, the air is in the rest.
-    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
-        CutCell& cell = cutCells_[n];
-        const CutPlace& place = gaps_.cutCells[n];
-        const double surface = surfaceAt(place.at), lift = base - surface;
-        double volume = cell.recess + lift * cell.area - attitude_.pitch * cell.x - attitude_.roll * cell.y;
-        const double lowest = cell.lowest + lift - std::max(attitude_.pitch * cell.x0, attitude_.pitch * cell.x1) -
-                              std::max(attitude_.roll * cell.y0, attitude_.roll * cell.y1);
-        cell.open = lowest > 0.0;
-        if (!cell.open) {
-            volume = 0.0;
-            for (std::uint32_t k = gaps_.rows[place.rows].pieces; k < gaps_.rows[place.rows].pieceEnd; ++k)
-                volume += gaps_.pieces[k].extent * std::max(0.0, gapOf(gaps_.pieces[k], surface));
-        }
-        volume_[place.at] = volume;
     }
     totalVolume_ = sumInLanes(volume_.size(), [&](std::size_t at) { return volume_[at]; });
 }
@@ -192,23 +165,6 @@ void FilmGeometry::setVolumeSlopes(std::size_t k, double scale, std::span<const 
                                              0.5 * gaps_.width - gaps_.grid.centreY(j)};
             out[at] = scale * factor[at] * area * lift[k];
         }
-    for (std::size_t n = 0; n < cutCells_.size(); ++n) {
-        const CutCell& cell = cutCells_[n];
-        const CutPlace& place = gaps_.cutCells[n];
-        double area = cell.area, x = cell.x, y = cell.y;
-        if (!cell.open) {
-            area = x = y = 0.0;
-            for (std::uint32_t i = gaps_.rows[place.rows].pieces; i < gaps_.rows[place.rows].pieceEnd; ++i) {
-                const GapPiece& piece = gaps_.pieces[i];
-                if (!(gapOf(piece, surfaceAt(place.at)) > 0.0)) continue;
-                area += piece.extent;
-                x += piece.extent * piece.x;
-                y += piece.extent * piece.y;
-            }
-        }
-        const std::array<double, 3> lift{area, gaps_.length * area - x, 0.5 * gaps_.width * area - y};
-        out[place.at] = scale * factor[place.at] * lift[k];
-    }
 }
 
 double FilmGeometry::meanGap(int i, int j) const

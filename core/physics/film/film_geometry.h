@@ -17,8 +17,8 @@ struct DiskMotion;
 
 class FilmGeometry {
 public:
-    /// The gaps must last.
-    FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk);
+    /// The gaps must last; `leastGap` as in FilmSetting [m].
+    FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double leastGap = 0.0);
 
     const FilmGaps& gaps() const { return gaps_; }
     const PaddedGrid& pad() const { return gaps_.pad; }
@@ -26,14 +26,14 @@ public:
 
     /// The disk's surface under each cell: mean height above the mean plane, less the deformation by contact [m];
     /// padded; its rings are not read. Empty: flat. setAttitude reads it; it must last unchanged until the next call. A
-    /// smooth face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut place
-    /// have the height of their face, or of their cell.
+    /// smooth face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut face
+    /// have the height of their face.
     void setSurface(std::span<const double> height) { surface_ = height; }
     void setAttitude(const Attitude& attitude);
 
     /// The faces across one axis.
     struct Axis {
-        std::vector<double> gap;        // at smooth faces; zero at cut ones [m]
+        std::vector<double> gap;        // at smooth faces, at least leastGap; zero at cut ones [m]
         std::vector<double> tilt;       // change of the gap along the path, divided by the gap; -1 to 1 [-]
         std::vector<double> speed;      // of the disk along the axis, halved [m/s]
         std::vector<double> width;      // of the face by cross index [m]
@@ -43,7 +43,9 @@ public:
     };
     const std::array<Axis, 2>& axes() const { return axes_; }
 
-    /// Volume of air under each cell, at least zero [m^3]; padded.
+    double leastGap() const { return leastGap_; }
+
+    /// Volume of air under each cell, its area times the gap at its centre, at least zero [m^3]; padded.
     const std::vector<double>& volumes() const { return volume_; }
     /// Volume of the air under the slider [m^3].
     double totalVolume() const { return totalVolume_; }
@@ -68,18 +70,6 @@ public:
     void clearRings(std::span<double> field) const;
 
 private:
-    /// Sums over the pieces of a cut cell, and their bounds.
-    struct CutCell {
-        double area = 0.0, recess = 0.0, x = 0.0, y = 0.0; // [m^2], of area times recess, x, y [m^3]
-        double lowest = 1e300, x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300; // of recess, x, y [m]
-        bool open = false;                                                       // all of its pieces
-    };
-
-    /// The gap of a piece above this height of the disk [m].
-    double gapOf(const GapPiece& piece, double surface) const
-    {
-        return piece.recess - surface + gaps_.lift(attitude_, piece.x, piece.y);
-    }
     /// Subtracts the disk's height and rise from those of a row of faces; on the outline, those of the cell inside.
     void setRowOverSurface(std::size_t axis, int j);
     void setCutSurface(std::size_t axis);
@@ -88,12 +78,12 @@ private:
 
     const FilmGaps& gaps_;
     Attitude attitude_;
+    double leastGap_ = 0.0;           // [m]
     std::span<const double> surface_; // [m]
     double speed_ = 0.0, totalVolume_ = 0.0;
     std::array<double, 2> motionShare_{};
     std::array<Axis, 2> axes_;
     std::vector<double> volume_, area_, centreX_;
-    std::vector<CutCell> cutCells_;
     std::vector<double> rowRecess_, rowRise_, rowLength_; // of a row [m]
 };
 

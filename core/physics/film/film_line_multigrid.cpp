@@ -16,6 +16,8 @@ constexpr int sweeps = 2;             // of one relaxation
 constexpr int deferrals = 4;          // of the complete flux scheme's correction, in one relaxation
 constexpr double keptGuess = 0.1;     // residual of a guess that climbing the levels would spoil [-]
 constexpr double enoughGain = 0.2;    // of a cycle, for operators to be kept [-]
+constexpr double slowGain = 0.25;     // of a cycle, beyond which cycles are accelerated [-]
+constexpr double forcing = 0.03;      // of an accelerated step, against its residual [-]
 constexpr double toleratedLoss = 4.0; // against the best residual, for a cycle to be kept [-]
 
 void copy(std::span<const double> from, std::span<double> to) { std::copy(from.begin(), from.end(), to.begin()); }
@@ -40,11 +42,12 @@ FilmLineMultigrid::Level::Level(FilmGaps levelGaps, const FilmSetting& setting)
       complete(setting.scheme == ConvectionScheme::CompleteFlux),
       pressure(gaps.pad.size(), setting.air.pressure)
 {
-    if (complete) flows.resize(gaps.pad.size());
+    flows.resize(gaps.pad.size());
     for (auto* field : {&residual, &right, &correction, &change}) field->assign(gaps.pad.size(), 0.0);
 }
 
 FilmLineMultigrid::FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting)
+    : gmres_(finest.pad.size()), newton_(finest.pad.size()), step_(finest.pad.size())
 {
     CellGrid next = finest.grid;
     levels_.emplace_back(std::move(finest), setting);
@@ -69,7 +72,7 @@ FilmSolution FilmLineMultigrid::solve(std::span<double> p, const FilmOptions& op
     start(p, result);
     double last = residualOf(fine), best = last, shift = 0.0;
     copy(fine.pressure, best_);
-    bool stale = true;
+    bool stale = true, slow = false;
     while (true) {
         result.residual = best;
         result.cancelled = monitor && !monitor(result.iterations, best);
@@ -77,18 +80,22 @@ FilmSolution FilmLineMultigrid::solve(std::span<double> p, const FilmOptions& op
         if (result.cancelled || result.converged || result.iterations >= options.maximumIterations) break;
 
         if (stale) linearise(shift);
-        negate(fine.residual, fine.right);
-        cycle(0);
+        const int cycles = slow ? accelerate(options.maximumIterations - result.iterations) : 1;
+        if (!slow) {
+            negate(fine.residual, fine.right);
+            cycle(0);
+        }
         addBounded(fine.pressure, fine.correction);
-        ++result.iterations;
-        ++result.solves;
+        result.iterations += cycles;
+        result.solves += cycles;
         const double now = residualOf(fine);
         if (now <= toleratedLoss * best) {
-            stale = shift > 0.0 || now > enoughGain * last;
+            stale = slow || shift > 0.0 || now > enoughGain * last;
+            slow = slow || now > slowGain * last;
             shift = shorterShift(shift, now / last);
             last = now;
         } else {
-            stale = true;
+            stale = slow = true;
             shift = shift == 0.0 ? 10.0 * fine.film.passage() : 8.0 * shift;
             copy(best_, fine.pressure);
             last = best;
@@ -173,6 +180,23 @@ void FilmLineMultigrid::cycle(std::size_t index)
     level.relax(sweeps, false);
 }
 
+int FilmLineMultigrid::accelerate(int most)
+{
+    Level& fine = levels_.front();
+    negate(fine.residual, newton_);
+    std::fill(step_.begin(), step_.end(), 0.0);
+    const auto apply = [&](std::span<const double> v, std::span<double> out) { fine.apply(v, out); };
+    const auto precondition = [&](std::span<const double> v, std::span<double> out) {
+        copy(v, fine.right);
+        cycle(0);
+        copy(fine.correction, out);
+    };
+    const GmresResult linear = gmres_.solve(apply, precondition, newton_, step_,
+                                            {.tolerance = forcing, .maximumIterations = std::max(1, most)});
+    copy(step_, fine.correction);
+    return std::max(1, linear.iterations);
+}
+
 void FilmLineMultigrid::Level::relax(int count, bool fromZero)
 {
     if (!complete) {
@@ -196,10 +220,15 @@ void FilmLineMultigrid::Level::leave()
         lines.residual(right, correction, residual);
         return;
     }
-    film.applyJacobian<double>(correction, residual, flows);
+    apply(correction, residual);
+    for (std::size_t at = 0; at < residual.size(); ++at) residual[at] = right[at] - residual[at];
+}
+
+void FilmLineMultigrid::Level::apply(std::span<const double> v, std::span<double> out)
+{
+    film.applyJacobian<double>(v, out, flows);
     const std::vector<double>& volumes = film.volumes();
-    for (std::size_t at = 0; at < residual.size(); ++at)
-        residual[at] = right[at] - residual[at] - shift * volumes[at] * correction[at];
+    for (std::size_t at = 0; at < out.size(); ++at) out[at] += shift * volumes[at] * v[at];
 }
 
 double FilmLineMultigrid::residualOf(Level& level)

@@ -17,6 +17,9 @@
 // part for the residual of the whole J, several times at each relaxation (once takes up to twice as many cycles).
 // Coarse levels use exponential fitting without it.
 //
+// Where a cycle gains too little, as with narrow deep channels that coarse levels do not see, cycles become the
+// preconditioner of Newton's linear systems.
+//
 // No pressure changes by more than a factor of three in a cycle, so none becomes negative. A cycle that raises the
 // residual much is undone and repeated with a step in time instead of the steady state.
 #pragma once
@@ -25,6 +28,7 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/gmres.h"
 #include "core/numerics/line_relaxation.h"
 #include "core/numerics/nested_grid.h"
 #include "core/physics/film/film_newton.h"
@@ -60,13 +64,15 @@ private:
         void relax(int sweeps, bool fromZero);
         /// residual = right - J correction.
         void leave();
+        /// out = J v.
+        void apply(std::span<const double> v, std::span<double> out);
 
         FilmGaps gaps;
         GasFilm film;
         LineRelaxation lines;
         GridTransfer toCoarser;
         bool complete;                  // the scheme, complete flux
-        FaceFlows<double> flows;        // its work space
+        FaceFlows<double> flows;        // work space of J
         double shift = 0.0;             // zero for the steady state [1/s]
         std::vector<double> pressure;   // [Pa]
         std::vector<double> residual;   // R(p), or what the correction leaves of `right` [Pa m^3/s]
@@ -83,11 +89,16 @@ private:
     void linearise(double shift);
     /// One V cycle: the level's correction, from zero, for its right-hand side.
     void cycle(std::size_t index);
+    /// A step of Newton's method, in place of a cycle's correction: generalised minimal residuals with at most so many
+    /// cycles as preconditioner. Returns their number.
+    int accelerate(int most);
     double residualOf(Level& level);
     double shorterShift(double shift, double gain) const;
 
     std::deque<Level> levels_; // the finest first; films refer to their level's gaps
-    std::vector<double> best_; // pressure on the finest level [Pa]
+    Gmres<double> gmres_;
+    std::vector<double> newton_, step_; // its right-hand side [Pa m^3/s], its solution [Pa]
+    std::vector<double> best_;          // pressure on the finest level [Pa]
 };
 
 } // namespace touchdown

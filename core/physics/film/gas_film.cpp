@@ -60,7 +60,10 @@ FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
 }
 
 GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
-    : FilmGeometry(gaps, setting.disk), setting_(setting), table_(setting.slip, setting.air), row_(gaps)
+    : FilmGeometry(gaps, setting.disk, setting.leastGap),
+      setting_(setting),
+      table_(setting.slip, setting.air),
+      row_(gaps)
 {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         FilmFaces& f = faces_[axis];

@@ -12,8 +12,7 @@
 // of third order where the pressure is smooth, and no cell is emptied below zero.
 //
 // In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; in the complete flux scheme
-// storage is a source of the flow along a path. Closed gaps pass nothing; a cell without an open face keeps its
-// pressure.
+// storage is a source of the flow along a path. A cell without an open face keeps its pressure.
 #pragma once
 
 #include <array>
@@ -33,7 +32,12 @@ struct FilmSetting {
     Slip slip;
     DiskMotion disk;
     ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
+    /// Air flows through a smaller gap, or a closed one, as through this one, at least zero: so the equation has one
+    /// solution, which does not jump where a gap closes. Zero: closed gaps pass nothing [m].
+    double leastGap = 0.0;
 };
+/// Of a film whose slider may touch the disk: less than a molecule of air [m].
+inline constexpr double moleculeGap = 0.3e-9;
 
 /// Pressures are absolute [Pa], in padded arrays whose rings hold p0; residuals are net outflows [Pa m^3/s]. Constant
 /// functions write nothing but their arguments: threads may share a film as long as all of them call only these.

@@ -16,7 +16,7 @@ struct GasFilm::FaceRow {
     std::span<const double> p, gap, tilt, speed;
     std::span<const double> length, lowerShare, width; // of the paths
     std::span<const double> mobility, mobilityByProduct;
-    double viscosity;
+    double viscosity, leastGap;
 };
 
 namespace {
@@ -94,16 +94,16 @@ TOUCHDOWN_VECTOR_CLONES void setSmoothSlopes(GapSlopes& out, const FilmFaces& fa
     const double *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
     double *flowByGap = out.flowByGap.data() + first, *flowByRise = out.flowByRise.data() + first;
     double *ownByGap = out.ownByGap.data() + first, *ownByRise = out.ownByRise.data() + first;
-    const double viscosity = row.viscosity;
+    const double viscosity = row.viscosity, least = std::max(row.leastGap, closedGap);
 #pragma GCC ivdep
     for (std::size_t k = 0; k < row.count; ++k) {
         const double p1 = below[k], p2 = above[k];
-        const bool open = gap[k] > closedGap, free = open && std::abs(tilt[k]) < 1.0;
+        const bool open = gap[k] > least, free = open && std::abs(tilt[k]) < 1.0;
         const double perGap = free ? 1.0 / (open ? gap[k] : 1.0) : 0.0;
         Number h(gap[k]), e(tilt[k]), mobility(G[k]);
-        h.by = {1.0, 0.0};
+        h.by = {open ? 1.0 : 0.0, 0.0};
         e.by = {-tilt[k] * perGap, perGap};
-        mobility.by[0] = byProduct[k] * (0.5 * (p1 + p2)) + byGap[k];
+        mobility.by[0] = open ? byProduct[k] * (0.5 * (p1 + p2)) + byGap[k] : 0.0;
         const PathFlow<Number> flow =
             smoothFlow<scheme>(SmoothPath{length[k], lowerShare[k], width[k]}, viscosity, speed[k], h, e, mobility);
         const Number passed = flow.A * Number(p1) - flow.B * Number(p2);
@@ -140,7 +140,8 @@ GasFilm::FaceRow GasFilm::smoothRow(std::size_t axis, int j, std::span<const dou
                 a.width,
                 work.mobility,
                 work.mobilityByProduct,
-                setting_.air.viscosity};
+                setting_.air.viscosity,
+                leastGap()};
     if (axis == 0) {
         std::fill(work.width.begin(), work.width.end(), a.width[static_cast<std::size_t>(j)]);
         row.width = work.width;

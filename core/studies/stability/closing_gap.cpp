@@ -53,6 +53,7 @@ std::vector<WedgePoint> pressuresInWedge(const Case& c, SlipModel model)
 {
     FilmSetting setting = filmSetting(c);
     setting.slip.model = model;
+    setting.leastGap = 0.0;
     if (!slipLaw(model).knowsAccommodation && model != SlipModel::Combination) setting.slip.accommodation = 1.0;
     const double speed = std::abs(c.disk.speed * c.disk.radius);
     setting.disk = {.speed = speed, .radius = 1.0, .skew = 0.0, .field = VelocityField::Uniform};

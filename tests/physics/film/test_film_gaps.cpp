@@ -217,25 +217,46 @@ private slots:
         }
     }
 
-    /// A face that an edge along the path divides: rows beside it of exactly the widths on either side.
-    void edgeAlongAPath()
+    /// An edge along the paths, or slanted: the deep and the shallow width of each line of faces are exact.
+    void widthsOfALineOfFaces_data()
     {
+        QTest::addColumn<double>("slope");
+        for (const double slope : {0.0, 0.3, -0.7, 1.5}) QTest::addRow("%g", slope) << slope;
+    }
+    void widthsOfALineOfFaces()
+    {
+        QFETCH(double, slope);
         AirBearingSurface surface;
         surface.baseRecess = 500e-9;
-        const CellGrid cells = uniform(4, 4);
-        const double low = cells.y[1], high = cells.y[2];
-        for (int k = 1; k < 10; ++k) {
-            const double edge = low + 0.1 * k * (high - low);
-            surface.rails = {box(0.0, L, edge, W, 7e-9)};
+        const int count = 16;
+        const CellGrid cells = uniform(count, count);
+        for (int k = 0; k < 20; ++k) {
+            // The rail lies above the edge y = middle + slope (x - L/2).
+            const double middle = (0.5 + 0.05 * (k + 0.5) / count) * W, rise = 0.5 * slope * W;
+            surface.rails = {{.points = {{-0.1 * L, middle - 1.2 * rise},
+                                         {1.1 * L, middle + 1.2 * rise},
+                                         {1.1 * L, 9 * W},
+                                         {-0.1 * L, 9 * W}},
+                              .recess = {7e-9}}};
             const FilmGaps gaps(Recess(surface, L, W), cells);
-            const CutPlace* place = cutAt(gaps, 0, 2, 1);
-            QVERIFY(place);
-            double deep = 0.0, shallow = 0.0;
-            for (std::uint32_t r = place->rows; r < place->rowEnd; ++r)
-                for (std::uint32_t p = gaps.rows[r].pieces; p < gaps.rows[r].pieceEnd; ++p)
-                    (gaps.pieces[p].recess > 100e-9 ? deep : shallow) += gaps.rows[r].width * gaps.pieces[p].extent;
-            QVERIFY(std::abs(deep - (edge - low) * L / 4) < 1e-12 * L * L);
-            QVERIFY(std::abs(shallow - (high - edge) * L / 4) < 1e-12 * L * L);
+            for (int i = 6; i <= 10; ++i) {
+                double deep = 0.0, shallow = 0.0;
+                for (int j = 0; j < count; ++j) {
+                    const std::size_t at = gaps.pad.at(i, j);
+                    const CutPlace* place = cutAt(gaps, 0, i, j);
+                    if (!place) (gaps.faces[0].recess[at] > 100e-9 ? deep : shallow) += W / count;
+                    for (std::uint32_t r = place ? place->rows : 0; place && r < place->rowEnd; ++r) {
+                        const GapRow& row = gaps.rows[r];
+                        double lowest = 1.0;
+                        for (std::uint32_t p = row.pieces; p < row.pieceEnd; ++p)
+                            lowest = std::min(lowest, gaps.pieces[p].recess);
+                        (lowest > 100e-9 ? deep : shallow) += row.width;
+                    }
+                }
+                const double edge = middle + rise * 2.0 * (cells.x[std::size_t(i)] / L - 0.5);
+                QVERIFY2(std::abs(deep - edge) < 1e-9 * W, qPrintable(QString::number((deep - edge) * count / W)));
+                QVERIFY(std::abs(shallow - (W - edge)) < 1e-9 * W);
+            }
         }
     }
 

@@ -129,7 +129,7 @@ private slots:
     void order()
     {
         QFETCH(int, coupling);
-        const int steps = 100;
+        const int steps = 400;
         Vector3 last = Vector3::Zero();
         double before = 0.0;
         for (int k = 0; k < 4; ++k) {
@@ -172,15 +172,15 @@ private slots:
         for (int k = 0; k < 4; ++k) {
             SpringAndJump contact(0.0, 0.0, 5e-3);
             FlyingSlider slider(pico(), picoAtRest(), tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
-            QVERIFY(slider.takeAll(2e-6, 50 << k));
+            QVERIFY(slider.takeAll(2e-6, 200 << k));
             contact.cross(true);
             slider.stepper.restartAcceleration();
-            QVERIFY(slider.takeAll(2e-6, 50 << k));
+            QVERIFY(slider.takeAll(2e-6, 200 << k));
             const double change = k > 0 ? slider.from(last) : 0.0;
             if (k > 1) {
                 const double observed = std::log2(before / change);
                 QVERIFY2(std::abs(observed - 2.0) < 0.15,
-                         qPrintable(QString("order %1 with %2 steps").arg(observed).arg(50 << k)));
+                         qPrintable(QString("order %1 with %2 steps").arg(observed).arg(200 << k)));
             }
             before = change;
             last = slider.q();

@@ -100,7 +100,9 @@ private slots:
                                       .arg(frequency)
                                       .arg(damping);
             QVERIFY2(std::abs(frequency / mode.frequency - 1.0) < 1e-3, qPrintable(found));
-            QVERIFY2(std::abs(damping / mode.dampingRatio - 1.0) < 1e-2, qPrintable(found));
+            // Coarse grids leave some modes with next to no damping.
+            const double scale = std::max(std::abs(mode.dampingRatio), 1e-3);
+            QVERIFY2(std::abs(damping - mode.dampingRatio) < 1e-2 * scale, qPrintable(found));
         }
     }
 };

@@ -184,8 +184,10 @@ void TestAdvisor::whereGrowthIsNotKnownItRunsTheWhole()
     c.suspension.damping = 100.0;
     const StudyReport report = perform(c, "pilot = 0.1\nmodels = [\"static\"]");
     QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
-    QCOMPARE(report.warnings.size(), 1u);
-    QVERIFY2(report.warnings[0].find("was run to its end") != std::string::npos, report.warnings[0].c_str());
+    const auto saysSo = [](const std::string& warning) {
+        return warning.find("was run to its end") != std::string::npos;
+    };
+    QVERIFY(std::any_of(report.warnings.begin(), report.warnings.end(), saysSo));
     QVERIFY2(report.findings.at(1).find("over the whole run") != std::string::npos, report.findings.at(1).c_str());
 }
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rows of the faces across one axis that an edge or a wall meets. A cell's pressure is that of the side of the edge
+// on which its centre lies:
+//
+//   across  Where a centre is shallow, the row through both centres stands for the whole face: the flow into the
+//           shallow side needs the distance from its centre to the edge along the path (Gibou et al. 2002).
+//   along   The open width of each line of faces is exact (Ng, Min & Gibou 2009). The deep parts of a face with a
+//           shallow centre belong to deep cells beside it: they count at the nearest face in the line whose centres are
+//           both deep, less the row through the centres that already stands for them.
+//
+// Rows that were merely parallel would close a channel that runs slantwise by half a cell on either side, as each of
+// them enters a rail before it reaches the next centre, though the air flows round.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gap_sampler.h"
+
+namespace touchdown {
+
+/// A face as the sampler divided it.
+struct SampledFace {
+    std::size_t at; // padded index
+    FacePath path;
+    std::uint32_t rows, rowEnd; // in CutRowArranger::rows
+    double lowest, highest;     // recess [m]
+};
+
+class CutRowArranger {
+public:
+    /// `gaps` with the recess at its centres; it must last.
+    CutRowArranger(FilmGaps& gaps, GapSampler& sampler, std::size_t axis);
+
+    FacePath pathOf(std::size_t at) const;
+    /// A face as the sampler has just divided it; faces come in ascending order.
+    void add(std::size_t at, const FacePath& path);
+    /// Adds cut faces, their rows and pieces to the gaps.
+    void finish();
+
+    const std::vector<SampledFace>& faces() const { return faces_; }
+    const std::vector<SampledRow>& rows() const { return rows_; }
+    const std::vector<GapPiece>& pieces() const { return pieces_; }
+
+private:
+    /// A deep part of a face that counts at another one.
+    struct Given {
+        std::size_t to, from; // faces, padded index
+        double width, middle; // across the face [m]
+        double recess;        // at the face [m]
+    };
+
+    bool isOutermost(const SampledFace& face) const;
+    /// Of a face open over its whole width, whose paths meet an edge: the side, -1 or 1, on which they are open; 0
+    /// where the edge stands so square to the paths that none within reach is.
+    int openSide(const SampledFace& face, double shallowGap) const;
+    /// The nearest face in the line, in this direction (-1, 1), whose centres are both deep beside this gap [m] and to
+    /// which the faces between are open over their whole width.
+    std::optional<std::size_t> receiver(const SampledFace& face, int direction, double shallowGap) const;
+    /// Divides a face with a shallow centre into the row through the centres and parts for other faces.
+    void give(const SampledFace& face, double shallowGap);
+    void openFace(std::size_t at);
+    void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, bool isFed);
+    void addDeepFace(const SampledFace& face);
+    void addShallowFace(const SampledFace& face);
+    void addGiven(const Given& given);
+
+    FilmGaps& gaps_;
+    GapSampler& sampler_;
+    std::size_t axis_;
+    std::vector<SampledFace> faces_;
+    std::vector<SampledRow> rows_;
+    std::vector<GapPiece> pieces_;
+    std::vector<double> keptWidth_; // by row: what stays at its own face [m]
+    std::vector<Given> given_;
+};
+
+} // namespace touchdown
