@@ -155,7 +155,9 @@ int commandLine(int argc, char** argv)
     CLI::App& steady = *app.add_subcommand("steady", "Finds the static flying attitude of a film case");
     addCase(steady, arguments);
     steady.add_option("--out", arguments.out, "Writes forces and fields as HDF5")->type_name("FILE.h5");
-    steady.add_flag("--fixed-attitude", arguments.fixedAttitude, "Solves the film at the initial attitude only");
+    steady.add_flag(
+        "--fixed-attitude", arguments.fixedAttitude,
+        "Solves the film at the initial attitude only; refused with rails inside the disk and no contact law");
     addProgress(steady, arguments);
     addJson(steady, arguments);
 
@@ -174,7 +176,8 @@ int commandLine(int argc, char** argv)
         if (kind.name == "advise" && &parent == &app)
             command.add_option("--tolerance", tolerance, "Largest error of the advised model, such as 1%");
         if (kind.name == "convergence")
-            command.add_option("--levels", levels, "Levels of cells, the finest half of elastic.cell");
+            command.add_option("--levels", levels,
+                               "Levels of cells of a contact case, the finest half of elastic.cell");
         addJson(command, arguments);
         kinds.push_back(&command);
     };

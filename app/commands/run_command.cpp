@@ -198,7 +198,8 @@ std::string runJson(const Summary& summary, const std::vector<Quantity>& quantit
                      {"integrator", summary.integrator},
                      {"final", finalJson(summary)},
                      {"tail", tailJson(summary)},
-                     {"bouncing", summary.bouncing},
+                     {"motion", name(summary.motion)},
+                     {"bouncing", summary.bouncing()},
                      {"bouncing_rule", summary.bouncingRule},
                      {"spectrum", {{"peaks", peaks}}},
                      {"step_check", stepCheckJson(summary.stepCheck)},
@@ -226,7 +227,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
         text += reportRow("minimum spacing",
                           shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
     if (!summary.bouncingRule.empty())
-        text += reportRow("bouncing", (summary.bouncing ? "yes: " : "no: ") + summary.bouncingRule);
+        text += reportRow("motion", std::string(name(summary.motion)) + ": " + summary.bouncingRule);
     for (std::size_t i = 0; i < summary.peaks.size(); ++i)
         text +=
             reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +

@@ -82,8 +82,9 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     putFinite(group, "wall_seconds", summary.wallSeconds, "s", "Wall time of the run");
     group.put("model", summary.model, "1", "Model");
     group.put("integrator", summary.integrator, "1", "Integrator");
-    putCount(group, "bouncing", summary.bouncing ? 1 : 0, "1 when the motion is sustained");
-    group.put("bouncing_rule", summary.bouncingRule, "1", "The rule that decided on bouncing");
+    group.put("motion", std::string(name(summary.motion)), "1", "What the motion comes to");
+    putCount(group, "bouncing", summary.bouncing() ? 1 : 0, "1 when the slider bounces on the disk to the end");
+    group.put("bouncing_rule", summary.bouncingRule, "1", "The rule that decided on the motion");
     group.put("warnings", summary.warnings, "1", "Warnings");
     writePeaks(group, quantities, summary.peaks);
     if (!summary.figures.empty()) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/steady_writer.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -65,16 +69,23 @@ void writeSensitivities(const Hdf5Group& state, const std::vector<Sensitivity>& 
                       (each.unit.empty() ? "" : " per " + each.unit));
 }
 
+constexpr std::array<std::string_view, 4> askedFor{"nominal_trailing_edge_height", "pitch", "roll", "minimum_spacing"};
+
 void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& result)
 {
     state.set("status", name(result.status));
     state.set("message", result.message);
     state.set("iterations", std::int64_t{result.iterations});
     state.set("wall_seconds", result.wallSeconds);
-    state.set("residual", result.residual);
-    state.set("load_error", result.loadError);
-    for (const auto& [quantity, value] : steadyQuantities(result))
-        state.put(quantity.name, value, quantity.unit, quantity.longName);
+    // Without a solution only the attitude that was asked for is known.
+    const bool known = result.grid.x.size() > 1;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    state.set("residual", known ? result.residual : unknown);
+    state.set("load_error", known ? result.loadError : unknown);
+    for (const auto& [quantity, value] : steadyQuantities(result)) {
+        const bool asked = std::ranges::count(askedFor, quantity.name) > 0;
+        state.put(quantity.name, known || asked ? value : unknown, quantity.unit, quantity.longName);
+    }
     const FilmForces& forces = result.forces;
     putPlace(state, "minimum_spacing_at", result.minimumAt, "Where the spacing is least");
     putPlace(state, "maximum_pressure_at", forces.maximumAt, "Where the pressure is highest");

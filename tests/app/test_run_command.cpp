@@ -52,7 +52,7 @@ void TestRunCommand::runForPeople()
     QCOMPARE(o.code, 0);
     QCOMPARE(o.err, QByteArray());
     for (const char* part : {"Fig. 10 (a)", "completed at 2 ms", "7.0000 nm", "90.000 urad", "minimum spacing",
-                             "bouncing", "no: ", "kHz", "events", "steps", "dopri5", "solver time"})
+                             "motion", "at rest: ", "kHz", "events", "steps", "dopri5", "solver time"})
         QVERIFY2(o.out.contains(part), part);
 }
 
@@ -83,6 +83,7 @@ void TestRunCommand::runAsJson()
         for (const char* statistic : {"mean", "std", "min", "max"})
             QVERIFY2(tail[key].toObject()[statistic].isDouble(), key);
     QVERIFY(json["bouncing"].isBool() && !json["bouncing"].toBool());
+    QCOMPARE(json["motion"].toString(), "at rest");
     QVERIFY(!json["bouncing_rule"].toString().isEmpty());
     const QJsonArray peaks = json["spectrum"].toObject()["peaks"].toArray();
     QVERIFY(!peaks.isEmpty());

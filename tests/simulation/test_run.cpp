@@ -117,7 +117,8 @@ private slots:
         QVERIFY(trace.finite);
         QVERIFY(!summary.tail.empty());
         // No sustained bouncing on a flat disk, as the paper found; the undamped textbook bounce is meant to go on.
-        QCOMPARE(summary.bouncing, name == "textbook_bounce");
+        QCOMPARE(summary.bouncing(), name == "textbook_bounce");
+        QVERIFY(summary.motion != Motion::NotJudged);
     }
 
     void aFilmCaseRecordsItsAttitude()

@@ -78,6 +78,19 @@ void AboutCasePane::write()
     setHtml(html);
 }
 
+QString motionText(Motion motion)
+{
+    switch (motion) {
+    case Motion::NotJudged: break;
+    case Motion::AtRest: return AboutCasePane::tr("It is at rest.");
+    case Motion::Settles: return AboutCasePane::tr("It settles.");
+    case Motion::Swings: return AboutCasePane::tr("It continues to swing without contact.");
+    case Motion::Bounces: return AboutCasePane::tr("It continues to bounce.");
+    case Motion::TooShort: return AboutCasePane::tr("The run is too short to tell whether it settles.");
+    }
+    return {};
+}
+
 QString resultText(const RunRecord& run)
 {
     if (!run.summary) return {};
@@ -108,9 +121,7 @@ QString resultText(const RunRecord& run)
             ends << words.arg(readout(*value, run.quantities[index]));
         }
         text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
-        if (!summary.bouncingRule.empty())
-            text += QLatin1Char(' ') + (summary.bouncing ? AboutCasePane::tr("It continues to bounce.")
-                                                         : AboutCasePane::tr("It does not continue to bounce."));
+        if (const QString motion = motionText(summary.motion); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
     } else {
         text = sentence(summary.message);
     }

@@ -3,19 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "core/formats/units.h"
+#include "core/simulation/recording/motion_verdict.h"
 
 namespace touchdown {
 
 namespace {
 
 constexpr std::size_t mostSpectrumSamples = std::size_t{1} << 21; // 16 MiB
-
-// The rule for sustained motion: the swing of the minimum spacing over the last tenth of the run is large enough
-// to matter and has not decayed against the tenth before.
-constexpr double smallestSwing = 0.02e-9; // [m], peak to peak
-constexpr double smallestDecay = 0.9;     // [-], of the swing from tenth to tenth
 
 } // namespace
 
@@ -87,10 +83,14 @@ void RunStatistics::add(const SampleBatch& batch)
     for (std::size_t i = 0; i < columns_.size(); ++i)
         for (const double value : batch.columns[columns_[i]]) blocks_[i].add(value);
     const std::vector<double>& spacing = batch.columns[spacingColumn_];
-    for (std::size_t i = 0; i < spacing.size(); ++i)
-        if (batch.time[i] >= case_.spectrum.start) spacing_.push_back(spacing[i]);
-    if (spacing_.size() > 2 * mostSpectrumSamples)
-        spacing_.erase(spacing_.begin(), spacing_.end() - mostSpectrumSamples);
+    spacing_.insert(spacing_.end(), spacing.begin(), spacing.end());
+    for (const double time : batch.time)
+        if (time < case_.spectrum.start) ++beforeSpectrum_;
+    if (spacing_.size() > 2 * mostSpectrumSamples) {
+        const std::size_t dropped = spacing_.size() - mostSpectrumSamples;
+        spacing_.erase(spacing_.begin(), spacing_.begin() + static_cast<std::ptrdiff_t>(dropped));
+        beforeSpectrum_ -= std::min(beforeSpectrum_, dropped);
+    }
     samples_ += batch.size();
 }
 
@@ -100,22 +100,46 @@ void RunStatistics::finish(Summary& summary) const
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::string& name = quantities_[columns_[i]].name;
         summary.tail.emplace_back(name, blocks_[i].over(0.9, 1.0));
-        if (name != "minimum_spacing" || !oscillates_) continue;
-        const Statistics before = blocks_[i].over(0.8, 0.9);
-        const Statistics& tail = summary.tail.back().second;
-        const double swing = tail.max - tail.min;
-        const double swingBefore = before.max - before.min;
-        summary.bouncing = swing > smallestSwing && swing >= smallestDecay * swingBefore;
-        const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
-        summary.bouncingRule =
-            "sustained if the minimum spacing swings by more than " + nm(smallestSwing) +
-            " over the last tenth of the run, and by at least 90 % of its swing over the tenth before: " + nm(swing) +
-            " after " + nm(swingBefore);
     }
     if (!oscillates_) return;
-    const Spectrum spectrum =
-        welch(spacing_, case_.run.sampleInterval, welchOptions(case_.spectrum, case_.run.sampleInterval));
+    judgeMotion(summary);
+    const Spectrum spectrum = welch(std::span(spacing_).subspan(beforeSpectrum_), case_.run.sampleInterval,
+                                    welchOptions(case_.spectrum, case_.run.sampleInterval));
     summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);
+}
+
+void RunStatistics::judgeMotion(Summary& summary) const
+{
+    for (const bool third : {false, true}) {
+        const MotionEvidence evidence = evidenceOf(summary, third);
+        summary.motion = motionOf(evidence);
+        summary.bouncingRule = motionRule(evidence);
+        if (summary.motion != Motion::TooShort || evidence.swing <= smallestSwing) return;
+    }
+}
+
+MotionEvidence RunStatistics::evidenceOf(const Summary& summary, bool third) const
+{
+    const double share = third ? 1.0 / 3.0 : 0.1;
+    const auto last = [&](double part) {
+        const auto count = static_cast<std::size_t>(part * static_cast<double>(samples_));
+        return std::span(spacing_).last(std::min(spacing_.size(), count));
+    };
+    MotionEvidence evidence{.third = third, .periods = periodsOf(last(share)), .movesOn = movesOn(last(0.5))};
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const Statistics window = blocks_[i].over(1.0 - share, 1.0);
+        const Statistics before = blocks_[i].over(1.0 - 2.0 * share, 1.0 - share);
+        const std::string& name = quantities_[columns_[i]].name;
+        if (name == "minimum_spacing") {
+            evidence.swing = window.max - window.min;
+            evidence.swingBefore = before.max - before.min;
+        }
+        if (name == "contact_force") evidence.touches = window.max > 0.0;
+    }
+    // Contact shorter than the interval of the samples.
+    for (const RunEvent& event : summary.events)
+        if (event.time >= (1.0 - share) * summary.endTime && event.name == "touch-down") evidence.touches = true;
+    return evidence;
 }
 
 } // namespace touchdown

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/case/case.h"
+#include "core/simulation/recording/motion_verdict.h"
 #include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
@@ -34,17 +35,21 @@ class RunStatistics {
 public:
     RunStatistics(const Case& c, const std::vector<Quantity>& quantities);
     void add(const SampleBatch& batch);
-    /// Sets tail, bouncing, bouncingRule and peaks.
+    /// Sets tail, motion, bouncingRule and peaks of a summary with its end time and events.
     void finish(Summary& summary) const;
 
 private:
+    void judgeMotion(Summary& summary) const;
+    MotionEvidence evidenceOf(const Summary& summary, bool third) const;
+
     const Case& case_;
     const std::vector<Quantity>& quantities_;
     bool oscillates_;                  // a pad that is moved does not
     std::vector<std::size_t> columns_; // of the tail quantities
     std::vector<BlockStatistics> blocks_;
     std::size_t spacingColumn_;
-    std::vector<double> spacing_; // the newest samples of the minimum spacing, for its spectrum [m]
+    std::vector<double> spacing_;    // the newest samples of the minimum spacing [m]
+    std::size_t beforeSpectrum_ = 0; // of these, before the spectrum's start
     std::size_t samples_ = 0;
 };
 

@@ -14,6 +14,19 @@ std::string_view name(RunStatus status)
     return {};
 }
 
+std::string_view name(Motion motion)
+{
+    switch (motion) {
+    case Motion::NotJudged: return "not judged";
+    case Motion::AtRest: return "at rest";
+    case Motion::Settles: return "settles";
+    case Motion::Swings: return "swings";
+    case Motion::Bounces: return "bounces";
+    case Motion::TooShort: return "too short to tell";
+    }
+    return {};
+}
+
 std::string_view name(RunFailure failure)
 {
     switch (failure) {

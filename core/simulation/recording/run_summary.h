@@ -23,6 +23,11 @@ struct RecordedFields;
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);
 
+/// What the motion comes to: core/simulation/recording/motion_verdict.h.
+enum class Motion : std::uint8_t { NotJudged, AtRest, Settles, Swings, Bounces, TooShort };
+/// "bounces"; "not judged" of a pad that is moved.
+std::string_view name(Motion motion);
+
 /// Why a run did not complete; the message states it for a person.
 enum class RunFailure : std::uint8_t {
     None,
@@ -90,9 +95,10 @@ struct Summary {
     std::vector<std::pair<std::string, double>> final;    // quantity name -> value; only finite ones
     std::vector<std::pair<std::string, Statistics>> tail; // over the last 10 % of the duration
     std::vector<RunEvent> events;                         // the first 100 000
-    bool bouncing = false;
-    std::string bouncingRule; // the rule that decided, with its figures
-    std::vector<Peak> peaks;  // of the minimum spacing, largest first
+    Motion motion = Motion::NotJudged;
+    std::string bouncingRule; // the rule that decided on the motion, with its figures
+    bool bouncing() const { return motion == Motion::Bounces; }
+    std::vector<Peak> peaks; // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;
     std::vector<RunFigure> figures;       // models film and contact; springs with their energy balance

@@ -47,24 +47,33 @@ private slots:
         QCOMPARE(all.min, all.max);
     }
 
-    void bouncing_data()
+    /// 100 kHz over 2 ms: 20 periods in the last tenth.
+    void motion_data()
     {
         QTest::addColumn<double>("swing"); // amplitude at the end [m]
         QTest::addColumn<double>("decay"); // over the last tenth [-]
-        QTest::addColumn<bool>("bouncing");
+        QTest::addColumn<int>("expected");
         QTest::addColumn<double>("early"); // amplitude of the first half, of the later one [-]
-        QTest::newRow("at rest") << 0.0 << 1.0 << false << 1.0;
-        QTest::newRow("constant swing") << 1e-9 << 1.0 << true << 1.0;
-        QTest::newRow("constant after a larger one") << 1e-9 << 1.0 << true << 10.0;
-        QTest::newRow("growing swing") << 1e-9 << 1.5 << true << 1.0;
-        QTest::newRow("decaying swing") << 1e-9 << 0.7 << false << 1.0;
-        QTest::newRow("too small to matter") << 0.005e-9 << 1.0 << false << 1.0;
+        QTest::addColumn<double>("touch"); // contact force while the minimum spacing is below 7 nm [N]
+        const auto row = [](const char* title, double swing, double decay, Motion expected, double early,
+                            double touch) {
+            QTest::newRow(title) << swing << decay << static_cast<int>(expected) << early << touch;
+        };
+        row("at rest", 0.0, 1.0, Motion::AtRest, 1.0, 0.0);
+        row("constant swing", 1e-9, 1.0, Motion::Swings, 1.0, 0.0);
+        row("constant swing that touches", 1e-9, 1.0, Motion::Bounces, 1.0, 1e-3);
+        row("constant after a larger one", 1e-9, 1.0, Motion::Bounces, 10.0, 1e-3);
+        row("growing swing", 1e-9, 1.5, Motion::Swings, 1.0, 0.0);
+        row("decaying swing", 1e-9, 0.7, Motion::Settles, 1.0, 0.0);
+        row("decaying swing that touches", 1e-9, 0.7, Motion::Settles, 1.0, 1e-3);
+        row("too small to matter", 0.005e-9, 1.0, Motion::AtRest, 1.0, 1e-3);
     }
-    void bouncing()
+    void motion()
     {
         QFETCH(double, swing);
         QFETCH(double, decay);
-        QFETCH(bool, bouncing);
+        QFETCH(int, expected);
+        QFETCH(double, touch);
         QFETCH(double, early);
         Case c;
         const std::vector<Quantity> quantities = recordedQuantities(c);
@@ -77,17 +86,47 @@ private slots:
             batch.time.push_back(t);
             const double amplitude =
                 swing * std::pow(decay, 10.0 * (double(i) / count - 1.0)) * (2 * i < count ? early : 1.0);
-            for (auto& column : batch.columns)
-                column.push_back(7e-9 + amplitude * std::sin(2 * std::numbers::pi * 100e3 * t));
+            const double spacing = 7e-9 + amplitude * std::sin(2 * std::numbers::pi * 100e3 * t);
+            for (auto& column : batch.columns) column.push_back(spacing);
+            batch.columns[static_cast<std::size_t>(findQuantity(quantities, "contact_force"))].back() =
+                spacing < 7e-9 ? touch : 0.0;
         }
         statistics.add(batch);
         Summary summary;
         statistics.finish(summary);
-        QCOMPARE(summary.bouncing, bouncing);
+        QCOMPARE(static_cast<int>(summary.motion), expected);
         QVERIFY(!summary.bouncingRule.empty());
-        if (bouncing) QVERIFY(std::abs(summary.peaks.front().frequency - 100e3) < 1e3);
+        if (swing > 0.1e-9) QVERIFY(std::abs(summary.peaks.front().frequency - 100e3) < 1e3);
         // Quantities that this model lacks are absent, not zero.
         for (const auto& [name, tail] : summary.tail) QVERIFY(name != "roll");
+    }
+    /// The same motion, cut off: its last third holds 2 or 4 periods, or its last tenth 4, whenever the spectrum
+    /// starts.
+    void aShortRun()
+    {
+        for (const double periods : {0.6, 1.2, 4.0}) // in a tenth
+            for (const double start : {0.0, 0.98}) {
+                Case c;
+                const double period = 1e-5, duration = 10.0 * periods * period;
+                c.spectrum.start = start * duration;
+                const std::vector<Quantity> quantities = recordedQuantities(c);
+                RunStatistics statistics(c, quantities);
+                SampleBatch batch;
+                batch.columns.resize(quantities.size());
+                for (int i = 0; i <= 10000; ++i) {
+                    const double t = duration * i / 10000;
+                    batch.time.push_back(t);
+                    for (auto& column : batch.columns)
+                        column.push_back(7e-9 + 1e-9 * std::sin(2 * std::numbers::pi * t / period));
+                }
+                statistics.add(batch);
+                Summary summary;
+                summary.endTime = duration;
+                statistics.finish(summary);
+                QCOMPARE(summary.motion, periods > 1.0 ? Motion::Bounces : Motion::TooShort);
+                QVERIFY(summary.bouncing() == (periods > 1.0));
+                QCOMPARE(summary.bouncingRule.find("last tenth") != std::string::npos, periods == 4.0);
+            }
     }
     void nothingFromNothing()
     {
@@ -95,7 +134,7 @@ private slots:
         const std::vector<Quantity> quantities = recordedQuantities(c);
         Summary summary;
         RunStatistics(c, quantities).finish(summary);
-        QVERIFY(summary.tail.empty() && summary.peaks.empty() && !summary.bouncing);
+        QVERIFY(summary.tail.empty() && summary.peaks.empty() && summary.motion == Motion::NotJudged);
     }
     void welchOptionsOfACase()
     {
